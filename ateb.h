@@ -1,0 +1,394 @@
+#ifndef ATEB_H
+#define ATEB_H
+
+/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.c keeps it so ---------- */
+#ifndef VM_SHARED
+#define VM_SHARED
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#if defined(__FAST_MATH__) && !defined(VM_ALLOW_FAST_MATH)
+#error "-ffast-math breaks two-word arithmetic and the checks for NaN; define VM_ALLOW_FAST_MATH to compile anyway"
+#endif
+
+#ifndef VM_API
+#define VM_API static inline    /* linkage of every function, e.g. static inline __host__ __device__ */
+#endif
+#ifndef VM_TABLE
+#define VM_TABLE static const   /* storage of every table */
+#endif
+
+#ifdef VM_USE_FLOAT
+typedef float vm_real;
+#define VM_C(x) x##f            /* a constant */
+#define VM_LIBM(name) name##f   /* a function of the C library */
+#define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
+#define VM_EPSILON FLT_EPSILON
+#define VM_MAX FLT_MAX
+#define VM_MANT_DIG FLT_MANT_DIG
+#else
+typedef double vm_real;
+#define VM_C(x) x
+#define VM_LIBM(name) name
+#define VM_TAG(tag) tag
+#define VM_EPSILON DBL_EPSILON
+#define VM_MAX DBL_MAX
+#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#endif
+
+#ifndef VM_SQRT                 /* define all of these to use another library */
+#define VM_SQRT(x) VM_LIBM(sqrt)(x)
+#define VM_FABS(x) VM_LIBM(fabs)(x)
+#define VM_FLOOR(x) VM_LIBM(floor)(x)
+#define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
+#define VM_SIN(x) VM_LIBM(sin)(x)
+#define VM_COS(x) VM_LIBM(cos)(x)
+#define VM_EXP(x) VM_LIBM(exp)(x)
+#define VM_LOG(x) VM_LIBM(log)(x)
+#define VM_POW(x, y) VM_LIBM(pow)(x, y)
+#endif
+
+#define VM_NAN ((vm_real)NAN)
+#define VM_INFINITY ((vm_real)INFINITY)
+#define VM_IS_FINITE(x) ((x) - (x) == 0)
+#define VM_PI VM_C(3.141592653589793238463)
+
+typedef struct VM_TAG(vm_two) { vm_real hi, lo; } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+
+/* a + b exactly (Knuth) */
+VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
+{
+    vm_two s;
+    vm_real b_part;
+    s.hi = a + b;
+    b_part = s.hi - a;
+    s.lo = (a - (s.hi - b_part)) + (b - b_part);
+    return s;
+}
+
+/* a b exactly (Dekker, Veltkamp) for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows */
+#if VM_MANT_DIG > 24
+#define VM_SPLIT VM_C(134217729.0)
+#else
+#define VM_SPLIT VM_C(4097.0)
+#endif
+VM_API vm_two vmi_two_product(vm_real a, vm_real b)
+{
+    vm_two p;
+    vm_real ta = VM_SPLIT * a, tb = VM_SPLIT * b;
+    vm_real ah = ta - (ta - a), al = a - ah;
+    vm_real bh = tb - (tb - b), bl = b - bh;
+    p.hi = a * b;
+    p.lo = ((ah * bh - p.hi) + ah * bl + al * bh) + al * bl;
+    return p;
+}
+
+/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
+   rest, |rest| <= q/2 but for a rounding, accurate to an ulp of itself plus 2^-(2p) x. From 2^(p-1) quarters on
+   the argument holds no phase: rest 0, quarter 0. */
+VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
+{
+    vm_real scale, j = VM_FLOOR(x / q.hi + VM_C(0.5));
+    vm_two p;
+    *quarter = 0;
+    if (j == 0) return x;
+    if (!(j < 1 / VM_EPSILON)) return 0;
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
+    scale = q.hi > VM_MAX / (VM_SPLIT * VM_SPLIT) ? 1 / (VM_SPLIT * VM_SPLIT) : 1; /* room for the splitting */
+    p = vmi_two_product(j, q.hi * scale);
+    return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
+}
+
+#endif
+/* ---- End of the shared block -------------------------------------------------------------------------------- */
+
+
+/* ---- Table of contents -------------------------------------------------------------------------------------- */
+
+/* Pi_alpha = B(1/(alpha + 1), 1/2) (277), alpha >= 0: 2 at alpha = 0, pi at 1, alpha + 1 + 2 ln 2 for large ones.
+   sa and ca have the period 2 Pi_alpha. */
+VM_API vm_real ateb_pi(vm_real alpha);
+
+/* sa(1, alpha, s) and ca(alpha, 1, s) for any real s and alpha >= 0 (276). |sa|, |ca| <= 1; sa is odd, ca is even, to
+   the bit. s is reduced with Pi_alpha in two words. */
+VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca);
+VM_API vm_real ateb_sa(vm_real s, vm_real alpha);
+VM_API vm_real ateb_ca(vm_real s, vm_real alpha);
+
+/* ---- Two words ---------------------------------------------------------------------------------------------- */
+
+VM_API vm_two vmi_two_times(vm_two x, vm_two y)
+{
+    vm_two p = vmi_two_product(x.hi, y.hi);
+    return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
+{
+    vm_two s = vmi_two_sum(x.hi, y.hi);
+    return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
+}
+
+VM_API vm_two vmi_two_over(vm_two x, vm_two y)
+{
+    vm_real z = x.hi / y.hi;
+    vm_two p = vmi_two_product(z, y.hi);
+    return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
+}
+
+/* ---- ln(1 + x) and exp(x) - 1 by Kahan's quotients [5]: the rounding of 1 + x and of exp x cancels ----------- */
+
+VM_API vm_real vmi_log1p(vm_real x)
+{
+    vm_real y = 1 + x;
+    return y == 1 ? x : VM_LOG(y) * x / (y - 1);
+}
+
+VM_API vm_real vmi_expm1(vm_real x)
+{
+    vm_real y = VM_EXP(x);
+    return y == 1 ? x : y - 1 == -1 ? y - 1 : (y - 1) * x / VM_LOG(y);
+}
+
+/* ---- The quarter period ------------------------------------------------------------------------------------- */
+
+/* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
+   polynomial in t = 2 q - 1 for (1 + q)(2 + q)(3 + q) f, Chebyshev interpolation, whose coefficients fall by 18
+   each (tests/gen/ateb_coefficients.py). Relative error below 2^-87, in float below 2^-46. */
+VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
+{
+#if VM_MANT_DIG > 24
+    enum { DEGREE = 20, TWO_WORDS = 11 };
+    VM_TABLE vm_real high[DEGREE + 1] = {
+        VM_C(2.0616701789183018434e+1), VM_C(2.0267110471870335431e+1), VM_C(6.3635705553078754093),
+        VM_C(7.3329082227506181546e-1), VM_C(1.9708227491367229928e-2), VM_C(-4.0000651288112700496e-4),
+        VM_C(1.9327295440373642315e-5), VM_C(-1.2789187658911800265e-6), VM_C(9.9916872651209563606e-8),
+        VM_C(-8.6358235237495932037e-9), VM_C(7.9763568164353615668e-10), VM_C(-7.7130262763510484056e-11),
+        VM_C(7.707074401663832919e-12), VM_C(-7.8886556122243641986e-13), VM_C(8.221125215733258922e-14),
+        VM_C(-8.6857026145160750847e-15), VM_C(9.2731898079394297925e-16), VM_C(-9.9636946202153809201e-17),
+        VM_C(1.0793061153442837435e-17), VM_C(-1.2540053537793692324e-18), VM_C(1.3712089706642146322e-19)};
+    VM_TABLE vm_real low[TWO_WORDS] = {
+        VM_C(-3.0654856268470599668e-16), VM_C(1.2108565098598461938e-15), VM_C(3.0240525331201864104e-16),
+        VM_C(-2.7720047980511162152e-19), VM_C(5.4666244738074600658e-19), VM_C(-8.9295679999853601779e-21),
+        VM_C(-1.2498401929409304188e-21), VM_C(8.8993950542947276702e-23), VM_C(3.7173074755965698946e-24),
+        VM_C(-4.0752988845349009751e-25), VM_C(4.1035499316860961806e-27)};
+#else
+    enum { DEGREE = 13, TWO_WORDS = 7 };
+    VM_TABLE vm_real high[DEGREE + 1] = {
+        VM_C(2.06167011261e+1), VM_C(2.02671108246e+1), VM_C(6.36357069016),
+        VM_C(7.33290851116e-1), VM_C(1.97082273662e-2), VM_C(-4.00006509153e-4),
+        VM_C(1.93272953766e-5), VM_C(-1.27891871671e-6), VM_C(9.99171518856e-8),
+        VM_C(-8.63585292166e-9), VM_C(7.97227173166e-10), VM_C(-7.70870797751e-11),
+        VM_C(8.00184744854e-12), VM_C(-8.20022218531e-13)};
+    VM_TABLE vm_real low[TWO_WORDS] = {
+        VM_C(6.63084392727e-7), VM_C(-3.52714636165e-7), VM_C(-1.34847155664e-7),
+        VM_C(-2.88411179383e-8), VM_C(1.25174565158e-10), VM_C(-3.72968452997e-12),
+        VM_C(-3.4247561384e-14)};
+#endif
+    vm_two t, sum, c, divisor;
+    vm_real tail = high[DEGREE];
+    int i;
+    t.hi = 2 * q.hi, t.lo = 2 * q.lo;
+    c.hi = -1, c.lo = 0;
+    t = vmi_two_plus(c, t);
+    for (i = DEGREE - 1; i >= TWO_WORDS; i--) tail = high[i] + tail * t.hi;
+    sum.hi = tail, sum.lo = 0;
+    for (i = TWO_WORDS - 1; i >= 0; i--) {
+        c.hi = high[i], c.lo = low[i];
+        sum = vmi_two_plus(c, vmi_two_times(sum, t));
+    }
+    c.hi = 1, c.lo = 0;
+    divisor = q = vmi_two_plus(c, q);
+    for (i = 2; i <= 3; i++) {
+        q = vmi_two_plus(c, q);
+        divisor = vmi_two_times(divisor, q);
+    }
+    return vmi_two_over(sum, divisor);
+}
+
+typedef struct VM_TAG(vmi_ateb) {
+    vm_real n, q;   /* alpha + 1 and 1/(alpha + 1) */
+    vm_real g;      /* (q Pi - 1)/q, from 1 (alpha = 0) to 2 ln 2 */
+    vm_two quarter; /* Pi/2 */
+} vmi_ateb;
+
+VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
+{
+    const vm_real two_ln2 = VM_C(1.386294361119890618835);
+    const vm_real g1 = VM_C(-0.6840280098193101746); /* g = 2 ln 2 + (2 ln^2 2 - pi^2/6) q + O(q^2) */
+    vm_two one, n = vmi_two_sum(alpha, 1), q, f;
+    c->n = n.hi;
+    c->q = 1 / n.hi;
+    if (alpha > 1 / (VM_EPSILON * VM_EPSILON)) { /* Pi = alpha + 1 + 2 ln 2 + O(1/alpha) */
+        c->g = two_ln2;
+        c->quarter.hi = alpha / 2;
+        c->quarter.lo = (1 + two_ln2) / 2;
+        return;
+    }
+    one.hi = 1, one.lo = 0;
+    q = vmi_two_over(one, n);
+    f = vmi_ateb_gamma_ratio(q);
+    c->g = 8 * c->q < VM_SQRT(VM_EPSILON) ? two_ln2 + g1 * c->q : ((f.hi - 1) + f.lo) / c->q;
+    c->quarter = vmi_two_times(n, f);
+    c->quarter.hi /= 2;
+    c->quarter.lo /= 2;
+}
+
+VM_API vm_real ateb_pi(vm_real alpha)
+{
+    vmi_ateb c;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
+    vmi_ateb_constants(&c, alpha);
+    return 2 * c.quarter.hi;
+}
+
+/* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
+
+   With w = sa^2, x = 1 - w = |ca|^(alpha+1), r the distance of s from the zero of sa and d from that of ca,
+     r = B_w(1/2, q)/2 = sa (1 + sum_(n>=1) (1-q)_n/n! w^n/(2n+1))                    dr/dsa = (1-w)^(q-1)
+     2 q d = q B_x(q, 1/2) = |ca| (1 + q T),  1 + q T = 2F1(1, 2q; 1+q; p),           p = (1 - sa)/2
+   the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w <= 0.3 and
+   p <= 0.24, so that either series gains two bits or so a term. */
+
+VM_API vm_real vmi_ateb_tail_w(vm_real w, vm_real kappa)
+{
+    vm_real power = 1, term, sum = 0;
+    int n = 0;
+    do {
+        power *= w * (kappa + (vm_real)n) / (vm_real)(n + 1);
+        n++;
+        term = power / (vm_real)(2 * n + 1);
+        sum += term;
+    } while (term > VM_EPSILON / 8);
+    return sum;
+}
+
+VM_API vm_real vmi_ateb_tail_p(vm_real p, vm_real q)
+{
+    vm_real term = 2 * p / (1 + q), sum = term;
+    int n = 1;
+    do {
+        term *= p * (2 * q + (vm_real)n) / (1 + q + (vm_real)n);
+        sum += term;
+        n++;
+    } while (term > VM_EPSILON / 8);
+    return sum;
+}
+
+/* Halley's step leaves 0.3 step^3 or less: after a step of 2^-18 (float 2^-8.3) that is below eps/4 */
+#if VM_MANT_DIG > 24
+#define VMI_ATEB_LAST_STEP VM_C(3.8e-6)
+#else
+#define VMI_ATEB_LAST_STEP VM_C(3.1e-3)
+#endif
+
+/* sa, ca for 0 <= r <= 0.55: start from the Taylor series of the inverse to r^9 (1e-5), one step, at times two */
+VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
+{
+    const vm_real k = 1 - q, rr = r * r;
+    const vm_real c1 = -1 / VM_C(3.0);
+    const vm_real c2 = (7 * k - 3) / 30;
+    const vm_real c3 = ((-127 * k + 123) * k - 30) / 630;
+    const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) / 22680;
+    vm_real v = r * (1 + k * rr * (c1 + rr * (c2 + rr * (c3 + rr * c4)))), w, step;
+    do {
+        w = v * v;
+        step = ((r - v) - v * vmi_ateb_tail_w(w, k)) * VM_EXP(k * VM_LOG(1 - w));
+        step /= 1 + step * k * v / (1 - w);
+        v += step;
+    } while (VM_FABS(step) > VMI_ATEB_LAST_STEP);
+    *sa = v;
+    *ca = VM_EXP(q * VM_LOG(1 - v * v));
+}
+
+/* First guess of x from X = (2 q d)^(1/q), the value for T = 0: the (1, 1) Pade approximant of x/X = 1 - e1 X +
+   e2 X^2 - ..., 1 to 2 % off at the change-over */
+VM_API vm_real vmi_ateb_guess_x(vm_real X, vm_real q)
+{
+    vm_real e1 = 1 / (2 * (1 + q));
+    vm_real e2 = VM_C(1.5) * e1 * e1 - 3 / (8 * (2 + q)) + q * e1 * e1 / 2;
+    vm_real b = e2 / e1;
+    return X * (1 + (b - e1) * X) / (1 + b * X);
+}
+
+/* sa, ca for r >= 0.55: Halley's steps for ln x, which neither underflows nor loses digits for large alpha, with the
+   residual E = (2 q d - ca (1 + q T))/q taken from r or from d, whichever is the smaller: d/dlnx of the left side's
+   q d is q ca/(2 sa). ca follows from d, with T moved along to the last x. */
+VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
+{
+    const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
+    const vm_real q = c->q, z = 2 * r - c->g; /* 2 q d = 1 - q z */
+    const int from_r = r < d;
+    const vm_real y = from_r ? 1 - q * z : 2 * q * d;
+    const vm_real ln_X = (from_r ? vmi_log1p(-q * z) : VM_LOG(y)) * c->n;
+    vm_real x, T, T1, T2, step;
+    if (ln_X < negligible) {
+        *sa = 1;
+        *ca = y;
+        return;
+    }
+    x = vmi_ateb_guess_x(VM_EXP(ln_X), q);
+    do {
+        vm_real ln_x = VM_LOG(x), u = VM_EXP(q * ln_x), v = VM_SQRT(1 - x), E;
+        T = vmi_ateb_tail_p(x / (2 * (1 + v)), q);
+        E = from_r ? (-vmi_expm1(q * ln_x) * c->n - z) - u * T : 2 * d - u * (c->n + T);
+        step = v * E / u;
+        step /= 1 + step * (q + x / (2 * v * v)) / 2;
+        T1 = 1 / v - 1 - q * T; /* dT/dlnx and its derivative */
+        T2 = x / (2 * v * v * v) - q * T1;
+        T += step * (T1 + step * T2 / 2);
+        x *= VM_EXP(step);
+    } while (VM_FABS(step) > VMI_ATEB_LAST_STEP);
+    *sa = VM_SQRT(1 - x);
+    *ca = y / (1 + q * T);
+}
+
+/* ---- sa, ca ------------------------------------------------------------------------------------------------- */
+
+VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
+{
+    const vm_real change_over = VM_C(0.55);
+    vm_real r, d, rest, sa1, ca1;
+    int quarter;
+    vmi_ateb c;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(s)) {
+        *sa = *ca = VM_NAN;
+        return;
+    }
+    vmi_ateb_constants(&c, alpha);
+    rest = vmi_reduce(VM_FABS(s), c.quarter, &quarter);
+    r = VM_FABS(rest);
+    d = c.quarter.hi - r;
+    if (quarter & 1) {
+        d = r;
+        r = c.quarter.hi - d;
+    }
+    if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q, &sa1, &ca1);
+    else vmi_ateb_near_ca_zero(r, d, &c, &sa1, &ca1);
+    if (quarter & 1) ca1 = VM_COPYSIGN(ca1, -rest);
+    else sa1 = VM_COPYSIGN(sa1, rest);
+    if (quarter & 2) {
+        sa1 = -sa1;
+        ca1 = -ca1;
+    }
+    *sa = VM_COPYSIGN(1, s) < 0 ? -sa1 : sa1;
+    *ca = ca1;
+}
+
+VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
+{
+    vm_real sa, ca;
+    ateb_saca(s, alpha, &sa, &ca);
+    return sa;
+}
+
+VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
+{
+    vm_real sa, ca;
+    ateb_saca(s, alpha, &sa, &ca);
+    return ca;
+}
+
+#endif

@@ -1,0 +1,101 @@
+/* check.h - the test programs' checks, the table of worst errors, and the closing line that the runner adds up. */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct check_row {
+    const char *function, *region, *unit;
+    double worst, bound, at[2];
+    long count;
+} check_row;
+
+static check_row check_rows[200];
+static int check_row_count;
+static long check_passed, check_failed, check_skipped;
+
+static void check_count(int good, const char *file, int line, const char *what)
+{
+    if (good) check_passed++;
+    else check_failed++, printf("FAILED %s:%d: %s\n", file, line, what);
+}
+#define CHECK(condition) check_count((condition) != 0, __FILE__, __LINE__, #condition)
+
+/* One observation: the row of this function, region and unit keeps the worst and its inputs. NaN is the worst. */
+static void check_error(const char *function, const char *region, const char *unit, double error, double bound,
+                        double x, double parameter)
+{
+    check_row *row = check_rows;
+    while (row < check_rows + check_row_count &&
+           (strcmp(row->function, function) || strcmp(row->region, region) || strcmp(row->unit, unit)))
+        row++;
+    if (row == check_rows + check_row_count) {
+        if (check_row_count == (int)(sizeof check_rows / sizeof *check_rows)) {
+            CHECK(!"check_rows is too short");
+            return;
+        }
+        check_row_count++;
+        row->function = function, row->region = region, row->unit = unit;
+        row->worst = -1, row->count = 0, row->bound = bound;
+    }
+    row->count++;
+    if (bound < row->bound) row->bound = bound;
+    if (row->worst == row->worst && !(error <= row->worst)) {
+        row->worst = error;
+        row->at[0] = x, row->at[1] = parameter;
+    }
+}
+
+/* |got - (high + low)| in units of eps scale */
+static double error_eps(double got, double high, double low, double scale, double eps)
+{
+    return fabs((got - high) - low) / (eps * scale);
+}
+
+/* A unit in the last place of x in the type tested; below its smallest normal number, that number's. */
+static double ulp_of(double x, int mantissa_digits, int least_exponent)
+{
+    int exponent = least_exponent;
+    if (x != 0) frexp(x, &exponent);
+    return ldexp(1, (exponent < least_exponent ? least_exponent : exponent) - mantissa_digits);
+}
+#define ERROR_EPS(got, high, low, scale) error_eps((double)(got), high, low, scale, (double)VM_EPSILON)
+#ifdef VM_USE_FLOAT
+#define ULP(x) ulp_of(x, FLT_MANT_DIG, FLT_MIN_EXP)
+#define PRECISION "float"
+#else
+#define ULP(x) ulp_of(x, DBL_MANT_DIG, DBL_MIN_EXP)
+#define PRECISION "double"
+#endif
+#define ERROR_ULP(got, high, low) (fabs(((double)(got) - (high)) - (low)) / ULP(high))
+
+/* Is the input a number of the type tested? */
+static int representable(double x) { return (double)(vm_real)x == x; }
+
+/* A deterministic generator of uniform numbers in [low, high), rounded to the type tested. */
+static double uniform(double low, double high)
+{
+    static unsigned long long state = 20;
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    return (double)(vm_real)(low + (high - low) * ((double)(state >> 11) / 9007199254740992.0));
+}
+
+static int check_finish(const char *program)
+{
+    int i;
+    if (check_row_count) printf("%-14s %-16s %-5s %9s %9s %6s   worst at\n", program, PRECISION, "unit", "worst", "bound", "n");
+    for (i = 0; i < check_row_count; i++) {
+        const check_row *row = check_rows + i;
+        int good = row->worst <= row->bound;
+        printf("%-14s %-16s %-5s %9.3g %9.3g %6ld   %.17g, %.17g%s\n", row->function, row->region, row->unit, row->worst,
+               row->bound, row->count, row->at[0], row->at[1], good ? "" : "   FAILED");
+        if (good) check_passed++;
+        else check_failed++;
+    }
+    printf("%s %s: %ld passed, %ld failed, %ld skipped\n", program, PRECISION, check_passed, check_failed, check_skipped);
+    return check_failed != 0;
+}
+
+#endif

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Print the polynomial tables of ateb.h.
+
+F(t) = sqrt(pi) Gamma(4 + q)/Gamma(q + 1/2), q = (1 + t)/2, -1 <= t <= 1: interpolation in the Chebyshev points,
+turned into powers of t. F is analytic up to q = -4, so a coefficient is about 1/18 of the one before it. The leading
+ones are given in two words: what a coefficient's rounding adds to F stays below the truncation error.
+"""
+from mpmath import mp, mpf, cos, pi, sqrt, gamma, polyval, log, nstr
+
+mp.dps = 60
+
+
+def powers(f, degree):
+    n = degree + 1
+    node = [cos(pi * (k + mpf(1) / 2) / n) for k in range(n)]
+    value = [f(x) for x in node]
+    coefficient = [2 / mpf(n) * sum(value[k] * cos(pi * j * (k + mpf(1) / 2) / n) for k in range(n)) for j in range(n)]
+    coefficient[0] /= 2
+    total, before, now = [mpf(0)] * n, None, [mpf(1)]
+    for j in range(n):
+        for i, a in enumerate(now):
+            total[i] += coefficient[j] * a
+        following = [mpf(0)] + [(2 if j else 1) * a for a in now]
+        for i, a in enumerate(before or []):
+            following[i] -= a
+        before, now = now, following
+    return total
+
+
+def F(t):
+    return sqrt(pi) * gamma(4 + (1 + t) / 2) / gamma(1 + t / 2)
+
+
+def rounded(x, bits):
+    mp.prec, kept = bits, mp.prec
+    y = +x
+    mp.prec = kept
+    return y
+
+
+def table(bits, degree, two_words):
+    c = powers(F, degree)
+    high = [rounded(x, bits) for x in c]
+    low = [rounded(x - h, bits) if j < two_words else mpf(0) for j, (x, h) in enumerate(zip(c, high))]
+    stored = [h + l for h, l in zip(high, low)]
+    error = max(abs(polyval(stored[::-1], t) / F(t) - 1) for t in (mpf(k) / 500 - 1 for k in range(1001)))
+    print(f"/* p = {bits}, degree {degree}, {two_words} in two words: relative error 2^{nstr(log(error, 2), 4)} */")
+    for name, values in (("high", high), ("low", low[:two_words])):
+        print(f"{name}:")
+        text = [f"VM_C({nstr(v, 20 if bits == 53 else 12, min_fixed=0, max_fixed=0)})" for v in values]
+        for k in range(0, len(text), 3):
+            print("    " + ", ".join(text[k:k + 3]) + ",")
+
+
+table(53, 20, 11)
+table(24, 13, 7)

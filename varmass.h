@@ -1,0 +1,535 @@
+/* varmass.h - dynamics of bodies whose mass varies
+
+   Part of varmass (MIT licence): copy varmass.h, ateb.h, jacobi.h and integrators.h side by side, include varmass.h,
+   link with -lm. No allocation, no state, no other library.
+
+       #include <stdio.h>
+       #include "varmass.h"
+       int main(void)
+       {
+           vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}}, part = whole, rest;
+           part.mass = 1;
+           part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
+           part.r.x = 0.4;                               (it sat 0.4 m from the mass centre and leaves at 2 m/s aside)
+           part.v.y = 2;
+           if (vm_separate(&whole, &part, NULL, &rest) == VM_OK) printf("spin %g rad/s\n", rest.omega.z);
+           return 0;
+       }
+
+   CONTENTS, in the order of the dissertation [1]
+     Chapter 2      momentum, angular momentum, kinetic energy of a body
+     Chapter 3      jumps: a part separates from a body or is attached to it in an instant
+     Chapter 7.1-4  the oscillator (m x')' + k x|x|^(alpha-1) = 0 with slowly varying mass: exact period and velocity,
+                    the constants of its trigonometric and Jacobi approximations, amplitude laws
+   Numbers in round brackets are the equations of [1]; where [1] is misprinted or wrong the corrected form stands here
+   and the comment says so.
+
+   CONVENTIONS
+     SI units, radians. r, v, omega in inertial axes; the inertia tensor about the body's own mass centre, in body
+     axes; xy, xz, yz are its entries, -integral of x y dm. The quaternion q turns body axes into inertial ones; it need
+     not have length 1, and all zero reads as the identity. v is momentum/mass.
+     Functions of the oscillator take the variable first, then x0 (initial amplitude, either sign), omega0 = sqrt(k/m)
+     and alpha >= 0 (real).
+
+   ERRORS
+     Functions that return a status return 0 (VM_OK) or a negative number, which vm_strerror() names, and then leave
+     their outputs untouched. Outputs may be the inputs. Functions that return a number return NaN outside their
+     domain, for infinite arguments too.
+
+   MACROS, to be defined before the include
+     VM_USE_FLOAT         float instead of double (tests run both)
+     VM_API               linkage of the functions, default static inline
+     VM_TABLE             storage of the tables, default static const
+     VM_SQRT, VM_SIN ...  the functions of the C library that are used (all of them, if any)
+     VM_ALLOW_FAST_MATH   compile under -ffast-math, where nothing is promised
+   Names that begin with vmi_ or VMI_ are internal.
+
+   REFERENCES
+     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation. */
+#ifndef VARMASS_H
+#define VARMASS_H
+
+/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.c keeps it so ---------- */
+#ifndef VM_SHARED
+#define VM_SHARED
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#if defined(__FAST_MATH__) && !defined(VM_ALLOW_FAST_MATH)
+#error "-ffast-math breaks two-word arithmetic and the checks for NaN; define VM_ALLOW_FAST_MATH to compile anyway"
+#endif
+
+#ifndef VM_API
+#define VM_API static inline    /* linkage of every function, e.g. static inline __host__ __device__ */
+#endif
+#ifndef VM_TABLE
+#define VM_TABLE static const   /* storage of every table */
+#endif
+
+#ifdef VM_USE_FLOAT
+typedef float vm_real;
+#define VM_C(x) x##f            /* a constant */
+#define VM_LIBM(name) name##f   /* a function of the C library */
+#define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
+#define VM_EPSILON FLT_EPSILON
+#define VM_MAX FLT_MAX
+#define VM_MANT_DIG FLT_MANT_DIG
+#else
+typedef double vm_real;
+#define VM_C(x) x
+#define VM_LIBM(name) name
+#define VM_TAG(tag) tag
+#define VM_EPSILON DBL_EPSILON
+#define VM_MAX DBL_MAX
+#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#endif
+
+#ifndef VM_SQRT                 /* define all of these to use another library */
+#define VM_SQRT(x) VM_LIBM(sqrt)(x)
+#define VM_FABS(x) VM_LIBM(fabs)(x)
+#define VM_FLOOR(x) VM_LIBM(floor)(x)
+#define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
+#define VM_SIN(x) VM_LIBM(sin)(x)
+#define VM_COS(x) VM_LIBM(cos)(x)
+#define VM_EXP(x) VM_LIBM(exp)(x)
+#define VM_LOG(x) VM_LIBM(log)(x)
+#define VM_POW(x, y) VM_LIBM(pow)(x, y)
+#endif
+
+#define VM_NAN ((vm_real)NAN)
+#define VM_INFINITY ((vm_real)INFINITY)
+#define VM_IS_FINITE(x) ((x) - (x) == 0)
+#define VM_PI VM_C(3.141592653589793238463)
+
+typedef struct VM_TAG(vm_two) { vm_real hi, lo; } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+
+/* a + b exactly (Knuth) */
+VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
+{
+    vm_two s;
+    vm_real b_part;
+    s.hi = a + b;
+    b_part = s.hi - a;
+    s.lo = (a - (s.hi - b_part)) + (b - b_part);
+    return s;
+}
+
+/* a b exactly (Dekker, Veltkamp) for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows */
+#if VM_MANT_DIG > 24
+#define VM_SPLIT VM_C(134217729.0)
+#else
+#define VM_SPLIT VM_C(4097.0)
+#endif
+VM_API vm_two vmi_two_product(vm_real a, vm_real b)
+{
+    vm_two p;
+    vm_real ta = VM_SPLIT * a, tb = VM_SPLIT * b;
+    vm_real ah = ta - (ta - a), al = a - ah;
+    vm_real bh = tb - (tb - b), bl = b - bh;
+    p.hi = a * b;
+    p.lo = ((ah * bh - p.hi) + ah * bl + al * bh) + al * bl;
+    return p;
+}
+
+/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
+   rest, |rest| <= q/2 but for a rounding, accurate to an ulp of itself plus 2^-(2p) x. From 2^(p-1) quarters on
+   the argument holds no phase: rest 0, quarter 0. */
+VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
+{
+    vm_real scale, j = VM_FLOOR(x / q.hi + VM_C(0.5));
+    vm_two p;
+    *quarter = 0;
+    if (j == 0) return x;
+    if (!(j < 1 / VM_EPSILON)) return 0;
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
+    scale = q.hi > VM_MAX / (VM_SPLIT * VM_SPLIT) ? 1 / (VM_SPLIT * VM_SPLIT) : 1; /* room for the splitting */
+    p = vmi_two_product(j, q.hi * scale);
+    return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
+}
+
+#endif
+/* ---- End of the shared block -------------------------------------------------------------------------------- */
+
+#include "ateb.h"
+#include "integrators.h"
+#include "jacobi.h"
+
+/* ---- Table of contents -------------------------------------------------------------------------------------- */
+
+enum {
+    VM_OK = 0,
+    VM_BAD_ARGUMENT = -1, /* a null pointer */
+    VM_NOT_FINITE = -2,   /* a number that is infinite or NaN, given or arising */
+    VM_BAD_MASS = -3,     /* a mass that is not positive, the rest's included */
+    VM_BAD_INERTIA = -4   /* an inertia that no body has, the rest's included */
+};
+VM_API const char *vm_strerror(int status);
+
+typedef struct VM_TAG(vm_vec3) { vm_real x, y, z; } vm_vec3;
+typedef struct VM_TAG(vm_quat) { vm_real w, x, y, z; } vm_quat;
+typedef struct VM_TAG(vm_inertia) { vm_real xx, yy, zz, xy, xz, yz; } vm_inertia; /* kg m^2, entries of the tensor */
+
+typedef struct VM_TAG(vm_body) {
+    vm_real mass;       /* kg */
+    vm_inertia inertia; /* about the own mass centre, in body axes */
+    vm_quat q;          /* turns body axes into inertial ones */
+    vm_vec3 r, v;       /* mass centre (m) and momentum/mass (m/s), inertial axes */
+    vm_vec3 omega;      /* rad/s, inertial axes */
+} vm_body;
+
+typedef struct VM_TAG(vm_impulse) {
+    vm_vec3 linear; /* N s */
+    vm_vec3 couple; /* N m s */
+    vm_vec3 at;     /* the point at which linear acts, inertial axes */
+} vm_impulse;
+
+/* -- Chapter 2: momentum M v (1), angular momentum I omega + (r - about) x M v (7), kinetic energy (93), (94) -- */
+VM_API vm_vec3 vm_momentum(const vm_body *body);
+VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about);
+VM_API vm_real vm_kinetic_energy(const vm_body *body);
+
+/* -- Chapter 3: jumps -- */
+
+/* A part, which moved as given the instant after, has left the whole: rest gets mass, mass centre (15), inertia by the
+   parallel axes, velocity (24) and angular velocity (34) of what remains; its attitude is the whole's. external, where
+   not NULL, acted during the instant. Exact in space: momentum and angular momentum of rest and part are those of the
+   whole plus the impulse. Where the rest is a rod or a point the spin about its null axis stays the whole's. */
+VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest);
+
+/* Two bodies, moving as given the instant before, have become one (which is plastic impact): its attitude is body's. */
+VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole);
+
+/* -- Chapter 7.2-7.3: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0, x(0) = x0, x'(0) = 0 -- */
+
+/* Exact period (262), s, and largest velocity (267), m/s */
+VM_API vm_real vm_osc_period(vm_real x0, vm_real omega0, vm_real alpha);
+VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha);
+/* Exact motion, x(t) = x0 ca(alpha, 1, s) (282) and x'(t) (283), for x0 of either sign */
+VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v);
+/* Omega_alpha (293) of the approximation x0 cos(Omega_alpha |x0|^((alpha-1)/2) omega0 t), which has the exact period */
+VM_API vm_real vm_osc_omega_trig(vm_real alpha);
+/* m = k^2 (307) and Omega_1* (300) of x0 cn(Omega_1* |x0|^((alpha-1)/2) omega0 t | m), which also has the exact
+   velocity at x = 0; -1.8079 < m < 0.8062 */
+VM_API vm_real vm_osc_m_jacobi(vm_real alpha);
+VM_API vm_real vm_osc_omega_jacobi(vm_real alpha);
+
+/* -- Chapter 7.4: m x'' + k x|x|^(alpha-1) = -(r m' + b) x' with slowly varying mass -- */
+
+/* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
+   damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
+   reactive force; r = 0 where it has the body's. To first order in m' and b:
+     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 damping/(alpha+3))      [(325), (344), (367), (389) corrected]
+   All three averaging methods give it, once (335)'s sign is mended. */
+VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
+VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
+
+VM_API const char *vm_strerror(int status)
+{
+    switch (status) {
+    case VM_OK: return "success";
+    case VM_BAD_ARGUMENT: return "null pointer";
+    case VM_NOT_FINITE: return "a number is infinite or NaN";
+    case VM_BAD_MASS: return "a mass is not positive";
+    case VM_BAD_INERTIA: return "no body has this inertia";
+    default: return "unknown status";
+    }
+}
+
+/* ---- Vectors, rotations, inertia ---------------------------------------------------------------------------- */
+
+VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
+{
+    vm_vec3 a;
+    a.x = x, a.y = y, a.z = z;
+    return a;
+}
+
+VM_API vm_vec3 vmi_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
+{
+    return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
+
+typedef struct VM_TAG(vmi_mat3) { vm_vec3 x, y, z; } vmi_mat3; /* columns: the images of the axes */
+
+VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
+{
+    return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
+}
+
+VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
+{
+    return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
+}
+
+/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+VM_API vmi_mat3 vmi_rotation(vm_quat q)
+{
+    vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, s = square > 0 ? 2 / square : 0;
+    vmi_mat3 m;
+    m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
+    m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
+    m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
+    return m;
+}
+
+VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
+{
+    return vmi_vec3(i->xx * a.x + i->xy * a.y + i->xz * a.z, i->xy * a.x + i->yy * a.y + i->yz * a.z,
+                    i->xz * a.x + i->yz * a.y + i->zz * a.z);
+}
+
+/* m^T i m: the entries along the columns of m */
+VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
+{
+    vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
+    vm_inertia t;
+    t.xx = vmi_dot(m->x, x), t.yy = vmi_dot(m->y, y), t.zz = vmi_dot(m->z, z);
+    t.xy = vmi_dot(m->x, y), t.xz = vmi_dot(m->x, z), t.yz = vmi_dot(m->y, z);
+    return t;
+}
+
+/* a + c b */
+VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
+{
+    a.xx += c * b.xx, a.yy += c * b.yy, a.zz += c * b.zz;
+    a.xy += c * b.xy, a.xz += c * b.xz, a.yz += c * b.yz;
+    return a;
+}
+
+/* P(d) = |d|^2 E - d d^T: the inertia of a unit mass at d */
+VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
+{
+    vm_inertia p;
+    p.xx = d.y * d.y + d.z * d.z, p.yy = d.x * d.x + d.z * d.z, p.zz = d.x * d.x + d.y * d.y;
+    p.xy = -d.x * d.y, p.xz = -d.x * d.z, p.yz = -d.y * d.z;
+    return p;
+}
+
+typedef struct VM_TAG(vmi_principal) { vm_real moment[3]; vm_vec3 axis[3]; } vmi_principal;
+
+/* Principal moments and axes by Jacobi's rotations: each annihilates one entry, convergence is quadratic */
+VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
+{
+    vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    vmi_principal result;
+    int sweep, p, q, k;
+    a[0][0] = i->xx, a[1][1] = i->yy, a[2][2] = i->zz;
+    a[0][1] = a[1][0] = i->xy, a[0][2] = a[2][0] = i->xz, a[1][2] = a[2][1] = i->yz;
+    for (sweep = 0; sweep < 12; sweep++) {
+        for (p = 0; p < 2; p++) {
+            for (q = p + 1; q < 3; q++) {
+                vm_real theta, t, c, s;
+                if (a[p][q] == 0) continue;
+                theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+                t = VM_COPYSIGN(1, theta) / (VM_FABS(theta) + VM_SQRT(theta * theta + 1));
+                c = 1 / VM_SQRT(t * t + 1), s = t * c;
+                a[p][p] -= t * a[p][q], a[q][q] += t * a[p][q];
+                a[p][q] = a[q][p] = 0;
+                k = 3 - p - q;
+                {
+                    vm_real kp = a[k][p], kq = a[k][q];
+                    a[k][p] = a[p][k] = c * kp - s * kq;
+                    a[k][q] = a[q][k] = s * kp + c * kq;
+                }
+                for (k = 0; k < 3; k++) {
+                    vm_real kp = v[k][p], kq = v[k][q];
+                    v[k][p] = c * kp - s * kq;
+                    v[k][q] = s * kp + c * kq;
+                }
+            }
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        result.moment[k] = a[k][k];
+        result.axis[k] = vmi_vec3(v[0][k], v[1][k], v[2][k]);
+    }
+    return result;
+}
+
+/* Moments of a body: none negative, none larger than the two others together, to within slack (kg m^2) */
+VM_API int vmi_possible(const vmi_principal *p, vm_real slack)
+{
+    vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
+    return a >= -slack && b >= -slack && c >= -slack && a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
+}
+
+/* What rounding may do to an inertia whose entries come from sums of the size of i */
+VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * (VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz)); }
+
+/* ---- Chapter 2: momenta and energy -------------------------------------------------------------------------- */
+
+VM_API vm_vec3 vmi_spin_momentum(const vm_body *body) /* I omega, inertial axes */
+{
+    vmi_mat3 m = vmi_rotation(body->q);
+    return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
+}
+
+VM_API vm_vec3 vm_momentum(const vm_body *body) { return vmi_scale(body->mass, body->v); }
+
+VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
+{
+    return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
+}
+
+VM_API vm_real vm_kinetic_energy(const vm_body *body)
+{
+    return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
+}
+
+/* ---- Chapter 3: jumps --------------------------------------------------------------------------------------- */
+
+VM_API int vmi_check_body(const vm_body *b)
+{
+    const vm_inertia *i = &b->inertia;
+    vmi_principal p;
+    if (!VM_IS_FINITE(b->mass) || !vmi_vec3_finite(b->r) || !vmi_vec3_finite(b->v) || !vmi_vec3_finite(b->omega) ||
+        !vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)) ||
+        !VM_IS_FINITE(b->q.w) || !vmi_vec3_finite(vmi_vec3(b->q.x, b->q.y, b->q.z)))
+        return VM_NOT_FINITE;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    p = vmi_principal_axes(i);
+    return vmi_possible(&p, vmi_slack(i)) ? VM_OK : VM_BAD_INERTIA;
+}
+
+/* omega with i omega = h; about an axis whose moment is lost in slack (a rod, a point) omega stays the one before */
+VM_API vm_vec3 vmi_solve_spin(const vmi_principal *p, vm_real slack, vm_vec3 h, vm_vec3 omega_before)
+{
+    vm_vec3 omega = vmi_vec3(0, 0, 0);
+    int k;
+    for (k = 0; k < 3; k++) {
+        vm_vec3 axis = p->axis[k];
+        vm_real spin = p->moment[k] > slack ? vmi_dot(axis, h) / p->moment[k] : vmi_dot(axis, omega_before);
+        omega = vmi_add(omega, vmi_scale(spin, axis));
+    }
+    return omega;
+}
+
+/* Separation (sign = -1) and attachment (+1) of other, with d = other->r - body->r and all masses and inertias of
+   their own mass centres:
+     r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  M1 = M + sign m
+     I1 = I + sign (I2 + m M/M1 P(d)),
+     I1 omega1 = I omega + sign (I2 omega2 - m d x (v1 - v2)) + couple + (at - r) x linear
+   The last is (33), (34), where the impulse's moment is that about the body's mass centre, as (23a), (32) should have
+   said. Inertias in the body's axes. */
+VM_API int vmi_jump(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external, vm_body *result)
+{
+    vm_real M1, share, slack;
+    vm_vec3 d, d_body, h, relative;
+    vmi_mat3 turn, other_turn, axes;
+    vmi_principal p;
+    vm_body b;
+    int status;
+    if (!body || !other || !result) return VM_BAD_ARGUMENT;
+    status = vmi_check_body(body);
+    if (!status) status = vmi_check_body(other);
+    if (status) return status;
+    b = *body;
+    M1 = b.mass = body->mass + sign * other->mass;
+    if (!(M1 > 0)) return VM_BAD_MASS;
+    share = sign * other->mass / M1;
+    d = vmi_sub(other->r, body->r);
+    b.r = vmi_add(body->r, vmi_scale(share, d));
+    b.v = vmi_add(body->v, vmi_scale(share, vmi_sub(other->v, body->v)));
+    if (external) b.v = vmi_add(b.v, vmi_scale(1 / M1, external->linear));
+
+    turn = vmi_rotation(body->q), other_turn = vmi_rotation(other->q);
+    axes.x = vmi_times_transposed(&other_turn, turn.x); /* the body's axes in the other's */
+    axes.y = vmi_times_transposed(&other_turn, turn.y);
+    axes.z = vmi_times_transposed(&other_turn, turn.z);
+    d_body = vmi_times_transposed(&turn, d);
+    b.inertia = vmi_inertia_plus(body->inertia, sign, vmi_inertia_along(&other->inertia, &axes));
+    b.inertia = vmi_inertia_plus(b.inertia, share * body->mass, vmi_inertia_of_point(d_body));
+    slack = sign < 0 ? vmi_slack(&body->inertia) : vmi_slack(&b.inertia);
+    p = vmi_principal_axes(&b.inertia);
+    if (!vmi_possible(&p, slack)) return VM_BAD_INERTIA;
+
+    relative = vmi_scale(other->mass, vmi_sub(b.v, other->v));
+    h = vmi_sub(vmi_spin_momentum(other), vmi_cross(d, relative));
+    h = vmi_add(vmi_spin_momentum(body), vmi_scale(sign, h));
+    if (external) {
+        h = vmi_add(h, external->couple);
+        h = vmi_add(h, vmi_cross(vmi_sub(external->at, body->r), external->linear));
+    }
+    b.omega = vmi_solve_spin(&p, slack, vmi_times_transposed(&turn, h), vmi_times_transposed(&turn, body->omega));
+    b.omega = vmi_times(&turn, b.omega);
+    status = vmi_check_body(&b);
+    if (status == VM_NOT_FINITE) return status;
+    *result = b;
+    return VM_OK;
+}
+
+VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
+{
+    return vmi_jump(whole, part, -1, external_or_NULL, rest);
+}
+
+VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
+{
+    return vmi_jump(body, added, 1, external_or_NULL, whole);
+}
+
+/* ---- Chapter 7.2-7.3: the oscillator of constant mass ------------------------------------------------------- */
+
+/* ds/dt of the Ateb phase, sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2); NaN outside the domain */
+VM_API vm_real vmi_osc_rate(vm_real x0, vm_real omega0, vm_real alpha)
+{
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(omega0)) return VM_NAN;
+    return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * VM_POW(VM_FABS(x0), (alpha - 1) / 2);
+}
+
+VM_API vm_real vm_osc_period(vm_real x0, vm_real omega0, vm_real alpha)
+{
+    return 2 * ateb_pi(alpha) / vmi_osc_rate(x0, omega0, alpha);
+}
+
+VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
+{
+    return vmi_osc_rate(x0, omega0, alpha) * VM_FABS(x0) * (2 / (alpha + 1));
+}
+
+VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
+{
+    vm_real rate = vmi_osc_rate(x0, omega0, alpha), sa, ca;
+    if (x0 == 0 && rate == rate && VM_IS_FINITE(t)) { /* at rest, where the rate may be infinite */
+        *x = *v = 0;
+        return;
+    }
+    ateb_saca(rate * t, alpha, &sa, &ca);
+    *x = x0 * ca;
+    *v = -x0 * rate * (2 / (alpha + 1)) * sa;
+}
+
+VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
+
+VM_API vm_real vm_osc_m_jacobi(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
+
+/* (300) with K = Pi_alpha/((alpha + 1) k') from (307) */
+VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
+{
+    return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
+}
+
+/* ---- Chapter 7.4: slowly varying mass ----------------------------------------------------------------------- */
+
+VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+{
+    if (!(alpha >= 0) || !(mass_ratio > 0) || !VM_IS_FINITE(alpha + mass_ratio)) return VM_NAN;
+    return VM_POW(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * VM_EXP(-2 * damping / (alpha + 3));
+}
+
+/* xdot_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected */
+VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+{
+    vm_real share = (alpha + 1) / (alpha + 3);
+    if (!(alpha >= 0) || !(mass_ratio > 0) || !VM_IS_FINITE(alpha + mass_ratio)) return VM_NAN;
+    return VM_POW(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * VM_EXP(-share * damping);
+}
+
+#endif
