@@ -314,41 +314,41 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 
 typedef struct VM_TAG(vmi_principal) { vm_real moment[3]; vm_vec3 axis[3]; } vmi_principal;
 
-/* Principal moments and axes by Jacobi's rotations: each annihilates one entry, convergence is quadratic */
+/* One of Jacobi's rotations, in the plane of axes p and q: annihilates a[p][q], turns the columns of v along */
+VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
+{
+    vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
+    vm_real t = VM_COPYSIGN(1, theta) / (VM_FABS(theta) + root), c = 1 / VM_SQRT(t * t + 1), s = t * c, x, y;
+    int k = 3 - p - q;
+    a[p][p] -= t * a[p][q];
+    a[q][q] += t * a[p][q];
+    a[p][q] = a[q][p] = 0;
+    x = a[k][p], y = a[k][q];
+    a[k][p] = a[p][k] = c * x - s * y;
+    a[k][q] = a[q][k] = s * x + c * y;
+    for (k = 0; k < 3; k++) {
+        x = v[k][p], y = v[k][q];
+        v[k][p] = c * x - s * y;
+        v[k][q] = s * x + c * y;
+    }
+}
+
+/* Principal moments and axes; the rotations converge quadratically, in four or five sweeps */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
+    const int most_sweeps = 12;
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
-    int sweep, p, q, k;
+    int sweep, p, q;
     a[0][0] = i->xx, a[1][1] = i->yy, a[2][2] = i->zz;
     a[0][1] = a[1][0] = i->xy, a[0][2] = a[2][0] = i->xz, a[1][2] = a[2][1] = i->yz;
-    for (sweep = 0; sweep < 12; sweep++) {
-        for (p = 0; p < 2; p++) {
-            for (q = p + 1; q < 3; q++) {
-                vm_real theta, t, c, s;
-                if (a[p][q] == 0) continue;
-                theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-                t = VM_COPYSIGN(1, theta) / (VM_FABS(theta) + VM_SQRT(theta * theta + 1));
-                c = 1 / VM_SQRT(t * t + 1), s = t * c;
-                a[p][p] -= t * a[p][q], a[q][q] += t * a[p][q];
-                a[p][q] = a[q][p] = 0;
-                k = 3 - p - q;
-                {
-                    vm_real kp = a[k][p], kq = a[k][q];
-                    a[k][p] = a[p][k] = c * kp - s * kq;
-                    a[k][q] = a[q][k] = s * kp + c * kq;
-                }
-                for (k = 0; k < 3; k++) {
-                    vm_real kp = v[k][p], kq = v[k][q];
-                    v[k][p] = c * kp - s * kq;
-                    v[k][q] = s * kp + c * kq;
-                }
-            }
-        }
-    }
-    for (k = 0; k < 3; k++) {
-        result.moment[k] = a[k][k];
-        result.axis[k] = vmi_vec3(v[0][k], v[1][k], v[2][k]);
+    for (sweep = 0; sweep < most_sweeps; sweep++)
+        for (p = 0; p < 2; p++)
+            for (q = p + 1; q < 3; q++)
+                if (a[p][q] != 0) vmi_jacobi_rotation(a, v, p, q);
+    for (p = 0; p < 3; p++) {
+        result.moment[p] = a[p][p];
+        result.axis[p] = vmi_vec3(v[0][p], v[1][p], v[2][p]);
     }
     return result;
 }
@@ -385,17 +385,21 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- Chapter 3: jumps --------------------------------------------------------------------------------------- */
 
-VM_API int vmi_check_body(const vm_body *b)
+VM_API int vmi_body_finite(const vm_body *b)
 {
     const vm_inertia *i = &b->inertia;
+    return VM_IS_FINITE(b->mass) && vmi_vec3_finite(b->r) && vmi_vec3_finite(b->v) && vmi_vec3_finite(b->omega) &&
+           vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)) &&
+           VM_IS_FINITE(b->q.w) && vmi_vec3_finite(vmi_vec3(b->q.x, b->q.y, b->q.z));
+}
+
+VM_API int vmi_check_body(const vm_body *b)
+{
     vmi_principal p;
-    if (!VM_IS_FINITE(b->mass) || !vmi_vec3_finite(b->r) || !vmi_vec3_finite(b->v) || !vmi_vec3_finite(b->omega) ||
-        !vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)) ||
-        !VM_IS_FINITE(b->q.w) || !vmi_vec3_finite(vmi_vec3(b->q.x, b->q.y, b->q.z)))
-        return VM_NOT_FINITE;
+    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
     if (!(b->mass > 0)) return VM_BAD_MASS;
-    p = vmi_principal_axes(i);
-    return vmi_possible(&p, vmi_slack(i)) ? VM_OK : VM_BAD_INERTIA;
+    p = vmi_principal_axes(&b->inertia);
+    return vmi_possible(&p, vmi_slack(&b->inertia)) ? VM_OK : VM_BAD_INERTIA;
 }
 
 /* omega with i omega = h; about an axis whose moment is lost in slack (a rod, a point) omega stays the one before */
@@ -411,18 +415,41 @@ VM_API vm_vec3 vmi_solve_spin(const vmi_principal *p, vm_real slack, vm_vec3 h, 
     return omega;
 }
 
-/* Separation (sign = -1) and attachment (+1) of other, with d = other->r - body->r and all masses and inertias of
-   their own mass centres:
-     r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  M1 = M + sign m
-     I1 = I + sign (I2 + m M/M1 P(d)),
+/* Separation (sign = -1) and attachment (+1) of other, with d = other->r - body->r, M1 = M + sign m, and every
+   inertia about its own mass centre:
+     r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 - m d x (v1 - v2)) + couple + (at - r) x linear
-   The last is (33), (34), where the impulse's moment is that about the body's mass centre, as (23a), (32) should have
-   said. Inertias in the body's axes. */
+   The last is (33), (34) with the impulse's moment about the body's mass centre, as (23a), (32) should have said. */
+
+/* I1 in the body's axes; share = sign m/M1 */
+VM_API vm_inertia vmi_jump_inertia(const vm_body *body, const vm_body *other, vm_real sign, vm_real share)
+{
+    vmi_mat3 turn = vmi_rotation(body->q), other_turn = vmi_rotation(other->q), axes;
+    vm_vec3 d = vmi_times_transposed(&turn, vmi_sub(other->r, body->r));
+    vm_inertia i;
+    axes.x = vmi_times_transposed(&other_turn, turn.x); /* the body's axes in the other's */
+    axes.y = vmi_times_transposed(&other_turn, turn.y);
+    axes.z = vmi_times_transposed(&other_turn, turn.z);
+    i = vmi_inertia_plus(body->inertia, sign, vmi_inertia_along(&other->inertia, &axes));
+    return vmi_inertia_plus(i, share * body->mass, vmi_inertia_of_point(d));
+}
+
+/* I1 omega1, inertial axes */
+VM_API vm_vec3 vmi_jump_spin_momentum(const vm_body *body, const vm_body *other, vm_real sign, vm_vec3 v1,
+                                      const vm_impulse *external)
+{
+    vm_vec3 orbital = vmi_cross(vmi_sub(other->r, body->r), vmi_scale(other->mass, vmi_sub(v1, other->v)));
+    vm_vec3 h = vmi_scale(sign, vmi_sub(vmi_spin_momentum(other), orbital));
+    h = vmi_add(vmi_spin_momentum(body), h);
+    if (!external) return h;
+    return vmi_add(h, vmi_add(external->couple, vmi_cross(vmi_sub(external->at, body->r), external->linear)));
+}
+
 VM_API int vmi_jump(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external, vm_body *result)
 {
-    vm_real M1, share, slack;
-    vm_vec3 d, d_body, h, relative;
-    vmi_mat3 turn, other_turn, axes;
+    vm_real share, slack;
+    vm_vec3 h;
+    vmi_mat3 turn;
     vmi_principal p;
     vm_body b;
     int status;
@@ -431,36 +458,20 @@ VM_API int vmi_jump(const vm_body *body, const vm_body *other, vm_real sign, con
     if (!status) status = vmi_check_body(other);
     if (status) return status;
     b = *body;
-    M1 = b.mass = body->mass + sign * other->mass;
-    if (!(M1 > 0)) return VM_BAD_MASS;
-    share = sign * other->mass / M1;
-    d = vmi_sub(other->r, body->r);
-    b.r = vmi_add(body->r, vmi_scale(share, d));
+    b.mass = body->mass + sign * other->mass;
+    if (!(b.mass > 0)) return VM_BAD_MASS;
+    share = sign * other->mass / b.mass;
+    b.r = vmi_add(body->r, vmi_scale(share, vmi_sub(other->r, body->r)));
     b.v = vmi_add(body->v, vmi_scale(share, vmi_sub(other->v, body->v)));
-    if (external) b.v = vmi_add(b.v, vmi_scale(1 / M1, external->linear));
-
-    turn = vmi_rotation(body->q), other_turn = vmi_rotation(other->q);
-    axes.x = vmi_times_transposed(&other_turn, turn.x); /* the body's axes in the other's */
-    axes.y = vmi_times_transposed(&other_turn, turn.y);
-    axes.z = vmi_times_transposed(&other_turn, turn.z);
-    d_body = vmi_times_transposed(&turn, d);
-    b.inertia = vmi_inertia_plus(body->inertia, sign, vmi_inertia_along(&other->inertia, &axes));
-    b.inertia = vmi_inertia_plus(b.inertia, share * body->mass, vmi_inertia_of_point(d_body));
-    slack = sign < 0 ? vmi_slack(&body->inertia) : vmi_slack(&b.inertia);
+    if (external) b.v = vmi_add(b.v, vmi_scale(1 / b.mass, external->linear));
+    b.inertia = vmi_jump_inertia(body, other, sign, share);
+    slack = vmi_slack(sign < 0 ? &body->inertia : &b.inertia);
     p = vmi_principal_axes(&b.inertia);
     if (!vmi_possible(&p, slack)) return VM_BAD_INERTIA;
-
-    relative = vmi_scale(other->mass, vmi_sub(b.v, other->v));
-    h = vmi_sub(vmi_spin_momentum(other), vmi_cross(d, relative));
-    h = vmi_add(vmi_spin_momentum(body), vmi_scale(sign, h));
-    if (external) {
-        h = vmi_add(h, external->couple);
-        h = vmi_add(h, vmi_cross(vmi_sub(external->at, body->r), external->linear));
-    }
-    b.omega = vmi_solve_spin(&p, slack, vmi_times_transposed(&turn, h), vmi_times_transposed(&turn, body->omega));
-    b.omega = vmi_times(&turn, b.omega);
-    status = vmi_check_body(&b);
-    if (status == VM_NOT_FINITE) return status;
+    turn = vmi_rotation(body->q);
+    h = vmi_times_transposed(&turn, vmi_jump_spin_momentum(body, other, sign, b.v, external));
+    b.omega = vmi_times(&turn, vmi_solve_spin(&p, slack, h, vmi_times_transposed(&turn, body->omega)));
+    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return VM_OK;
 }
@@ -491,19 +502,18 @@ VM_API vm_real vm_osc_period(vm_real x0, vm_real omega0, vm_real alpha)
 
 VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
 {
-    return vmi_osc_rate(x0, omega0, alpha) * VM_FABS(x0) * (2 / (alpha + 1));
+    vm_real rate = vmi_osc_rate(x0, omega0, alpha);
+    if (rate != rate) return rate;
+    return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * VM_POW(VM_FABS(x0), (alpha + 1) / 2);
 }
 
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
     vm_real rate = vmi_osc_rate(x0, omega0, alpha), sa, ca;
-    if (x0 == 0 && rate == rate && VM_IS_FINITE(t)) { /* at rest, where the rate may be infinite */
-        *x = *v = 0;
-        return;
-    }
+    if (x0 == 0 && rate == rate) rate = 0; /* at rest, where the rate may be infinite */
     ateb_saca(rate * t, alpha, &sa, &ca);
     *x = x0 * ca;
-    *v = -x0 * rate * (2 / (alpha + 1)) * sa;
+    *v = -VM_COPYSIGN(vm_osc_vmax(x0, omega0, alpha), x0) * sa;
 }
 
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }

@@ -16,15 +16,16 @@ static check_row check_rows[200];
 static int check_row_count;
 static long check_passed, check_failed, check_skipped;
 
-static void check_count(int good, const char *file, int line, const char *what)
+static inline void check_count(int good, const char *file, int line, const char *what)
 {
     if (good) check_passed++;
     else check_failed++, printf("FAILED %s:%d: %s\n", file, line, what);
 }
 #define CHECK(condition) check_count((condition) != 0, __FILE__, __LINE__, #condition)
+#define FAIL(text) check_count(0, __FILE__, __LINE__, text)
 
 /* One observation: the row of this function, region and unit keeps the worst and its inputs. NaN is the worst. */
-static void check_error(const char *function, const char *region, const char *unit, double error, double bound,
+static inline void check_error(const char *function, const char *region, const char *unit, double error, double bound,
                         double x, double parameter)
 {
     check_row *row = check_rows;
@@ -33,7 +34,7 @@ static void check_error(const char *function, const char *region, const char *un
         row++;
     if (row == check_rows + check_row_count) {
         if (check_row_count == (int)(sizeof check_rows / sizeof *check_rows)) {
-            CHECK(!"check_rows is too short");
+            FAIL("check_rows is too short");
             return;
         }
         check_row_count++;
@@ -49,13 +50,13 @@ static void check_error(const char *function, const char *region, const char *un
 }
 
 /* |got - (high + low)| in units of eps scale */
-static double error_eps(double got, double high, double low, double scale, double eps)
+static inline double error_eps(double got, double high, double low, double scale, double eps)
 {
     return fabs((got - high) - low) / (eps * scale);
 }
 
 /* A unit in the last place of x in the type tested; below its smallest normal number, that number's. */
-static double ulp_of(double x, int mantissa_digits, int least_exponent)
+static inline double ulp_of(double x, int mantissa_digits, int least_exponent)
 {
     int exponent = least_exponent;
     if (x != 0) frexp(x, &exponent);
@@ -72,17 +73,17 @@ static double ulp_of(double x, int mantissa_digits, int least_exponent)
 #define ERROR_ULP(got, high, low) (fabs(((double)(got) - (high)) - (low)) / ULP(high))
 
 /* Is the input a number of the type tested? */
-static int representable(double x) { return (double)(vm_real)x == x; }
+static inline int representable(double x) { return (double)(vm_real)x == x; }
 
 /* A deterministic generator of uniform numbers in [low, high), rounded to the type tested. */
-static double uniform(double low, double high)
+static inline double uniform(double low, double high)
 {
     static unsigned long long state = 20;
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     return (double)(vm_real)(low + (high - low) * ((double)(state >> 11) / 9007199254740992.0));
 }
 
-static int check_finish(const char *program)
+static inline int check_finish(const char *program)
 {
     int i;
     if (check_row_count) printf("%-14s %-16s %-5s %9s %9s %6s   worst at\n", program, PRECISION, "unit", "worst", "bound", "n");

@@ -56,7 +56,7 @@ def jacobi_row(region, u, m, complement=False):
         K = quarter(m1) if m1 else None
         E = ellipe(1 - m1)
         text = ", ".join(words(v) for v in values)
-        complete = f"{words(K)}, {words(E)}" if m1 else "INFINITY, 0, 1, 0"
+        complete = f"{words(K)}, {words(E)}" if m1 else "HUGE_VAL, 0, 1, 0"
     return f'    {{"{region}", {int(complement)}, {u!r}, {m!r}, {text}, {complete}}},'
 
 

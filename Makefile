@@ -1,0 +1,72 @@
+# varmass: nothing has to be built to use the headers. Every target that needs more than a C compiler sets it up through
+# the system's package manager where it may, and says so where it may not.
+#
+#   make run      build and run the examples, draw their figures        make bench   time everything
+#   make test     all tests                                             make lint    strict warnings, gcc and clang
+#   make figures  copy the README's figures to docs/figures             make data    write the reference tables anew
+#   make clean    remove build/
+
+CC = cc
+CFLAGS = -O2
+STRICT = -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wfloat-conversion -Wshadow -Wundef
+COMPILE = $(CC) -std=c99 $(CFLAGS)
+
+HEADERS = jacobi.h ateb.h integrators.h varmass.h
+TESTS = jacobi ateb integrators varmass dissertation
+EXAMPLES = table5 example1 example2
+TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
+TEST_FILES = $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
+GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
+
+.PHONY: run test lint bench figures data clean
+
+run: $(EXAMPLES:%=build/examples/%)
+	@mkdir -p build/figures
+	@./build/examples/table5
+	@echo; ./build/examples/example1 build/figures/example1.csv
+	@echo; ./build/examples/example2 build/figures/example2.csv
+	@sh examples/figures.sh build/figures
+
+test: $(TEST_PROGRAMS)
+	@if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then \
+	    $(COMPILE) tests/test_gsl.c -o build/tests/gsl -lgsl -lgslcblas -lm && gsl=./build/tests/gsl; \
+	else gsl="echo 'GSL: 0 passed, 0 failed, 9 skipped'"; fi; \
+	sh tests/run.sh build/tests/log "sh tests/test_headers.sh $(CC) build" $(TEST_PROGRAMS) "$$gsl"
+
+lint:
+	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
+	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; sh tests/lint.sh build $(STRICT)
+
+bench: build/bench/double build/bench/float
+	@./build/bench/double; echo; ./build/bench/float
+
+figures: run
+	cp build/figures/*.svg docs/figures/
+
+data:
+	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
+	python3 tests/gen/reference.py
+	python3 tests/gen/table5.py
+
+clean:
+	rm -rf build
+
+build/tests/double/%: tests/test_%.c $(TEST_FILES)
+	@mkdir -p $(@D); echo '*' >build/.gitignore
+	@$(COMPILE) $< -o $@ -lm
+
+build/tests/float/%: tests/test_%.c $(TEST_FILES)
+	@mkdir -p $(@D); echo '*' >build/.gitignore
+	@$(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+
+build/examples/%: examples/%.c examples/envelope.h examples/table5_data.h $(HEADERS)
+	@mkdir -p $(@D); echo '*' >build/.gitignore
+	@$(COMPILE) $< -o $@ -lm
+
+build/bench/double: bench/bench.c $(HEADERS)
+	@mkdir -p $(@D); echo '*' >build/.gitignore
+	@$(COMPILE) $< -o $@ -lm
+
+build/bench/float: bench/bench.c $(HEADERS)
+	@mkdir -p $(@D); echo '*' >build/.gitignore
+	@$(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm

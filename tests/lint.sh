@@ -1,0 +1,55 @@
+#!/bin/sh
+# Compile every header alone, as C99, C11, C17, C++11 and C++17, in float and double, and every program as C99, by each
+# compiler that is there, under the strict flags; any warning is printed and fails.
+# usage: lint.sh BUILD_FOLDER FLAG..., from the top of the project
+build=$1/lint
+shift
+flags="$*"
+mkdir -p "$build"
+count=0 failed=0
+
+compile() { # compile COMPILER STANDARD SOURCE EXTRA...
+    compiler=$1 standard=$2 source=$3
+    shift 3
+    count=$((count + 1))
+    $compiler -std="$standard" $flags -Werror "$@" -O2 -I. -c "$source" -o "$build/object.o" || {
+        failed=$((failed + 1))
+        echo "lint: $compiler -std=$standard $* $source"
+    }
+}
+
+for header in jacobi ateb integrators varmass; do
+    printf '#include "%s.h"\n' $header | tee "$build/$header.c" >"$build/$header.cpp"
+done
+for compiler in gcc clang; do
+    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; continue; }
+    for precision in "" -DVM_USE_FLOAT; do
+        for standard in c99 c11 c17; do
+            for header in jacobi ateb integrators varmass; do
+                compile $compiler $standard "$build/$header.c" -Wstrict-prototypes $precision
+            done
+        done
+        for source in tests/test_jacobi.c tests/test_ateb.c tests/test_integrators.c tests/test_varmass.c \
+            tests/test_dissertation.c bench/bench.c; do
+            compile $compiler c99 $source -Wstrict-prototypes $precision
+        done
+    done
+    for source in tests/mixed_double.c tests/mixed_float.c examples/*.c; do
+        compile $compiler c99 $source -Wstrict-prototypes
+    done
+    if echo '#include <gsl/gsl_sf.h>' | $compiler -E - >/dev/null 2>&1; then
+        compile $compiler c99 tests/test_gsl.c -Wstrict-prototypes
+    fi
+done
+for compiler in g++ clang++; do
+    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; continue; }
+    for precision in "" -DVM_USE_FLOAT; do
+        for standard in c++11 c++17; do
+            for header in jacobi ateb integrators varmass; do
+                compile $compiler $standard "$build/$header.cpp" $precision
+            done
+        done
+    done
+done
+echo "lint: $count compilations, $failed with warnings"
+[ $failed = 0 ]

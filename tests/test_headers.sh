@@ -1,0 +1,58 @@
+#!/bin/sh
+# What the headers are as files: each compiles alone, both precisions fit into one program, the shared block is the
+# same everywhere, nothing but a few functions of the C library is needed, nothing is writable.
+# usage: test_headers.sh COMPILER BUILD_FOLDER, from the top of the project
+cc=$1 build=$2/headers
+passed=0 failed=0
+rm -rf "$build" && mkdir -p "$build" || exit 1
+
+check() { # check NAME COMMAND...
+    name=$1
+    shift
+    if "$@" >"$build/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $name"
+        sed -n '1,5p' "$build/log"
+    fi
+}
+
+fails() { ! "$@"; }
+
+shared_block() { sed -n '/^\/\* ---- Shared block/,/^\/\* ---- End of the shared block/p' "$1"; }
+
+imports() { # imports HEADER OPTIONS... : only the libm functions named in allowed, and memory copies of the compiler
+    printf '#include "%s"\n' "$1" >"$build/import.c"
+    shift
+    $cc -std=c99 -O2 "$@" -DVM_API= -I. -c "$build/import.c" -o "$build/import.o" || return 1
+    undefined=$(nm -u "$build/import.o" | awk '{print $2}' | grep -vE '^(sqrt|floor|fabs|copysign|sin|cos|sincos|exp|log|pow)f?$' |
+        grep -vE '^(memcpy|memset|memmove|_GLOBAL_OFFSET_TABLE_)$')
+    writable=$(nm "$build/import.o" | awk '$2 ~ /^[BbDdC]$/')
+    echo "undefined: $undefined; writable: $writable"
+    [ -z "$undefined$writable" ]
+}
+
+for header in jacobi ateb integrators; do
+    mkdir "$build/$header"
+    cp $header.h "$build/$header"
+    printf '#include "%s.h"\nint main(void) { return 0; }\n' $header >"$build/$header/alone.c"
+    check "$header.h compiles alone" $cc -std=c99 -c "$build/$header/alone.c" -o "$build/$header/alone.o"
+done
+for header in ateb integrators varmass; do
+    shared_block jacobi.h >"$build/jacobi.block"
+    shared_block $header.h >"$build/$header.block"
+    check "$header.h has the shared block of jacobi.h" cmp "$build/jacobi.block" "$build/$header.block"
+done
+check "the shared block is found" test "$(wc -l <"$build/jacobi.block")" -gt 50
+for header in jacobi ateb integrators varmass; do
+    check "$header.h, double: imports and data" imports $header.h
+    check "$header.h, float: imports and data" imports $header.h -DVM_USE_FLOAT
+    printf '#include "%s.h"\n' $header >"$build/fast.c"
+    check "$header.h refuses -ffast-math" fails $cc -std=c99 -ffast-math -I. -c "$build/fast.c" -o "$build/fast.o"
+    check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
+done
+check "float and double in one program: builds" $cc -std=c99 -O2 tests/mixed_double.c tests/mixed_float.c -o "$build/mixed" -lm
+check "float and double in one program: agrees" "$build/mixed"
+echo "headers: $passed passed, $failed failed, 0 skipped"
+[ $failed = 0 ]

@@ -1,0 +1,283 @@
+/* integrators.h: measured orders, closed forms and high-precision solutions, and every way in which a run can end. */
+#include "../integrators.h"
+#include "check.h"
+
+#define R(x) ((vm_real)(x))
+static const double eps = (double)VM_EPSILON;
+static const int is_float = PRECISION[0] == 'f';
+
+/* ---- right-hand sides ---- */
+
+static int linear_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* y = (cos t, sin t, exp(-t)) */
+{
+    (void)t, (void)ctx;
+    dydt[0] = -y[1], dydt[1] = y[0], dydt[2] = -y[2];
+    return 0;
+}
+
+static int time_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* y' = 2 t y: y = exp(t^2) */
+{
+    (void)ctx;
+    dydt[0] = 2 * t * y[0];
+    return 0;
+}
+
+/* (m x')' + x|x|^(alpha-1) = 0 with y = (x, m x'): ctx points at {alpha, m'/m0, power of the mass law} */
+static int oscillator_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_real *p = (const vm_real *)ctx;
+    dydt[0] = y[1] / VM_POW(1 + p[1] * t, p[2]);
+    dydt[1] = -VM_COPYSIGN(VM_POW(VM_FABS(y[0]), p[0]), y[0]);
+    return 0;
+}
+
+static int blow_up_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* y = 1/(1 - t) */
+{
+    (void)t, (void)ctx;
+    dydt[0] = y[0] * y[0];
+    return 0;
+}
+
+typedef struct wall { vm_real at; int use_nan; long calls; } wall; /* f exists for t < at */
+
+static int wall_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    wall *w = (wall *)ctx;
+    w->calls++;
+    dydt[0] = -y[0];
+    if (t < w->at) return 0;
+    if (w->use_nan) dydt[0] = VM_NAN;
+    return w->use_nan ? 0 : 7;
+}
+
+/* ---- orders ---- */
+
+static double rk4_error(long steps)
+{
+    vm_real y[3] = {1, 0, 1}, work[RK4_WORK(3)], t = 0;
+    CHECK(rk4_solve(linear_rhs, NULL, 3, &t, 2, steps, y, work) == ODE_OK && t == 2);
+    return fmax(fabs((double)y[0] - cos(2.)), fmax(fabs((double)y[1] - sin(2.)), fabs((double)y[2] - exp(-2.))));
+}
+
+/* steps of fixed size h, because no error is ever too large; *inside is the error in the middle of the last step */
+static double rk45_error(vm_real h, double *inside)
+{
+    vm_real y0[3] = {1, 0, 1}, y[3], work[RK45_WORK(3)];
+    rk45_options o = {0, 1000, NULL, 0, 0, 0, 0};
+    rk45 s;
+    double t;
+    o.h0 = o.h_max = h;
+    CHECK(rk45_init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK);
+    CHECK(rk45_solve(&s, 2) == ODE_OK && s.t == 2 && s.rejected == 0 && s.evals == 6 * s.steps + 1);
+    t = ((double)s.t_old + (double)s.t) / 2;
+    CHECK(rk45_interpolate(&s, R(t), y) == ODE_OK);
+    *inside = fmax(fabs((double)y[0] - cos(t)), fmax(fabs((double)y[1] - sin(t)), fabs((double)y[2] - exp(-t))));
+    return fmax(fabs((double)s.y[0] - cos(2.)), fmax(fabs((double)s.y[1] - sin(2.)), fabs((double)s.y[2] - exp(-2.))));
+}
+
+static void check_order(const char *method, double order, double wanted, double allowed)
+{
+    printf("%s: measured order %.3f\n", method, order);
+    CHECK(fabs(order - wanted) < allowed);
+}
+
+static void test_orders(void)
+{
+    double a, b, inside_a, inside_b;
+    if (is_float) return; /* in float rounding hides them */
+    check_order("rk4", log2(rk4_error(40) / rk4_error(80)), 4, 0.1);
+    a = rk45_error(0.125, &inside_a), b = rk45_error(0.0625, &inside_b);
+    check_order("rk45", log2(a / b), 5, 0.3);
+    check_order("rk45_interpolate (local error)", log2(inside_a / inside_b), 5, 0.5);
+}
+
+/* ---- known solutions ---- */
+
+typedef struct known {
+    const char *name;
+    vm_real p[3];
+    double t, x;
+} known;
+
+/* Bessel functions, an elementary function, and 40-digit extrapolation; x(0) = 1, x'(0) = 0 */
+static const known solutions[] = {
+    {"m = 1 + 0.1 t", {1, R(0.1), 1}, 10, -0.3331145282992179077380452},
+    {"m = 1 + 0.1 t", {1, R(0.1), 1}, 50, -0.4912946398391219988499127},
+    {"m = (1 + 0.1 t)^2", {1, R(0.1), 2}, 10, 0.5884587582788442775617413},
+    {"cubic (398)", {3, R(0.1), 1}, 10, 0.8329476745754213932},
+    {"cubic (398)", {3, R(0.1), 1}, 20, 0.1626996653923250896},
+};
+
+static void test_known_solutions(void)
+{
+    size_t i;
+    double tol;
+    for (i = 0; i < sizeof solutions / sizeof *solutions; i++) {
+        known k = solutions[i];
+        for (tol = is_float ? 1e-5 : 1e-12; tol < 1e-3; tol *= 100) {
+            vm_real y0[2] = {1, 0}, work[RK45_WORK(2)];
+            rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+            rk45 s;
+            o.rtol = o.atol = R(tol);
+            CHECK(rk45_init(&s, oscillator_rhs, k.p, 2, 0, y0, &o, work) == ODE_OK);
+            CHECK(rk45_solve(&s, R(k.t)) == ODE_OK && s.t == R(k.t));
+            check_error("x(t)", k.name, "tol", fabs((double)s.y[0] - k.x) / tol, is_float ? 30 : 60, k.t, tol);
+            CHECK(rk45_solve(&s, 0) == ODE_OK && s.t == 0); /* and back */
+            check_error("x(0), back", k.name, "tol", fabs((double)s.y[0] - 1) / tol, is_float ? 60 : 120, k.t, tol);
+        }
+    }
+}
+
+static void test_interpolation(void)
+{
+    vm_real y0[1] = {1}, work[RK45_WORK(1)], y, before;
+    double tol = is_float ? 1e-5 : 1e-9;
+    rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+    rk45 s;
+    o.rtol = R(tol), o.atol = -1;
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, -2, y0, &o, work) == ODE_OK);
+    while (s.t < 1) {
+        double x;
+        CHECK(rk45_step(&s) == ODE_OK);
+        for (x = 0; x <= 1; x += 0.125) {
+            double t = (double)s.t_old + x * (double)(s.t - s.t_old), exact;
+            t = (double)(vm_real)t, exact = exp(t * t - 4);
+            CHECK(rk45_interpolate(&s, (vm_real)t, &y) == ODE_OK);
+            check_error("interpolate", "y = exp(t^2)", "tol", fabs((double)y / exact - 1) / tol, 30, t, tol);
+        }
+    }
+    CHECK(rk45_interpolate(&s, s.t, &y) == ODE_OK && y == s.y[0]);
+    before = y;
+    CHECK(rk45_interpolate(&s, s.t + 1, &y) == ODE_BAD_ARGUMENT && y == before);
+    CHECK(rk45_interpolate(&s, s.t_old - 1, &y) == ODE_BAD_ARGUMENT && y == before);
+    CHECK(rk45_interpolate(&s, VM_NAN, &y) == ODE_BAD_ARGUMENT && y == before);
+    y = 2;
+    CHECK(rk45_restart(&s, s.t, &y) == ODE_OK && s.y[0] == 2 && s.t_old == s.t);
+    CHECK(rk45_step(&s) == ODE_OK && s.y[0] > 2 && rk45_interpolate(&s, s.t_old, &y) == ODE_OK && y == 2);
+}
+
+/* ---- how runs end ---- */
+
+static void test_refusals(void)
+{
+    vm_real y0[2] = {1, 0}, bad[2], work[RK45_WORK(2)], t = 0, y[2] = {1, 0};
+    rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+    rk45 s, before;
+    memset(&s, 5, sizeof s);
+    before = s;
+    bad[0] = 1, bad[1] = VM_NAN;
+#define REFUSED(call) CHECK((call) == ODE_BAD_ARGUMENT && memcmp(&s, &before, sizeof s) == 0)
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 0, 0, y0, NULL, work));
+    REFUSED(rk45_init(&s, linear_rhs, NULL, -3, 0, y0, NULL, work));
+    REFUSED(rk45_init(&s, NULL, NULL, 2, 0, y0, NULL, work));
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, NULL, NULL, work));
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, NULL, NULL));
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, bad, NULL, work));
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, VM_INFINITY, y0, NULL, work));
+    o.rtol = o.atol = -1;
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
+    o.rtol = o.atol = 0, o.h_max = -1;
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
+    o.h_max = 0, o.h0 = VM_NAN;
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
+    o.h0 = 0, o.rtol = VM_NAN;
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
+    CHECK(rk45_solve(NULL, 1) == ODE_BAD_ARGUMENT && rk45_step(NULL) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_step(linear_rhs, NULL, 0, 0, 1, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve(linear_rhs, NULL, 2, &t, 1, 0, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve(linear_rhs, NULL, 2, &t, VM_INFINITY, 10, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve(NULL, NULL, 2, &t, 1, 10, y, work) == ODE_BAD_ARGUMENT && t == 0 && y[0] == 1);
+}
+
+static void test_tolerances(void)
+{
+    vm_real y0[1] = {1}, work[RK45_WORK(1)], each[1] = {R(1e-3)};
+    rk45_options o = rk45_defaults(NULL);
+    rk45 s;
+    CHECK(o.rtol == (is_float ? R(1e-4) : R(1e-6)) && o.atol > 0 && o.max_steps > 0 && o.h_max > 0);
+    o.rtol = 1, o.rtol = R(eps); /* below what the type holds: raised, said, and reached */
+    o.atol = -1;
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_RTOL_RAISED && ODE_RTOL_RAISED > 0);
+    CHECK(s.options.rtol == 16 * VM_EPSILON && s.options.atol == 0);
+    CHECK(rk45_solve(&s, 2) == ODE_OK);
+    check_error("rtol = eps", "y = exp(t^2)", "eps", fabs((double)s.y[0] / exp(4.) - 1) / eps, 60, 2, 0);
+    o.rtol = -1, o.atol = 0, o.atol_each = each;
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
+    check_error("atol_each", "y = exp(t^2)", "tol", fabs((double)s.y[0] - exp(1.)) / 1e-3, 5, 1, 0);
+}
+
+static void test_endings(void)
+{
+    vm_real y0[1] = {1}, work[RK45_WORK(1)], y[1], at, wanted;
+    rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+    wall w = {1, 0, 0};
+    rk45 s, again;
+    int k;
+    for (k = 0; k < 2; k++) { /* f refuses, or is NaN, from t = 1 on */
+        w.use_nan = k;
+        CHECK(rk45_init(&s, wall_rhs, &w, 1, 0, y0, NULL, work) == ODE_OK);
+        CHECK(rk45_solve(&s, 5) == (k ? ODE_NOT_FINITE : ODE_RHS_STOPPED));
+        CHECK(s.t < 1 && s.rhs_status == (k ? 0 : 7));
+        check_error("y before the end", "f stops", "tol", fabs((double)s.y[0] * exp((double)s.t) - 1) / (is_float ? 1e-4 : 1e-6), 5,
+                    (double)s.t, k);
+        if (k) CHECK((double)s.t > 1 - 100 * eps); /* shortened up to the end of f */
+        at = 0, y[0] = 1;
+        CHECK(rk4_solve(wall_rhs, &w, 1, &at, 2, 20, y, work) == (k ? ODE_NOT_FINITE : ODE_RHS_STOPPED));
+        check_error("y before the end", "f stops, rk4", "1e-6", 1e6 * fabs((double)y[0] * exp((double)at) - 1), 2, (double)at, k);
+        CHECK(fabs((double)at - 0.9) < 1e-6);
+    }
+    w.at = -1; /* at once */
+    CHECK(rk45_init(&s, wall_rhs, &w, 1, 0, y0, NULL, work) == ODE_OK && rk45_step(&s) == ODE_NOT_FINITE);
+    CHECK(s.t == 0 && s.y[0] == 1 && s.steps == 0);
+
+    CHECK(rk45_init(&s, blow_up_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK);
+    k = rk45_solve(&s, 2);
+    CHECK((k == ODE_STEP_TOO_SMALL || k == ODE_NOT_FINITE) && fabs((double)s.t - 1) < (is_float ? 1e-2 : 1e-5));
+    o.h_min = R(0.01);
+    CHECK(rk45_init(&s, blow_up_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 2) == ODE_STEP_TOO_SMALL && s.t < 1);
+
+    o.h_min = 0, o.max_steps = 3; /* interrupted and continued: the same bits as in one go */
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    for (k = 0; k < 1000 && rk45_solve(&s, 2) == ODE_MAX_STEPS; k++) continue;
+    wanted = s.y[0];
+    CHECK(s.t == 2 && k > 0 && rk45_solve(&s, 2) == ODE_OK);
+    o.max_steps = -1;
+    CHECK(rk45_init(&again, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&again, 2) == ODE_OK);
+    CHECK(again.y[0] == wanted && again.steps == s.steps && again.evals == s.evals);
+
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, 2, &wanted, NULL, work) == ODE_OK);
+    CHECK(rk45_solve(&s, 2) == ODE_OK && s.evals == 0); /* t_end = t succeeds at once */
+    o.h0 = R(-0.01); /* rk45_step backward */
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, 2, &wanted, &o, work) == ODE_OK && rk45_step(&s) == ODE_OK && s.t < 2);
+    CHECK(strcmp(ode_strerror(ODE_MAX_STEPS), ode_strerror(-99)) != 0);
+}
+
+/* Two runs at once do not disturb each other. */
+static void test_reentrancy(void)
+{
+    vm_real y0[1] = {1}, work[2][RK45_WORK(1)], alone;
+    rk45 a, b;
+    rk45_init(&a, time_rhs, NULL, 1, 0, y0, NULL, work[0]);
+    CHECK(rk45_solve(&a, 1) == ODE_OK);
+    alone = a.y[0];
+    rk45_init(&a, time_rhs, NULL, 1, 0, y0, NULL, work[0]);
+    rk45_init(&b, blow_up_rhs, NULL, 1, 0, y0, NULL, work[1]);
+    while (a.t < 1) {
+        long attempts = -1;
+        CHECK(vmi_rk45_advance(&a, 1, &attempts) == ODE_OK);
+        rk45_step(&b);
+    }
+    CHECK(a.y[0] == alone);
+}
+
+int main(void)
+{
+    test_orders();
+    test_known_solutions();
+    test_interpolation();
+    test_refusals();
+    test_tolerances();
+    test_endings();
+    test_reentrancy();
+    return check_finish("integrators.h");
+}

@@ -1,0 +1,244 @@
+/* varmass.h: jumps by the balances of momentum, angular momentum and energy with random bodies, not by comparison;
+   bad input; the oscillator's constants and laws by their definitions. */
+#include "../varmass.h"
+#include "check.h"
+
+#define R(x) ((vm_real)(x))
+
+static vm_vec3 vector(double x, double y, double z) { return vmi_vec3(R(x), R(y), R(z)); }
+static vm_vec3 random_vector(double size) { return vector(uniform(-size, size), uniform(-size, size), uniform(-size, size)); }
+static double size_of(vm_vec3 a) { return sqrt((double)vmi_dot(a, a)); }
+
+/* A body of a few random particles rigidly joined: its inertia is possible by construction. */
+static vm_body random_body(double mass, double size)
+{
+    vm_vec3 at[6], centre = vector(0, 0, 0);
+    vm_body b;
+    int i;
+    memset(&b, 0, sizeof b);
+    for (i = 0; i < 6; i++) {
+        at[i] = random_vector(size);
+        centre = vmi_add(centre, vmi_scale(R(1. / 6), at[i]));
+    }
+    for (i = 0; i < 6; i++)
+        b.inertia = vmi_inertia_plus(b.inertia, R(mass / 6), vmi_inertia_of_point(vmi_sub(at[i], centre)));
+    b.mass = R(mass);
+    b.q.w = R(uniform(-1, 1)), b.q.x = R(uniform(-1, 1)), b.q.y = R(uniform(-1, 1)), b.q.z = R(uniform(-1, 1));
+    b.r = random_vector(3), b.v = random_vector(5), b.omega = random_vector(4);
+    return b;
+}
+
+static vm_impulse random_impulse(void)
+{
+    vm_impulse j;
+    j.linear = random_vector(3), j.couple = random_vector(3), j.at = random_vector(3);
+    return j;
+}
+
+/* The size of what the momenta are sums of, which their rounding errors go by */
+static double momentum_scale(const vm_body *b, vm_vec3 about)
+{
+    return size_of(vmi_spin_momentum(b)) + size_of(vmi_sub(b->r, about)) * size_of(vm_momentum(b));
+}
+
+/* before + moment of j about the point - after - other, over eps times the sizes */
+static double angular_defect(const vm_body *before, const vm_body *after, const vm_body *other, const vm_impulse *j, vm_vec3 about)
+{
+    vm_vec3 L = vm_angular_momentum(before, about);
+    double scale = momentum_scale(before, about) + momentum_scale(after, about) + momentum_scale(other, about);
+    if (j) {
+        L = vmi_add(L, vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear)));
+        scale += size_of(j->couple) + size_of(vmi_sub(j->at, about)) * size_of(j->linear);
+    }
+    L = vmi_sub(L, vmi_add(vm_angular_momentum(after, about), vm_angular_momentum(other, about)));
+    return size_of(L) / ((double)VM_EPSILON * scale);
+}
+
+static double linear_defect(const vm_body *before, const vm_body *after, const vm_body *other, const vm_impulse *j)
+{
+    vm_vec3 K = vmi_sub(vm_momentum(before), vmi_add(vm_momentum(after), vm_momentum(other)));
+    double scale = size_of(vm_momentum(before)) + size_of(vm_momentum(after)) + size_of(vm_momentum(other));
+    if (j) K = vmi_add(K, j->linear), scale += size_of(j->linear);
+    return size_of(K) / ((double)VM_EPSILON * scale);
+}
+
+/* Attachment, then the separation of what was attached, with its own motion: both balances about random points, the
+   loss of energy of Carnot's theorem (corrected (113)/(118) for an addition), and the first body back. */
+static void test_balance(int with_impulse)
+{
+    const char *region = with_impulse ? "with impulse" : "free";
+    int i;
+    for (i = 0; i < 3000; i++) {
+        vm_body a = random_body(uniform(1, 10), 1), b = random_body(uniform(0.1, 5), 0.5), whole, rest, part = b;
+        vm_impulse impulse = random_impulse(), opposite = impulse;
+        const vm_impulse *j = with_impulse ? &impulse : NULL, *minus_j = with_impulse ? &opposite : NULL;
+        vm_vec3 about = random_vector(4);
+        opposite.linear = vmi_scale(-1, impulse.linear), opposite.couple = vmi_scale(-1, impulse.couple);
+        b.r = vmi_add(a.r, random_vector(1));
+        if (vm_attach(&a, &b, j, &whole)) FAIL("attach");
+        check_error("attach: K", region, "eps", linear_defect(&whole, &a, &b, minus_j), 3, i, 0);
+        check_error("attach: L", region, "eps", angular_defect(&whole, &a, &b, minus_j, about), 6, i, 0);
+        if (vm_separate(&whole, &b, minus_j, &rest)) FAIL("separate"); /* the opposite impulse there undoes it */
+        check_error("undone: v", region, "eps", size_of(vmi_sub(rest.v, a.v)) / (double)VM_EPSILON, 60, i, 0);
+
+        part = b;
+        part.omega = random_vector(3), part.v = random_vector(5);
+        if (vm_separate(&whole, &part, j, &rest)) FAIL("separate");
+        check_error("separate: K", region, "eps", linear_defect(&whole, &rest, &part, j), 3, i, 0);
+        check_error("separate: L", region, "eps", angular_defect(&whole, &rest, &part, j, about), 6, i, 0);
+        check_error("rest: r", region, "eps", size_of(vmi_sub(rest.r, a.r)) / (double)VM_EPSILON, 30, i, 0);
+    }
+}
+
+/* Kinetic energy is what it is for the particles: M |v|^2/2 + omega.I.omega/2, and by Koenig the same about any motion.
+   An attachment without impulse loses the energy of the motion relative to the final body (Carnot). The bound is wide
+   because thin bodies turn an eps of angular momentum into several of angular velocity. */
+static void test_energy(void)
+{
+    int i;
+    for (i = 0; i < 3000; i++) {
+        vm_body a = random_body(uniform(1, 10), 1), b = random_body(uniform(0.1, 5), 0.5), whole;
+        vm_body bodies[2];
+        double loss = 0, before, after;
+        int k;
+        if (vm_attach(&a, &b, NULL, &whole)) FAIL("attach");
+        bodies[0] = a, bodies[1] = b;
+        before = (double)(vm_kinetic_energy(&a) + vm_kinetic_energy(&b)), after = (double)vm_kinetic_energy(&whole);
+        for (k = 0; k < 2; k++) { /* each body's energy relative to the final body */
+            vm_body *x = bodies + k;
+            vm_vec3 carried = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(x->r, whole.r)));
+            x->v = vmi_sub(x->v, carried), x->omega = vmi_sub(x->omega, whole.omega);
+            loss += (double)vm_kinetic_energy(x);
+        }
+        check_error("Carnot's loss", "free", "eps", fabs(before - after - loss) / (double)VM_EPSILON / before, 40, i, 0);
+    }
+}
+
+static void test_jump_domain(void)
+{
+    vm_body whole = random_body(5, 1), part = whole, rest, before, rod;
+    part.mass = 1;
+    part.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(0.01), vmi_inertia_of_point(vector(1, 1, 1)));
+    part.r = vmi_add(whole.r, vector(0.1, 0, 0));
+    memset(&rest, 7, sizeof rest);
+    before = rest;
+#define REFUSED(status, call) CHECK((call) == (status) && memcmp(&rest, &before, sizeof rest) == 0)
+    {
+        vm_body x = part;
+        x.mass = 6;
+        REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
+        x.mass = whole.mass;
+        REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
+        x.mass = -1;
+        REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
+        REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
+        x.mass = 0;
+        REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
+        x = part, x.mass = VM_NAN;
+        REFUSED(VM_NOT_FINITE, vm_attach(&whole, &x, NULL, &rest));
+        x = part, x.omega.y = VM_INFINITY;
+        REFUSED(VM_NOT_FINITE, vm_attach(&x, &whole, NULL, &rest));
+        x = whole, x.v.z = VM_MAX, part.v.z = -VM_MAX; /* the difference overflows */
+        REFUSED(VM_NOT_FINITE, vm_attach(&x, &part, NULL, &rest));
+        part.v = whole.v;
+        x = part, x.inertia.xx = -1;
+        REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
+        x = part, x.inertia.xx = 1; /* 1 > 0.02 + 0.02 */
+        REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
+        x = part, x.inertia.xy = R(0.5); /* moments 0.02 +- 0.5 */
+        REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
+        x = part, x.r = vmi_add(whole.r, vector(20, 0, 0)); /* never was inside */
+        REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
+        REFUSED(VM_BAD_ARGUMENT, vm_separate(NULL, &part, NULL, &rest));
+        REFUSED(VM_BAD_ARGUMENT, vm_attach(&whole, NULL, NULL, &rest));
+        CHECK(vm_attach(&whole, &part, NULL, NULL) == VM_BAD_ARGUMENT);
+    }
+    CHECK(vm_separate(&whole, &part, NULL, &whole) == VM_OK && whole.mass == 4); /* an output may be an input */
+
+    /* two equal points on the x axis are a rod; one taken away leaves a point, whose spin stays the rod's */
+    rod = part;
+    memset(&rod.q, 0, sizeof rod.q);
+    rod.r = vector(0, 0, 0), rod.mass = 2;
+    rod.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), 2, vmi_inertia_of_point(vector(1, 0, 0)));
+    rod.omega = vector(3, 0.5, -0.25), rod.v = vector(1, 2, 3);
+    part = rod;
+    part.mass = 1, part.r = vector(1, 0, 0);
+    memset(&part.inertia, 0, sizeof part.inertia);
+    part.v = vmi_add(rod.v, vmi_cross(rod.omega, part.r));
+    CHECK(vm_separate(&rod, &part, NULL, &rest) == VM_OK);
+    CHECK(size_of(vmi_sub(rest.omega, rod.omega)) == 0 && rest.r.x == -1 && rest.inertia.yy == 0);
+    CHECK(size_of(vmi_sub(rest.v, vmi_add(rod.v, vmi_cross(rod.omega, vector(-1, 0, 0))))) == 0);
+    CHECK(strcmp(vm_strerror(VM_BAD_INERTIA), vm_strerror(12345)) != 0);
+}
+
+static void test_oscillator(void)
+{
+    const double alphas[] = {0, 0.1, 0.5, 1, 4. / 3, 3, 10, 100};
+    const vm_real x0 = R(-1.7), omega0 = R(0.8);
+    int i, k;
+    for (i = 0; i < 8; i++) {
+        double alpha = (double)R(alphas[i]), w2 = (double)omega0 * (double)omega0, vmax;
+        double E0 = pow(fabs((double)x0), alpha + 1) * w2 / (alpha + 1), unit = (double)VM_EPSILON * (alpha + 1);
+        vm_real period = vm_osc_period(x0, omega0, R(alpha)), x, v, T, kp, K;
+        vmax = (double)vm_osc_vmax(x0, omega0, R(alpha));
+        check_error("vmax^2/2 = E", "", "eps*", fabs(vmax * vmax / 2 / E0 - 1) / unit, 3, alpha, 0);
+        for (k = 0; k <= 40; k++) { /* the energy integral (259) along the exact motion */
+            double E, t = uniform(0, 3) * (double)period;
+            vm_osc_exact(R(t), x0, omega0, R(alpha), &x, &v);
+            E = (double)v * (double)v / 2 + w2 * pow(fabs((double)x), alpha + 1) / (alpha + 1);
+            check_error("energy (259)", "", "eps*", fabs(E / E0 - 1) / unit, 6, t, alpha);
+        }
+        vm_osc_exact(period / 2, x0, omega0, R(alpha), &x, &v);
+        check_error("x(T/2) = -x0", "", "eps", fabs((double)(x + x0)) / (double)VM_EPSILON, 4, alpha, 0);
+        /* the three frequencies go with one period: Omega_alpha T = 2 pi, Omega_1* T = 4 K; and (307) */
+        T = vm_osc_period(1, 1, R(alpha));
+        check_error("Omega_a T/(2 pi)", "", "eps", fabs((double)(vm_osc_omega_trig(R(alpha)) * T) / 6.283185307179586 - 1) /
+                    (double)VM_EPSILON, 4, alpha, 0);
+        K = jacobi_K(vm_osc_m_jacobi(R(alpha))), kp = VM_SQRT(1 - vm_osc_m_jacobi(R(alpha)));
+        check_error("Omega_1 T/(4 K)", "", "eps", fabs((double)(vm_osc_omega_jacobi(R(alpha)) * T / (4 * K)) - 1) /
+                    (double)VM_EPSILON, 12, alpha, 0);
+        check_error("Omega_1 k' = vmax", "", "eps", fabs((double)(vm_osc_omega_jacobi(R(alpha)) * kp /
+                    vm_osc_vmax(1, 1, R(alpha))) - 1) / (double)VM_EPSILON, 12, alpha, 0);
+    }
+    for (i = 0; i < 8; i++) { /* no amplitude, no motion */
+        vm_real x, v;
+        vm_osc_exact(1, 0, 1, R(alphas[i]), &x, &v);
+        CHECK(x == 0 && v == 0 && vm_osc_vmax(0, 1, R(alphas[i])) == 0);
+    }
+}
+
+static void test_laws(void)
+{
+    const double m = 6, eps = (double)VM_EPSILON;
+    int r;
+    double alpha, D;
+    for (alpha = 0; alpha < 20; alpha = 1.5 * alpha + 0.25) {
+        for (D = 0; D < 1; D += 0.3) {
+            for (r = 0; r <= 1; r++) { /* the adiabatic invariant sqrt(k/m) A^((alpha+3)/2) exp(int (r m' + b)/m) */
+                double A = (double)vm_osc_amplitude_law(R(m), R(D), R(r), R(alpha));
+                double v = (double)vm_osc_velocity_law(R(m), R(D), R(r), R(alpha));
+                double J = pow(m, -0.5) * pow(A, (alpha + 3) / 2) * pow(m, r) * exp(D);
+                check_error("invariant", "", "eps*", fabs(J - 1) / eps / (alpha + 1), 6, alpha, D);
+                check_error("v^2 m = A^(a+1)", "", "eps*", fabs(v * v * m / pow(A, alpha + 1) - 1) / eps / (alpha + 1), 6, alpha, D);
+            }
+        }
+    }
+    /* m' = -2 b (reactive) keeps the amplitude (348): (m0/m)^(1/(a+3)) exp(-2/(a+3) b ln(m/m0)/m') = 1 */
+    check_error("m' = -2 b", "", "eps", fabs((double)vm_osc_amplitude_law(R(0.5), R(-0.5 * log(0.5)), 1, R(1.5)) - 1) / eps, 2, 0, 0);
+    CHECK(vm_osc_amplitude_law(1, 0, 1, 3) == 1 && vm_osc_velocity_law(1, 0, 0, 3) == 1);
+    CHECK(isnan(vm_osc_amplitude_law(-1, 0, 1, 3)) && isnan(vm_osc_velocity_law(0, 0, 1, 3)));
+    CHECK(isnan(vm_osc_amplitude_law(2, 0, 1, -1)) && isnan(vm_osc_velocity_law(2, 0, 1, VM_INFINITY)));
+    CHECK(isnan(vm_osc_period(1, 1, -1)) && isnan(vm_osc_vmax(1, 1, VM_NAN)) && isnan(vm_osc_omega_trig(R(-0.1))));
+    CHECK(isnan(vm_osc_m_jacobi(VM_INFINITY)) && isnan(vm_osc_omega_jacobi(-1)));
+}
+
+int main(void)
+{
+    test_balance(0);
+    test_balance(1);
+    test_energy();
+    test_jump_domain();
+    test_oscillator();
+    test_laws();
+    return check_finish("varmass.h");
+}
