@@ -3,8 +3,8 @@
 #
 #   make run      build and run the examples, draw their figures        make bench   time everything
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
-#   make figures  copy the README's figures to docs/figures             make data    write the reference tables anew
-#   make clean    remove build/
+#   make measurements   write docs/measurements.md     make figures   draw docs/figures     make data   reference tables
+#   make clean          remove build/
 
 CC = cc
 CFLAGS = -O2
@@ -18,7 +18,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
 TEST_FILES = $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test lint bench figures data clean
+.PHONY: run test lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -37,11 +37,14 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; sh tests/lint.sh build $(STRICT)
 
-bench: build/bench/double build/bench/float
-	@./build/bench/double; echo; ./build/bench/float
+bench: build/bench/double build/bench/float build/bench/pairs
+	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs
+
+measurements: $(TEST_PROGRAMS) build/bench/double build/bench/float build/bench/pairs
+	sh bench/measurements.sh build
 
 figures: run
-	cp build/figures/*.svg docs/figures/
+	cp build/figures/example1_trigonometric.svg docs/figures/
 
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
@@ -70,3 +73,7 @@ build/bench/double: bench/bench.c $(HEADERS)
 build/bench/float: bench/bench.c $(HEADERS)
 	@mkdir -p $(@D); echo '*' >build/.gitignore
 	@$(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+
+build/bench/pairs: bench/pairs.c
+	@mkdir -p $(@D); echo '*' >build/.gitignore
+	@$(COMPILE) $< -o $@ -lm

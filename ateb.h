@@ -1,3 +1,62 @@
+/* ateb.h - Ateb functions: sine and cosine of the oscillator x'' + x|x|^(alpha-1) = 0
+
+   Part of varmass (MIT licence), usable alone: copy this one file, include it, link with -lm.
+
+       #include <stdio.h>
+       #include "ateb.h"
+       int main(void)
+       {
+           double sa, ca;
+           ateb_saca(0.7, 1.5, &sa, &ca);
+           printf("sa = %.16g, ca = %.16g, period %.16g\n", sa, ca, 2 * ateb_pi(1.5));
+           return 0;
+       }
+
+   WHAT THEY ARE
+     v = sa(1, alpha, s) and u = ca(alpha, 1, s) solve v' = u|u|^(alpha-1), u' = -2 v/(alpha + 1), v(0) = 0,
+     u(0) = 1 (275). So v^2 + |u|^(alpha+1) = 1 (279), and v^2 is an inverse incomplete beta function of s:
+     s = (1/2) B_(v^2)(1/2, 1/(alpha+1)) for 0 <= s <= Pi_alpha/2.
+     alpha = 1 gives sin and cos; alpha = 3 gives ca = cn(s/sqrt 2 | 1/2) and sa = sqrt 2 sn dn; alpha = 0 gives
+     sa a triangular wave and ca arcs of parabolas; for alpha to infinity sa tends to tanh s, on the scale of the
+     period to a square wave. In terms of the generalised sine, with p = (alpha+1)/alpha:
+     sa(1, alpha, s) = sin_(p,2)(s), ca(alpha, 1, s) = sin_(2,alpha+1)((Pi_alpha - 2 s)/(alpha+1)).
+
+   CONVENTIONS
+     The variable comes first, then the real parameter alpha >= 0. Names and arguments are the dissertation's [1]:
+     sa here is always sa(1, alpha, .), ca always ca(alpha, 1, .), the pair that makes up x and x' of one
+     oscillator, x = A ca, x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa. All arguments are pure numbers.
+
+   ERRORS
+     alpha < 0, NaN and infinite arguments give NaN. Nothing else can fail: no errno, no allocation, no state.
+
+   MACROS, to be defined before the include
+     VM_USE_FLOAT         float instead of double (tests run both)
+     VM_API               linkage of the functions, default static inline
+     VM_TABLE             storage of the tables, default static const
+     VM_SQRT, VM_EXP ...  the functions of the C library that are used (all of them, if any)
+     VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
+   Names that begin with vmi_ or VMI_ are internal.
+
+   METHOD
+     Pi_alpha from a polynomial in two words, so that phases of any size reduce accurately. Below s = 0.55, and at
+     the same distance from every zero of sa, sa is found from the series of B_w in w = sa^2; beyond it
+     ln |ca|^(alpha+1) from that of the complement, whose argument (1 - sa)/2 is at most 0.24. A step of Halley's
+     method needs one series, a logarithm and an exponential; one or two do.
+
+   ACCURACY AND COST, measured (make test, make bench; docs/measurements.md), inputs taken as exact
+     sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for |s| <= 100
+                  Pi_alpha, at and next to both kinds of zeros too; alpha = 0 and 1e-300 to 1e30. The largest
+                  that was found is 2 ulp.
+     Pi_alpha     <= 1 ulp.
+     Cost in units of the C library's sin: Pi_alpha 25, sa+ca 40, Pi_alpha included.
+
+   REFERENCES
+     [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
+         corrected form where they are misprinted: (278), (280) mix up the indices and a sign, (279) lacks the bars.
+     [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
+     [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.8(iii) (quadratic transformations).
+     [4] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
+     [5] N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., SIAM 2002, 1.14.1. */
 #ifndef ATEB_H
 #define ATEB_H
 
@@ -14,10 +73,10 @@
 #endif
 
 #ifndef VM_API
-#define VM_API static inline    /* linkage of every function, e.g. static inline __host__ __device__ */
+#define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
 #endif
 #ifndef VM_TABLE
-#define VM_TABLE static const   /* storage of every table */
+#define VM_TABLE static const /* storage of every table */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -38,7 +97,7 @@ typedef double vm_real;
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
 #endif
 
-#ifndef VM_SQRT                 /* define all of these to use another library */
+#ifndef VM_SQRT /* define all of these to use another library */
 #define VM_SQRT(x) VM_LIBM(sqrt)(x)
 #define VM_FABS(x) VM_LIBM(fabs)(x)
 #define VM_FLOOR(x) VM_LIBM(floor)(x)
@@ -55,7 +114,9 @@ typedef double vm_real;
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-typedef struct VM_TAG(vm_two) { vm_real hi, lo; } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+typedef struct VM_TAG(vm_two) {
+    vm_real hi, lo;
+} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
 /* a + b exactly (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
@@ -103,7 +164,6 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 
 #endif
 /* ---- End of the shared block -------------------------------------------------------------------------------- */
-
 
 /* ---- Table of contents -------------------------------------------------------------------------------------- */
 
@@ -162,13 +222,13 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 #if VM_MANT_DIG > 24
     enum { DEGREE = 20, TWO_WORDS = 11 };
     VM_TABLE vm_real high[DEGREE + 1] = {
-        VM_C(2.0616701789183018434e+1), VM_C(2.0267110471870335431e+1), VM_C(6.3635705553078754093),
-        VM_C(7.3329082227506181546e-1), VM_C(1.9708227491367229928e-2), VM_C(-4.0000651288112700496e-4),
-        VM_C(1.9327295440373642315e-5), VM_C(-1.2789187658911800265e-6), VM_C(9.9916872651209563606e-8),
-        VM_C(-8.6358235237495932037e-9), VM_C(7.9763568164353615668e-10), VM_C(-7.7130262763510484056e-11),
-        VM_C(7.707074401663832919e-12), VM_C(-7.8886556122243641986e-13), VM_C(8.221125215733258922e-14),
-        VM_C(-8.6857026145160750847e-15), VM_C(9.2731898079394297925e-16), VM_C(-9.9636946202153809201e-17),
-        VM_C(1.0793061153442837435e-17), VM_C(-1.2540053537793692324e-18), VM_C(1.3712089706642146322e-19)};
+        VM_C(2.0616701789183018434e+1),   VM_C(2.0267110471870335431e+1),   VM_C(6.3635705553078754093),
+        VM_C(7.3329082227506181546e-1),   VM_C(1.9708227491367229928e-2),   VM_C(-4.0000651288112700496e-4),
+        VM_C(1.9327295440373642315e-5),   VM_C(-1.2789187658911800265e-6),  VM_C(9.9916872651209563606e-8),
+        VM_C(-8.6358235237495932037e-9),  VM_C(7.9763568164353615668e-10),  VM_C(-7.7130262763510484056e-11),
+        VM_C(7.707074401663832919e-12),   VM_C(-7.8886556122243641986e-13), VM_C(8.221125215733258922e-14),
+        VM_C(-8.6857026145160750847e-15), VM_C(9.2731898079394297925e-16),  VM_C(-9.9636946202153809201e-17),
+        VM_C(1.0793061153442837435e-17),  VM_C(-1.2540053537793692324e-18), VM_C(1.3712089706642146322e-19)};
     VM_TABLE vm_real low[TWO_WORDS] = {
         VM_C(-3.0654856268470599668e-16), VM_C(1.2108565098598461938e-15), VM_C(3.0240525331201864104e-16),
         VM_C(-2.7720047980511162152e-19), VM_C(5.4666244738074600658e-19), VM_C(-8.9295679999853601779e-21),
@@ -176,16 +236,14 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
         VM_C(-4.0752988845349009751e-25), VM_C(4.1035499316860961806e-27)};
 #else
     enum { DEGREE = 13, TWO_WORDS = 7 };
-    VM_TABLE vm_real high[DEGREE + 1] = {
-        VM_C(2.06167011261e+1), VM_C(2.02671108246e+1), VM_C(6.36357069016),
-        VM_C(7.33290851116e-1), VM_C(1.97082273662e-2), VM_C(-4.00006509153e-4),
-        VM_C(1.93272953766e-5), VM_C(-1.27891871671e-6), VM_C(9.99171518856e-8),
-        VM_C(-8.63585292166e-9), VM_C(7.97227173166e-10), VM_C(-7.70870797751e-11),
-        VM_C(8.00184744854e-12), VM_C(-8.20022218531e-13)};
-    VM_TABLE vm_real low[TWO_WORDS] = {
-        VM_C(6.63084392727e-7), VM_C(-3.52714636165e-7), VM_C(-1.34847155664e-7),
-        VM_C(-2.88411179383e-8), VM_C(1.25174565158e-10), VM_C(-3.72968452997e-12),
-        VM_C(-3.4247561384e-14)};
+    VM_TABLE vm_real high[DEGREE + 1] = {VM_C(2.06167011261e+1),  VM_C(2.02671108246e+1),  VM_C(6.36357069016),
+                                         VM_C(7.33290851116e-1),  VM_C(1.97082273662e-2),  VM_C(-4.00006509153e-4),
+                                         VM_C(1.93272953766e-5),  VM_C(-1.27891871671e-6), VM_C(9.99171518856e-8),
+                                         VM_C(-8.63585292166e-9), VM_C(7.97227173166e-10), VM_C(-7.70870797751e-11),
+                                         VM_C(8.00184744854e-12), VM_C(-8.20022218531e-13)};
+    VM_TABLE vm_real low[TWO_WORDS] = {VM_C(6.63084392727e-7),  VM_C(-3.52714636165e-7), VM_C(-1.34847155664e-7),
+                                       VM_C(-2.88411179383e-8), VM_C(1.25174565158e-10), VM_C(-3.72968452997e-12),
+                                       VM_C(-3.4247561384e-14)};
 #endif
     vm_two t, sum, c, divisor;
     vm_real tail = high[DEGREE];

@@ -31,6 +31,13 @@
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
 
+   ACCURACY AND COST, measured (make test, make bench; docs/measurements.md), inputs taken as exact
+     sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 (float 1e4). Relative error <= 8 ulp for
+                  |u| <= 100 K, at and next to the zeros too; towards m = 1 (and m = -infinity) it grows to
+                  3 K' ulp, K' = K max(1, k').
+     K, E         <= 4 ulp. solve_kpK: m to 8 eps max(1, |m|).
+     Cost in units of the C library's sin: K 3, E 6, sn+cn+dn 12 for |u| < K/2 and 15 beyond, solve_kpK 40.
+
    REFERENCES
      [1] DLMF, chapters 19 and 22, dlmf.nist.gov: 19.8 (AGM), 22.20 (sn, cn, dn by descending transformation).
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
@@ -52,10 +59,10 @@
 #endif
 
 #ifndef VM_API
-#define VM_API static inline    /* linkage of every function, e.g. static inline __host__ __device__ */
+#define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
 #endif
 #ifndef VM_TABLE
-#define VM_TABLE static const   /* storage of every table */
+#define VM_TABLE static const /* storage of every table */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -76,7 +83,7 @@ typedef double vm_real;
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
 #endif
 
-#ifndef VM_SQRT                 /* define all of these to use another library */
+#ifndef VM_SQRT /* define all of these to use another library */
 #define VM_SQRT(x) VM_LIBM(sqrt)(x)
 #define VM_FABS(x) VM_LIBM(fabs)(x)
 #define VM_FLOOR(x) VM_LIBM(floor)(x)
@@ -93,7 +100,9 @@ typedef double vm_real;
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-typedef struct VM_TAG(vm_two) { vm_real hi, lo; } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+typedef struct VM_TAG(vm_two) {
+    vm_real hi, lo;
+} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
 /* a + b exactly (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
@@ -376,8 +385,8 @@ VM_API vm_real vmi_solve_kp(vm_real c)
     const int negative = c >= VM_PI / 2;
     vm_real y, step, small = VM_SQRT(VM_EPSILON) / 16;
     vmi_ladder l;
-    if (negative) y = 4 * VM_EXP(-c);                            /* K1 = ln(4/y) + O(y^2 ln y) */
-    else y = c / (VM_LOG(4 * (ln8 - VM_LOG(c))) - VM_LOG(c));    /* y = c/ln(4/y), twice */
+    if (negative) y = 4 * VM_EXP(-c);                         /* K1 = ln(4/y) + O(y^2 ln y) */
+    else y = c / (VM_LOG(4 * (ln8 - VM_LOG(c))) - VM_LOG(c)); /* y = c/ln(4/y), twice */
     if (negative && y < small) return 1 / y;
     do {
         vm_real K1, sigma;

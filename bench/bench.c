@@ -1,5 +1,5 @@
-/* Time of each function as a ratio to the C library's sin in the same run, and of the integrators to hand-written loops.
-   Medians of repeats; built for float too, where sinf is the measure. */
+/* Time of each function as a ratio to the C library's sin in the same run, and of the integrators to hand-written
+   loops. Medians of repeats; built for float too, where sinf is the measure. */
 #if !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 199309L
 #endif
@@ -25,19 +25,32 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* median time of one call of body(), divided by calls, ns */
-static double median_ns(void (*body)(void), double calls)
+static double median(double *x)
 {
-    double time[REPEATS];
+    qsort(x, REPEATS, sizeof *x, ascending);
+    return x[REPEATS / 2];
+}
+
+static double once_ns(void (*body)(void), double calls)
+{
+    double start = seconds();
+    body();
+    return (seconds() - start) / calls * 1e9;
+}
+
+/* Time of a call of body, and the median ratio to that of a call of the yardstick measured just before. */
+static void print_ratio(const char *what, void (*body)(void), double calls, const char *yardstick_name,
+                        void (*yardstick)(void), double yardstick_calls)
+{
+    double time[REPEATS], ratio[REPEATS];
     int i;
-    body(), body(); /* warm up */
+    yardstick(), body(); /* warm up */
     for (i = 0; i < REPEATS; i++) {
-        double start = seconds();
-        body();
-        time[i] = (seconds() - start) / calls * 1e9;
+        double base = once_ns(yardstick, yardstick_calls);
+        time[i] = once_ns(body, calls);
+        ratio[i] = time[i] / base;
     }
-    qsort(time, REPEATS, sizeof *time, ascending);
-    return time[REPEATS / 2];
+    printf("%-58s %8.1f ns %8.2f x %s\n", what, median(time), median(ratio), yardstick_name);
 }
 
 static void fill(vm_real low, vm_real high, vm_real parameter_low, vm_real parameter_high)
@@ -52,13 +65,16 @@ static void fill(vm_real low, vm_real high, vm_real parameter_low, vm_real param
     }
 }
 
-#define BODY(name, ...)                                                                    \
-    static void name(void)                                                                 \
-    {                                                                                      \
-        vm_real sum = 0, a = 0, b = 0, c = 0;                                              \
-        int i;                                                                             \
-        for (i = 0; i < COUNT; i++) { __VA_ARGS__; sum += a + b + c; }                     \
-        sink = sum;                                                                        \
+#define BODY(name, ...)                       \
+    static void name(void)                    \
+    {                                         \
+        vm_real sum = 0, a = 0, b = 0, c = 0; \
+        int i;                                \
+        for (i = 0; i < COUNT; i++) {         \
+            __VA_ARGS__;                      \
+            sum += a + b + c;                 \
+        }                                     \
+        sink = sum;                           \
     }
 BODY(run_sin, a = VM_SIN(arg[i]))
 BODY(run_K, a = jacobi_K(parameter[i]))
@@ -68,10 +84,9 @@ BODY(run_solver, a = jacobi_solve_kpK(parameter[i]))
 BODY(run_pi, a = ateb_pi(parameter[i]))
 BODY(run_saca, ateb_saca(arg[i], parameter[i], &a, &b))
 
-static void print_ratio(const char *what, void (*body)(void))
+static void print_function(const char *what, void (*body)(void))
 {
-    double sine = median_ns(run_sin, COUNT), ns = median_ns(body, COUNT);
-    printf("%-58s %8.1f ns %8.2f x sin\n", what, ns, ns / sine);
+    print_ratio(what, body, COUNT, "sin", run_sin, COUNT);
 }
 
 /* ---- x'' = -x^3 ---- */
@@ -121,26 +136,26 @@ static void run_rk45(void)
 
 int main(void)
 {
-    double loop, ns;
-    printf("varmass, %s, median of %d runs of %d calls, random arguments\n\n", sizeof(vm_real) == 8 ? "double" : "float", REPEATS, COUNT);
+    printf("varmass, %s, median of %d runs of %d calls, random arguments\n\n",
+           sizeof(vm_real) == 8 ? "double" : "float", REPEATS, COUNT);
     fill(-10, 10, 0, 1);
-    printf("%-58s %8.1f ns %8.2f x sin\n", "sin(u), -10 < u < 10", median_ns(run_sin, COUNT), 1.);
-    print_ratio("jacobi_K(m), 0 < m < 1", run_K);
-    print_ratio("jacobi_E(m), 0 < m < 1", run_E);
-    print_ratio("jacobi_sncndn(u, m), -10 < u < 10, 0 < m < 1", run_sncndn);
+    print_function("sin(u), -10 < u < 10", run_sin);
+    print_function("jacobi_K(m), 0 < m < 1", run_K);
+    print_function("jacobi_E(m), 0 < m < 1", run_E);
+    print_function("jacobi_sncndn(u, m), -10 < u < 10, 0 < m < 1", run_sncndn);
     fill(-1, 1, 0, 1);
-    print_ratio("jacobi_sncndn(u, m), -1 < u < 1, 0 < m < 1", run_sncndn);
+    print_function("jacobi_sncndn(u, m), -1 < u < 1, 0 < m < 1", run_sncndn);
     fill(-10, 10, 1, 2);
-    print_ratio("jacobi_solve_kpK(c), 1 < c < 2", run_solver);
+    print_function("jacobi_solve_kpK(c), 1 < c < 2", run_solver);
     fill(-10, 10, 0, 5);
-    print_ratio("ateb_pi(alpha), 0 < alpha < 5", run_pi);
-    print_ratio("ateb_saca(s, alpha), -10 < s < 10, 0 < alpha < 5", run_saca);
+    print_function("ateb_pi(alpha), 0 < alpha < 5", run_pi);
+    print_function("ateb_saca(s, alpha), -10 < s < 10, 0 < alpha < 5", run_saca);
     fill(-10, 10, 5, 100);
-    print_ratio("ateb_saca(s, alpha), -10 < s < 10, 5 < alpha < 100", run_saca);
-    loop = median_ns(run_rk4_by_hand, 4. * STEPS), ns = median_ns(run_rk4, 4. * STEPS);
-    printf("\n%-58s %8.1f ns\n", "x'' = -x^3 by a hand-written RK4 loop, an evaluation", loop);
-    printf("%-58s %8.1f ns %8.2f x the loop\n", "the same by rk4_solve", ns, ns / loop);
+    print_function("ateb_saca(s, alpha), -10 < s < 10, 5 < alpha < 100", run_saca);
+    puts("\nx'' = -x^3, an evaluation of the right-hand side");
+    print_ratio("a hand-written RK4 loop", run_rk4_by_hand, 4. * STEPS, "the loop", run_rk4_by_hand, 4. * STEPS);
+    print_ratio("rk4_solve", run_rk4, 4. * STEPS, "the loop", run_rk4_by_hand, 4. * STEPS);
     run_rk45();
-    printf("%-58s %8.1f ns\n", "the same by rk45_solve, default tolerances, an evaluation", median_ns(run_rk45, (double)evals));
+    print_ratio("rk45_solve, default tolerances", run_rk45, (double)evals, "the loop", run_rk4_by_hand, 4. * STEPS);
     return 0;
 }

@@ -1,5 +1,5 @@
-/* envelope.h - the comparison of examples 1 and 2: the oscillator d/dt(m x') + x|x|^(alpha-1) = 0, x(0) = 1, x'(0) = 0,
-   with m = (1 + 0.1 t)^power, integrated by rk45, against envelopes A = m^-a and x'_max = c m^-v.
+/* envelope.h - the comparison of examples 1 and 2: the oscillator d/dt(m x') + x|x|^(alpha-1) = 0, x(0) = 1, x'(0)
+   = 0, with m = (1 + 0.1 t)^power, integrated by rk45, against envelopes A = m^-a and x'_max = c m^-v.
 
    The error of an envelope is the largest relative one at the turning points (amplitude) and at the passages through
    x = 0 (velocity) of the integrated motion. */
@@ -10,7 +10,9 @@
 #include <stdio.h>
 #include "../varmass.h"
 
-typedef struct oscillator { vm_real alpha, power; } oscillator;
+typedef struct oscillator {
+    vm_real alpha, power;
+} oscillator;
 
 typedef struct envelope {
     const char *name;
@@ -19,7 +21,10 @@ typedef struct envelope {
     double amplitude_error, velocity_error;
 } envelope;
 
-static inline vm_real oscillator_mass(const oscillator *o, vm_real t) { return VM_POW(1 + VM_C(0.1) * t, o->power); }
+static inline vm_real oscillator_mass(const oscillator *o, vm_real t)
+{
+    return VM_POW(1 + VM_C(0.1) * t, o->power);
+}
 
 /* y = (x, m x') */
 static inline int oscillator_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -55,7 +60,8 @@ static inline vm_real zero_in_step(const rk45 *s, int i)
 }
 
 /* x, x' and the envelopes at the multiples of 0.2 that lie in the last step of s, from *t_next on */
-static inline void write_rows(FILE *csv, const rk45 *s, const oscillator *o, const envelope *e, int n, double *t_next)
+static inline void write_rows(FILE *csv, const rk45 *s, const oscillator *o, const envelope *e, int n,
+                              double *t_next)
 {
     const double spacing = 0.2;
     int i;
@@ -108,11 +114,13 @@ static inline void envelope_print(const envelope *e, int n)
         char amplitude[40], velocity[40];
         snprintf(amplitude, sizeof amplitude, "m^-%.5f", e[i].a);
         snprintf(velocity, sizeof velocity, "%.5f m^-%.5f", e[i].c, e[i].v);
-        printf("  %-38s %-14s %-10.1e %-22s %.1e\n", e[i].name, amplitude, e[i].amplitude_error, velocity, e[i].velocity_error);
+        printf("  %-38s %-14s %-10.1e %-22s %.1e\n", e[i].name, amplitude, e[i].amplitude_error, velocity,
+               e[i].velocity_error);
     }
 }
 
-/* The whole example: errors to t = 50 (written to the file csv_path, where given) and to t = 200. 0 where all went well */
+/* The whole example: errors to t = 50 (written to the file csv_path, where given) and to t = 200. 0 where all went
+   well */
 static inline int envelope_report(const oscillator *o, envelope *e, int n, const char *csv_path)
 {
     FILE *csv = csv_path ? fopen(csv_path, "w") : NULL;
@@ -121,7 +129,9 @@ static inline int envelope_report(const oscillator *o, envelope *e, int n, const
     if (csv_path && !csv) return perror(csv_path), 1;
     for (t_end = 50; t_end <= 200 && status >= 0; t_end *= 4) {
         status = envelope_errors(o, t_end, e, n, csv, &points);
-        printf("\nt <= %g, largest relative error of the envelopes at %d turning points and passages through x = 0:\n", t_end, points);
+        printf(
+            "\nt <= %g, largest relative error of the envelopes at %d turning points and passages through x = 0:\n",
+            t_end, points);
         envelope_print(e, n);
         if (csv) fclose(csv);
         csv = NULL;

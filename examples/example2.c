@@ -1,9 +1,10 @@
 /* Example 2, (402): d/dt(m x') + x|x|^(1/2) = 0 with m = (1 + 0.1 t)^2 and reactive force, x(0) = 1, x'(0) = 0.
-   Fig. 25: the motion by rk45 with the envelope from the Ateb functions as printed in (403), where the mass's square was
-   lost, and as corrected. The dissertation prints no other numbers; those of its general laws are added: (363), (364)
-   with their 5 - alpha, and (389), (390), (395) with C_2 = 1/2, C_4 = 3/8 as they were used for (396).
+   Fig. 25: the motion by rk45 with the envelope from the Ateb functions as printed in (403), where the mass's
+   square was lost, and as corrected. The dissertation prints no other numbers; those of its general laws are added:
+   (363), (364) with their 5 - alpha, and (389), (390), (395) with C_2 = 1/2, C_4 = 3/8 as they were used for (396).
 
-   usage: example2 [file.csv]      columns t, x, x', then amplitude and velocity of each envelope in the order below */
+   usage: example2 [file.csv]
+   The file's columns: t, x, x', then amplitude and velocity of each envelope in the order below. */
 #include "envelope.h"
 
 int main(int argc, char **argv)
@@ -11,9 +12,11 @@ int main(int argc, char **argv)
     const oscillator o = {1.5, 2};
     const double a = 1 / (o.alpha + 3), v = (o.alpha + 2) / (o.alpha + 3);
     const double vmax = vm_osc_vmax(1, 1, o.alpha), trig = vm_osc_omega_trig(o.alpha), m = vm_osc_m_jacobi(o.alpha);
-    const double s = (1 - m - (1 - 2 * m) / 2 - m * 3 / 8) / (1 - m + m * 3 / 8), divisor = 2 + (o.alpha - 1) * s; /* (390) */
+    const double s = (1 - m - (1 - 2 * m) / 2 - m * 3 / 8) / (1 - m + m * 3 / 8),
+                 divisor = 2 + (o.alpha - 1) * s; /* (390) */
     envelope laws[] = {
-        {"Ateb (403) as printed", 1. / 9, vmax, 3.5 / 9, 0, 0}, /* (1 + 0.1 t)^(-2/9), 2/sqrt(5) (1 + 0.1 t)^(-7/9) */
+        /* (1 + 0.1 t)^(-2/9) and 2/sqrt(5) (1 + 0.1 t)^(-7/9) */
+        {"Ateb (403) as printed", 1. / 9, vmax, 3.5 / 9, 0, 0},
         {"Ateb corrected", a, vmax, v, 0, 0},
         {"trigonometric (363), (364) as printed", 1 / (5 - o.alpha), trig, 3 / (5 - o.alpha), 0, 0},
         {"trigonometric, (335) corrected", a, trig, v, 0, 0},

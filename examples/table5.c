@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include "../varmass.h"
 
-typedef struct table5_row { double alpha, printed[3], exact[3]; } table5_row;
+typedef struct table5_row {
+    double alpha, printed[3], exact[3];
+} table5_row;
 
 static const table5_row table5[] = {
 #include "table5_data.h"
@@ -25,7 +27,8 @@ int main(void)
     const int rows = sizeof table5 / sizeof *table5;
     int i, k, off_rows = 0, off_numbers = 0;
     double worst = 0;
-    puts("Table 5: constants of the oscillator with x|x|^(alpha-1)   (* the printed digits are not the true ones)\n");
+    puts("Table 5: constants of the oscillator with x|x|^(alpha-1)   (* the printed digits are not the true "
+         "ones)\n");
     printf("%5s  | %-36s  | %-36s  | %-36s\n%5s", "", "Omega_alpha (293)", "k^2 (307)", "Omega_1* (300)", "alpha");
     for (k = 0; k < 3; k++) printf("  |%10s  %12s %12s", "printed", "true", "varmass");
     puts("  | printed - true, 1e-6");
@@ -33,7 +36,8 @@ int main(void)
         const table5_row *row = table5 + i;
         double kit[3];
         int off = 0, shown = 0;
-        kit[0] = vm_osc_omega_trig(row->alpha), kit[1] = vm_osc_m_jacobi(row->alpha), kit[2] = vm_osc_omega_jacobi(row->alpha);
+        kit[0] = vm_osc_omega_trig(row->alpha), kit[1] = vm_osc_m_jacobi(row->alpha),
+        kit[2] = vm_osc_omega_jacobi(row->alpha);
         printf("%5g", row->alpha);
         for (k = 0; k < 3; k++) {
             worst = fmax(worst, print_column(row->printed[k], row->exact[k], kit[k]));
@@ -45,7 +49,8 @@ int main(void)
         puts("");
         off_rows += off > 0, off_numbers += off;
     }
-    printf("\n%d rows; %d have a printed digit off (%d numbers, nearly all cut off instead of rounded);\n", rows, off_rows, off_numbers);
+    printf("\n%d rows; %d have a printed digit off (%d numbers, nearly all cut off instead of rounded);\n", rows,
+           off_rows, off_numbers);
     printf("largest difference between the kit and the true values: %.1f eps\n", worst);
     return off_rows == 17 && worst < 8 ? 0 : 1;
 }

@@ -25,8 +25,8 @@ static inline void check_count(int good, const char *file, int line, const char 
 #define FAIL(text) check_count(0, __FILE__, __LINE__, text)
 
 /* One observation: the row of this function, region and unit keeps the worst and its inputs. NaN is the worst. */
-static inline void check_error(const char *function, const char *region, const char *unit, double error, double bound,
-                        double x, double parameter)
+static inline void check_error(const char *function, const char *region, const char *unit, double error,
+                               double bound, double x, double parameter)
 {
     check_row *row = check_rows;
     while (row < check_rows + check_row_count &&
@@ -86,16 +86,18 @@ static inline double uniform(double low, double high)
 static inline int check_finish(const char *program)
 {
     int i;
-    if (check_row_count) printf("%-14s %-16s %-5s %9s %9s %6s   worst at\n", program, PRECISION, "unit", "worst", "bound", "n");
+    if (check_row_count)
+        printf("%-14s %-16s %-5s %9s %9s %6s   worst at\n", program, PRECISION, "unit", "worst", "bound", "n");
     for (i = 0; i < check_row_count; i++) {
         const check_row *row = check_rows + i;
         int good = row->worst <= row->bound;
-        printf("%-14s %-16s %-5s %9.3g %9.3g %6ld   %.17g, %.17g%s\n", row->function, row->region, row->unit, row->worst,
-               row->bound, row->count, row->at[0], row->at[1], good ? "" : "   FAILED");
+        printf("%-14s %-16s %-5s %9.3g %9.3g %6ld   %.17g, %.17g%s\n", row->function, row->region, row->unit,
+               row->worst, row->bound, row->count, row->at[0], row->at[1], good ? "" : "   FAILED");
         if (good) check_passed++;
         else check_failed++;
     }
-    printf("%s %s: %ld passed, %ld failed, %ld skipped\n", program, PRECISION, check_passed, check_failed, check_skipped);
+    printf("%s %s: %ld passed, %ld failed, %ld skipped\n", program, PRECISION, check_passed, check_failed,
+           check_skipped);
     return check_failed != 0;
 }
 

@@ -1,4 +1,5 @@
-/* float and double in one program: the same jump by both halves. Exits with 0 where they agree to float's precision. */
+/* float and double in one program: the same jump by both halves. Exits with 0 where they agree to float's
+   precision. */
 #include "../varmass.h"
 
 float float_half(float x);
@@ -10,5 +11,6 @@ int main(void)
     part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
     part.r.x = 0.4, part.v.y = 2;
     if (vm_separate(&whole, &part, NULL, &whole)) return 1;
-    return fabs(whole.omega.z - (double)float_half(0.4f)) < 4e-7 * fabs(whole.omega.z) && sizeof(vm_real) == 8 ? 0 : 2;
+    return fabs(whole.omega.z - (double)float_half(0.4f)) < 4e-7 * fabs(whole.omega.z) && sizeof(vm_real) == 8 ? 0
+                                                                                                               : 2;
 }

@@ -29,20 +29,23 @@ static void test_table(void)
         ateb_saca((vm_real)row->s, (vm_real)row->alpha, &sa, &ca);
         check_error("sa", row->region, "eps", ERROR_EPS(sa, row->sa, row->sa_low, 1), 4, row->s, row->alpha);
         check_error("ca", row->region, "eps", ERROR_EPS(ca, row->ca, row->ca_low, 1), 4, row->s, row->alpha);
-        check_error("Pi", "", "ulp", ERROR_ULP(ateb_pi((vm_real)row->alpha), row->pi, row->pi_low), 1, row->alpha, 0);
+        check_error("Pi", "", "ulp", ERROR_ULP(ateb_pi((vm_real)row->alpha), row->pi, row->pi_low), 1, row->alpha,
+                    0);
         if (fabs(row->s) > 100 * row->pi) continue;
         sa_moved = pi_error * fabs(row->s) / ULP(row->sa);
         ca_moved = 2 / (row->alpha + 1) * pi_error * fabs(row->s) / ULP(row->ca);
-        check_error("sa", row->region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - sa_moved, 8, row->s, row->alpha);
-        check_error("ca", row->region, "ulp", ERROR_ULP(ca, row->ca, row->ca_low) - ca_moved, 8, row->s, row->alpha);
+        check_error("sa", row->region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - sa_moved, 8, row->s,
+                    row->alpha);
+        check_error("ca", row->region, "ulp", ERROR_ULP(ca, row->ca, row->ca_low) - ca_moved, 8, row->s,
+                    row->alpha);
     }
 }
 
 static double signed_power(double x, double p) { return copysign(pow(fabs(x), p), x); }
 
-/* sa^2 + |ca|^(alpha+1) = 1 (279), the derivatives (275) and the shifts by a quarter and a half period, (278) and (280)
-   as corrected: sa(1,alpha,s + Pi/2) = ... holds between the functions of swapped index, so that here only half and
-   whole periods shift a function into itself. */
+/* sa^2 + |ca|^(alpha+1) = 1 (279), the derivatives (275) and the shifts by a quarter and a half period, (278) and
+   (280) as corrected: sa(1,alpha,s + Pi/2) = ... holds between the functions of swapped index, so that here only
+   half and whole periods shift a function into itself. */
 static void test_identities(void)
 {
     int i, symmetric = 1;
@@ -53,20 +56,21 @@ static void test_identities(void)
         ateb_saca((vm_real)s, (vm_real)alpha, &sa, &ca);
         power = pow(fabs((double)ca), alpha + 1);
         rounded = 2 * (double)sa * (double)sa + (alpha + 1) * power; /* what an eps in sa and in ca makes */
-        check_error("sa^2+|ca|^(a+1)-1", "random", "eps*", fabs((double)sa * (double)sa + power - 1) / eps / rounded, 2, s,
-                    alpha);
+        check_error("sa^2+|ca|^(a+1)-1", "random", "eps*",
+                    fabs((double)sa * (double)sa + power - 1) / eps / rounded, 2, s, alpha);
         ateb_saca((vm_real)-s, (vm_real)alpha, &sa2, &ca2);
         symmetric = symmetric && sa2 == -sa && ca2 == ca;
         ateb_saca((vm_real)s + pi, (vm_real)alpha, &sa2, &ca2);
-        rounded = 4 + (fabs(s) + (double)pi) * (1 + (double)pi / 2); /* s + pi and pi are rounded; slopes are at most 2 */
+        rounded = 4 + (fabs(s) + (double)pi) *
+                          (1 + (double)pi / 2); /* s + pi and pi are rounded; slopes are at most 2 */
         check_error("sa(s+Pi)+sa", "random", "eps", fabs((double)sa2 + (double)sa) / eps / rounded, 1, s, alpha);
         check_error("ca(s+Pi)+ca", "random", "eps", fabs((double)ca2 + (double)ca) / eps / rounded, 1, s, alpha);
         if (PRECISION[0] == 'f' || i % 10) continue;
         ateb_saca((vm_real)(s + h), (vm_real)alpha, &sa2, &ca_plus);
         ateb_saca((vm_real)(s - h), (vm_real)alpha, &sa, &ca_minus);
         if (fabs((double)ca) < 0.1) continue; /* ca^alpha has no third derivative at ca = 0 */
-        check_error("dsa/ds", "random", "1e-6", 1e6 * fabs((double)(sa2 - sa) / (2 * h) - signed_power((double)ca, alpha)),
-                    50, s, alpha);
+        check_error("dsa/ds", "random", "1e-6",
+                    1e6 * fabs((double)(sa2 - sa) / (2 * h) - signed_power((double)ca, alpha)), 50, s, alpha);
     }
     CHECK(symmetric);
 }
@@ -77,20 +81,23 @@ static void test_derivative_of_ca(void)
     for (s = 0.05; s < 12; s += 0.1) {
         double alpha;
         for (alpha = 0.25; alpha < 9; alpha *= 2) {
-            vm_real sa, ca, minus = ateb_ca((vm_real)(s - h), (vm_real)alpha), plus = ateb_ca((vm_real)(s + h), (vm_real)alpha);
+            vm_real sa, ca, minus = ateb_ca((vm_real)(s - h), (vm_real)alpha),
+                            plus = ateb_ca((vm_real)(s + h), (vm_real)alpha);
             ateb_saca((vm_real)s, (vm_real)alpha, &sa, &ca);
             if (PRECISION[0] == 'd')
                 check_error("dca/ds", "grid", "1e-6",
-                            1e6 * fabs((double)(plus - minus) / (2 * h) + 2 / (alpha + 1) * (double)sa), 1, s, alpha);
+                            1e6 * fabs((double)(plus - minus) / (2 * h) + 2 / (alpha + 1) * (double)sa), 1, s,
+                            alpha);
         }
     }
 }
 
 /* The quarter-period shifts, (278) row 2 and (280) row 2 as corrected: sa(1,alpha,s) = ca(1,alpha,Pi/2 - s) where
-   ca(1,alpha,.) is the function with swapped index, ca(1,alpha,z) = sa(1,alpha,Pi/2 - z). In terms of sa(1,alpha,.) and
-   ca(alpha,1,.) they say that the phases of the same point counted from the two ends of the quarter add up to Pi/2:
-   sa^-1(v) + ca^-1(u) = Pi/2, each by its own series. Checked at the change-over, where the two methods of ateb.h meet;
-   and the printed form sa(1,alpha,s) = ca(alpha,1,Pi/2 - s) fails by what the equations' check says. */
+   ca(1,alpha,.) is the function with swapped index, ca(1,alpha,z) = sa(1,alpha,Pi/2 - z). In terms of sa(1,alpha,.)
+   and ca(alpha,1,.) they say that the phases of the same point counted from the two ends of the quarter add up to
+   Pi/2: sa^-1(v) + ca^-1(u) = Pi/2, each by its own series. Checked at the change-over, where the two methods of
+   ateb.h meet; and the printed form sa(1,alpha,s) = ca(alpha,1,Pi/2 - s) fails by what the equations' check says.
+   */
 static void test_quarter_period(void)
 {
     const vm_real change_over = (vm_real)0.55, alpha = (vm_real)1.5, s = (vm_real)0.7;
@@ -105,10 +112,10 @@ static void test_quarter_period(void)
         check_error("ca step", "s = 0.55", "eps", fabs((double)sum) / (double)VM_EPSILON, 5, a, 0);
     }
     CHECK(fabs((double)ateb_sa(s, alpha) - 0.635289) < 1e-6);
-    CHECK(fabs((double)ateb_ca(ateb_pi(alpha) / 2 - s, alpha) - 0.541498) < 1e-6);  /* printed (278) row 2 */
+    CHECK(fabs((double)ateb_ca(ateb_pi(alpha) / 2 - s, alpha) - 0.541498) < 1e-6); /* printed (278) row 2 */
     CHECK(fabs((double)ateb_ca(s, alpha) - 0.813238) < 1e-6);
-    CHECK(fabs((double)ateb_sa(ateb_pi(alpha) / 2 + s, alpha) - 0.885567) < 1e-6);  /* printed (280) row 2 */
-    CHECK(fabs((double)ateb_sa(ateb_pi(alpha) + s, alpha) + 0.635289) < 1e-6);      /* (278) row 3 as corrected */
+    CHECK(fabs((double)ateb_sa(ateb_pi(alpha) / 2 + s, alpha) - 0.885567) < 1e-6); /* printed (280) row 2 */
+    CHECK(fabs((double)ateb_sa(ateb_pi(alpha) + s, alpha) + 0.635289) < 1e-6);     /* (278) row 3 as corrected */
 }
 
 static void test_closed_forms(void)

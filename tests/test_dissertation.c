@@ -1,5 +1,5 @@
-/* The dissertation's tables and numbers, with what they should be; the reference cases of its equations, 25 digits; and
-   the printed forms that are wrong, which must fail by what they are known to fail by. */
+/* The dissertation's tables and numbers, with what they should be; the reference cases of its equations, 25 digits;
+   and the printed forms that are wrong, which must fail by what they are known to fail by. */
 #include "../examples/envelope.h"
 #include "check.h"
 
@@ -11,22 +11,32 @@ static const int is_float = PRECISION[0] == 'f';
 
 static void test_constants(void)
 {
-    static const struct { const char *name; double alpha, pi, omega, m, omega1; } cases[] = {
+    static const struct {
+        const char *name;
+        double alpha, pi, omega, m, omega1;
+    } cases[] = {
 #include "data/r1_constants.h"
     };
     size_t i;
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {
         vm_real alpha = R(cases[i].alpha);
-        check_error("Pi_alpha (277)", "R1", "eps", fabs((double)ateb_pi(alpha) / cases[i].pi - 1) / eps, 2, cases[i].alpha, 0);
-        check_error("Omega_a (293)", "R1", "eps", fabs((double)vm_osc_omega_trig(alpha) / cases[i].omega - 1) / eps, 3, cases[i].alpha, 0);
-        check_error("k^2 (307)", "R1", "eps", ERROR_EPS(vm_osc_m_jacobi(alpha), cases[i].m, 0, 1), 8, cases[i].alpha, 0);
-        check_error("Omega_1* (300)", "R1", "eps", fabs((double)vm_osc_omega_jacobi(alpha) / cases[i].omega1 - 1) / eps, 6, cases[i].alpha, 0);
+        check_error("Pi_alpha (277)", "R1", "eps", fabs((double)ateb_pi(alpha) / cases[i].pi - 1) / eps, 2,
+                    cases[i].alpha, 0);
+        check_error("Omega_a (293)", "R1", "eps", fabs((double)vm_osc_omega_trig(alpha) / cases[i].omega - 1) / eps,
+                    3, cases[i].alpha, 0);
+        check_error("k^2 (307)", "R1", "eps", ERROR_EPS(vm_osc_m_jacobi(alpha), cases[i].m, 0, 1), 8,
+                    cases[i].alpha, 0);
+        check_error("Omega_1* (300)", "R1", "eps",
+                    fabs((double)vm_osc_omega_jacobi(alpha) / cases[i].omega1 - 1) / eps, 6, cases[i].alpha, 0);
     }
 }
 
 static void test_ateb_cases(void)
 {
-    static const struct { const char *name; double alpha, s, sa, ca; } cases[] = {
+    static const struct {
+        const char *name;
+        double alpha, s, sa, ca;
+    } cases[] = {
 #include "data/r2_ateb.h"
     };
     size_t i;
@@ -41,7 +51,10 @@ static void test_ateb_cases(void)
 
 static void test_jacobi_cases(void)
 {
-    static const struct { const char *name; double u, m1, sn, cn, dn; } cases[] = {
+    static const struct {
+        const char *name;
+        double u, m1, sn, cn, dn;
+    } cases[] = {
 #include "data/r3_jacobi.h"
     };
     size_t i;
@@ -59,7 +72,9 @@ static void test_jacobi_cases(void)
 
 static void test_table5(void)
 {
-    static const struct { double alpha, printed[3], exact[3]; } table[] = {
+    static const struct {
+        double alpha, printed[3], exact[3];
+    } table[] = {
 #include "../examples/table5_data.h"
     };
     const char *names[] = {"Omega_alpha", "k^2", "Omega_1*"};
@@ -70,7 +85,8 @@ static void test_table5(void)
         kit[0] = vm_osc_omega_trig(alpha), kit[1] = vm_osc_m_jacobi(alpha), kit[2] = vm_osc_omega_jacobi(alpha);
         for (k = 0; k < 3; k++) {
             double defect = 1e6 * (table[i].printed[k] - table[i].exact[k]);
-            check_error(names[k], "Table 5", "eps", ERROR_EPS(kit[k], table[i].exact[k], 0, 1), 8, table[i].alpha, 0);
+            check_error(names[k], "Table 5", "eps", ERROR_EPS(kit[k], table[i].exact[k], 0, 1), 8, table[i].alpha,
+                        0);
             off += fabs(defect) > 0.5;
             gross += fabs(defect) > 1;
             if (fabs(defect) > 1) CHECK(table[i].alpha == 1.4 && k == 2 && fabs(defect + 2.85) < 0.01);
@@ -85,7 +101,9 @@ static void test_table5(void)
 
 static void test_generating_solutions(void)
 {
-    static const struct { double alpha, x0, omega0, period, vmax, trig_vmax; } cases[] = {
+    static const struct {
+        double alpha, x0, omega0, period, vmax, trig_vmax;
+    } cases[] = {
         {0.1, 1.7, 0.8, 9.080033753599587592875157, 1.444293806887822731554391, 1.176362920233735435001136},
         {1.5, 1, 1, 6.58136338863826306517647, 0.8944271909999158785636695, 0.9546935697285100028891008},
         {4. / 3, 0.1, 1, 9.515931169560334520388257, 0.0630753891349489737782353, 0.06602806593723910982961226},
@@ -97,14 +115,18 @@ static void test_generating_solutions(void)
         double alpha = cases[i].alpha, trig;
         vm_real x0 = R(cases[i].x0), omega0 = R(cases[i].omega0);
         trig = (double)(vm_osc_omega_trig(R(alpha)) * omega0 * VM_POW(x0, (R(alpha) + 1) / 2));
-        check_error("period (262)", "R5", "eps", fabs((double)vm_osc_period(x0, omega0, R(alpha)) / cases[i].period - 1) / eps, 6, alpha, 0);
-        check_error("vmax (267)", "R5", "eps", fabs((double)vm_osc_vmax(x0, omega0, R(alpha)) / cases[i].vmax - 1) / eps, 8, alpha, 0);
+        check_error("period (262)", "R5", "eps",
+                    fabs((double)vm_osc_period(x0, omega0, R(alpha)) / cases[i].period - 1) / eps, 6, alpha, 0);
+        check_error("vmax (267)", "R5", "eps",
+                    fabs((double)vm_osc_vmax(x0, omega0, R(alpha)) / cases[i].vmax - 1) / eps, 8, alpha, 0);
         check_error("trig vmax (296)", "R5", "eps", fabs(trig / cases[i].trig_vmax - 1) / eps, 8, alpha, 0);
     }
     /* (356): 66.028 is right; and the comparison (268) of item 36 */
-    check_error("(356)", "", "1e-6", 1e6 * fabs(100 * pow(0.1, 1. / 6) * (double)vm_osc_omega_trig(R(4. / 3)) - 66.02806593723911),
+    check_error("(356)", "", "1e-6",
+                1e6 * fabs(100 * pow(0.1, 1. / 6) * (double)vm_osc_omega_trig(R(4. / 3)) - 66.02806593723911),
                 is_float ? 30 : 1e-6, 4. / 3, 0);
-    check_error("(296)/(267)", "", "1e-6", 1e6 * fabs((double)(vm_osc_omega_trig(3) / vm_osc_vmax(1, 1, 3)) - 1.198140), 1, 3, 0);
+    check_error("(296)/(267)", "", "1e-6",
+                1e6 * fabs((double)(vm_osc_omega_trig(3) / vm_osc_vmax(1, 1, 3)) - 1.198140), 1, 3, 0);
 }
 
 /* ---- the reference cases of the jump equations, A1, A4, B1 ---- */
@@ -143,11 +165,16 @@ static void test_jumps(void)
     body.inertia = inertia(2.057894736842105263158, 0.2047368421052631578947, -0.2668421052631578947368,
                            1.786842105263157894737, 0.2078947368421052631579, 1.225263157894736842105);
     CHECK(vm_separate(&body, &other, NULL, &result) == VM_OK);
-    check_vector("SS1 (15)", "A1", result.r, -0.09473684210526315789474, 0.06315789473684210526316, -0.1578947368421052631579);
-    check_vector("v_S1 (24)", "A1", result.v, 0.8105263157894736842105, -0.7210526315789473684211, 0.4236842105263157894737);
-    check_vector("Omega_1 (34)", "A1", result.omega, 0.7154474295582193616971, -1.75281506759224865585, 0.8016347345509079737137);
-    check_vector("I_S1 diagonal", "A1", vmi_vec3(result.inertia.xx, result.inertia.yy, result.inertia.zz), 1.4, 1.1, 0.9);
-    check_vector("I_S1 others", "A1", vmi_vec3(result.inertia.xy, result.inertia.xz, result.inertia.yz), 0.1, -0.05, 0.08);
+    check_vector("SS1 (15)", "A1", result.r, -0.09473684210526315789474, 0.06315789473684210526316,
+                 -0.1578947368421052631579);
+    check_vector("v_S1 (24)", "A1", result.v, 0.8105263157894736842105, -0.7210526315789473684211,
+                 0.4236842105263157894737);
+    check_vector("Omega_1 (34)", "A1", result.omega, 0.7154474295582193616971, -1.75281506759224865585,
+                 0.8016347345509079737137);
+    check_vector("I_S1 diagonal", "A1", vmi_vec3(result.inertia.xx, result.inertia.yy, result.inertia.zz), 1.4, 1.1,
+                 0.9);
+    check_vector("I_S1 others", "A1", vmi_vec3(result.inertia.xy, result.inertia.xz, result.inertia.yz), 0.1, -0.05,
+                 0.08);
     T = (double)vm_kinetic_energy(&body);
     check_error("T1", "A5", "eps", fabs(T / 4.290126315789473684211 - 1) / eps, 4, 0, 0);
     T = (double)(vm_kinetic_energy(&result) + vm_kinetic_energy(&other));
@@ -156,13 +183,16 @@ static void test_jumps(void)
     case_bodies(&body, &other); /* A4: (15), (24), (33) */
     body.inertia = I1;
     CHECK(vm_attach(&body, &other, NULL, &result) == VM_OK);
-    check_vector("SS1 (15)", "A4", result.r, 0.05806451612903225806452, -0.03870967741935483870968, 0.09677419354838709677419);
-    check_vector("v_S1 (24)", "A4", result.v, 1.116129032258064516129, -0.3645161290322580645161, 0.1435483870967741935484);
-    check_vector("Omega_1 (33)", "A4", result.omega, 0.220418184011634924512, -0.177982501564713073932, 1.158212024811447695003);
+    check_vector("SS1 (15)", "A4", result.r, 0.05806451612903225806452, -0.03870967741935483870968,
+                 0.09677419354838709677419);
+    check_vector("v_S1 (24)", "A4", result.v, 1.116129032258064516129, -0.3645161290322580645161,
+                 0.1435483870967741935484);
+    check_vector("Omega_1 (33)", "A4", result.omega, 0.220418184011634924512, -0.177982501564713073932,
+                 1.158212024811447695003);
 }
 
-/* B1, planar (44): relative velocity and angular velocity of the part are given. Row 13: the same with the inertias of
-   (40), about S instead of the own mass centres, is wrong. */
+/* B1, planar (44): relative velocity and angular velocity of the part are given. Row 13: the same with the inertias
+   of (40), about S instead of the own mass centres, is wrong. */
 static void test_planar_jump(void)
 {
     const double M = 5, m = 1, dx = 0.6, dy = -0.3, I1 = 2, I2 = 0.5, I = 3.0625, Omega = 1.5;
@@ -180,7 +210,8 @@ static void test_planar_jump(void)
     check_vector("v_r1 (28)", "B1", vmi_sub(result.v, vmi_cross(body.omega, result.r)), -0.175, -0.05, 0);
     {
         double d2 = dx * dx + dy * dy, about_S1 = I1 + d2 * m * m / (M - m), about_S2 = I2 + d2 * m;
-        double spin = -(about_S2 * 0.4 + m * (dx * (0.2 + 0.05) - dy * (0.7 + 0.175))) / about_S1; /* (44) with (40) */
+        double spin = -(about_S2 * 0.4 + m * (dx * (0.2 + 0.05) - dy * (0.7 + 0.175))) /
+                      about_S1; /* (44) with (40) */
         CHECK(fabs(Omega + spin - 1.19375) > 0.04);
     }
 }
@@ -196,11 +227,15 @@ static void check_stated(double measured, double stated)
 static void test_examples(void)
 {
     const oscillator cubic = {3, 1}, root = {R(1.5), 2};
-    envelope one[] = {{"corrected", 1. / 6, 0.70710678, 5. / 6, 0, 0}, {"(400)", 0.5, 0.84721, 1.5, 0, 0},
-                      {"(401)", 0.15625, 0.70711, 0.8125, 0, 0}, {"(335) mended", 1. / 6, 0.84721308, 5. / 6, 0, 0}};
-    envelope two[] = {{"corrected", 2. / 9, 0.89442719, 7. / 9, 0, 0}, {"(403)", 1. / 9, 0.89442719, 3.5 / 9, 0, 0}};
+    envelope one[] = {{"corrected", 1. / 6, 0.70710678, 5. / 6, 0, 0},
+                      {"(400)", 0.5, 0.84721, 1.5, 0, 0},
+                      {"(401)", 0.15625, 0.70711, 0.8125, 0, 0},
+                      {"(335) mended", 1. / 6, 0.84721308, 5. / 6, 0, 0}};
+    envelope two[] = {{"corrected", 2. / 9, 0.89442719, 7. / 9, 0, 0},
+                      {"(403)", 1. / 9, 0.89442719, 3.5 / 9, 0, 0}};
     int points;
-    one[0].a = -log((double)vm_osc_amplitude_law(2, 0, 1, 3)) / log(2), one[0].v = -log((double)vm_osc_velocity_law(2, 0, 1, 3)) / log(2);
+    one[0].a = -log((double)vm_osc_amplitude_law(2, 0, 1, 3)) / log(2),
+    one[0].v = -log((double)vm_osc_velocity_law(2, 0, 1, 3)) / log(2);
     two[0].a = -log((double)vm_osc_amplitude_law(2, 0, 1, R(1.5))) / log(2);
     two[0].v = -log((double)vm_osc_velocity_law(2, 0, 1, R(1.5))) / log(2);
     CHECK(envelope_errors(&cubic, 50, one, 4, NULL, &points) == ODE_OK && points == 13);
@@ -244,8 +279,8 @@ static double last_amplitude(const vm_real *p, double t_end, double *t)
     return amplitude;
 }
 
-/* The law with and without reactive force and with damping, against direct integration; and the printed exponents with
-   5 - alpha, (342)-(344), (360), (367), which differ from it by the sign in (335). */
+/* The law with and without reactive force and with damping, against direct integration; and the printed exponents
+   with 5 - alpha, (342)-(344), (360), (367), which differ from it by the sign in (335). */
 static void test_amplitude_law(void)
 {
     const double alphas[] = {0.5, 1, 4. / 3, 2, 3, 4};
@@ -258,8 +293,11 @@ static void test_amplitude_law(void)
             A = last_amplitude(p, 100, &t);
             m = 1 + rate * t, D = b * t; /* constant mass 1 where there is damping */
             law = (double)vm_osc_amplitude_law(R(m), R(D), R(k == 0), R(alpha));
-            check_error("amplitude law", k == 0 ? "reactive" : k == 1 ? "not reactive" : "damping", "1e-6", 1e6 * fabs(law / A - 1),
-                        is_float ? 3e4 : 10, alpha, t);
+            check_error("amplitude law",
+                        k == 0   ? "reactive"
+                        : k == 1 ? "not reactive"
+                                 : "damping",
+                        "1e-6", 1e6 * fabs(law / A - 1), is_float ? 3e4 : 10, alpha, t);
             if (alpha == 1 || is_float) continue; /* 5 - alpha = alpha + 3 */
             printed = pow(m, (k == 0 ? -1 : 1) / (5 - alpha)) * exp(-2 * D / (5 - alpha));
             CHECK(fabs(printed / A - 1) > 0.02);
@@ -267,7 +305,8 @@ static void test_amplitude_law(void)
     }
     CHECK(fabs((double)vm_osc_amplitude_law(6, 0, 1, 3) - 0.7418363755904023) < 4 * eps);
     CHECK(fabs((double)vm_osc_velocity_law(6, 0, 1, 3) - 0.2246676924328796) < 4 * eps);
-    CHECK(fabs((double)vm_osc_amplitude_law(36, 0, 1, R(1.5)) - 0.4509776298725563) < 4 * eps); /* (403) corrected, t = 50 */
+    CHECK(fabs((double)vm_osc_amplitude_law(36, 0, 1, R(1.5)) - 0.4509776298725563) <
+          4 * eps); /* (403) corrected, t = 50 */
 }
 
 int main(void)

@@ -38,7 +38,11 @@ static int blow_up_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /*
     return 0;
 }
 
-typedef struct wall { vm_real at; int use_nan; long calls; } wall; /* f exists for t < at */
+typedef struct wall {
+    vm_real at;
+    int use_nan;
+    long calls;
+} wall; /* f exists for t < at */
 
 static int wall_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -72,7 +76,8 @@ static double rk45_error(vm_real h, double *inside)
     t = ((double)s.t_old + (double)s.t) / 2;
     CHECK(rk45_interpolate(&s, R(t), y) == ODE_OK);
     *inside = fmax(fabs((double)y[0] - cos(t)), fmax(fabs((double)y[1] - sin(t)), fabs((double)y[2] - exp(-t))));
-    return fmax(fabs((double)s.y[0] - cos(2.)), fmax(fabs((double)s.y[1] - sin(2.)), fabs((double)s.y[2] - exp(-2.))));
+    return fmax(fabs((double)s.y[0] - cos(2.)),
+                fmax(fabs((double)s.y[1] - sin(2.)), fabs((double)s.y[2] - exp(-2.))));
 }
 
 static void check_order(const char *method, double order, double wanted, double allowed)
@@ -218,12 +223,13 @@ static void test_endings(void)
         CHECK(rk45_init(&s, wall_rhs, &w, 1, 0, y0, NULL, work) == ODE_OK);
         CHECK(rk45_solve(&s, 5) == (k ? ODE_NOT_FINITE : ODE_RHS_STOPPED));
         CHECK(s.t < 1 && s.rhs_status == (k ? 0 : 7));
-        check_error("y before the end", "f stops", "tol", fabs((double)s.y[0] * exp((double)s.t) - 1) / (is_float ? 1e-4 : 1e-6), 5,
-                    (double)s.t, k);
+        check_error("y before the end", "f stops", "tol",
+                    fabs((double)s.y[0] * exp((double)s.t) - 1) / (is_float ? 1e-4 : 1e-6), 5, (double)s.t, k);
         if (k) CHECK((double)s.t > 1 - 100 * eps); /* shortened up to the end of f */
         at = 0, y[0] = 1;
         CHECK(rk4_solve(wall_rhs, &w, 1, &at, 2, 20, y, work) == (k ? ODE_NOT_FINITE : ODE_RHS_STOPPED));
-        check_error("y before the end", "f stops, rk4", "1e-6", 1e6 * fabs((double)y[0] * exp((double)at) - 1), 2, (double)at, k);
+        check_error("y before the end", "f stops, rk4", "1e-6", 1e6 * fabs((double)y[0] * exp((double)at) - 1), 2,
+                    (double)at, k);
         CHECK(fabs((double)at - 0.9) < 1e-6);
     }
     w.at = -1; /* at once */
@@ -234,7 +240,8 @@ static void test_endings(void)
     k = rk45_solve(&s, 2);
     CHECK((k == ODE_STEP_TOO_SMALL || k == ODE_NOT_FINITE) && fabs((double)s.t - 1) < (is_float ? 1e-2 : 1e-5));
     o.h_min = R(0.01);
-    CHECK(rk45_init(&s, blow_up_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 2) == ODE_STEP_TOO_SMALL && s.t < 1);
+    CHECK(rk45_init(&s, blow_up_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK &&
+          rk45_solve(&s, 2) == ODE_STEP_TOO_SMALL && s.t < 1);
 
     o.h_min = 0, o.max_steps = 3; /* interrupted and continued: the same bits as in one go */
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
@@ -247,7 +254,7 @@ static void test_endings(void)
 
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 2, &wanted, NULL, work) == ODE_OK);
     CHECK(rk45_solve(&s, 2) == ODE_OK && s.evals == 0); /* t_end = t succeeds at once */
-    o.h0 = R(-0.01); /* rk45_step backward */
+    o.h0 = R(-0.01);                                    /* rk45_step backward */
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 2, &wanted, &o, work) == ODE_OK && rk45_step(&s) == ODE_OK && s.t < 2);
     CHECK(strcmp(ode_strerror(ODE_MAX_STEPS), ode_strerror(-99)) != 0);
 }

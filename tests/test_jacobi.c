@@ -13,7 +13,8 @@ static const jacobi_row jacobi_table[] = {
 };
 
 /* The zeros of sn and cn lie where K in two words puts them: 4 eps^2 |u|, times the slope there, is allowed for. */
-static void check_relative(const char *function, const jacobi_row *row, double got, double high, double low, double period)
+static void check_relative(const char *function, const jacobi_row *row, double got, double high, double low,
+                           double period)
 {
     double ulp = ULP(high), eps = (double)VM_EPSILON;
     double error = ERROR_ULP(got, high, low) - 4 * eps * eps * fabs(row->u) * sqrt(fmax(1, 1 - row->m)) / ulp;
@@ -71,14 +72,16 @@ static void test_identities(void)
         double K = (double)jacobi_K(m), E = (double)jacobi_E(m);
         jacobi_sncndn(u, m, &sn, &cn, &dn);
         check_error("sn^2+cn^2-1", "random", "eps", ERROR_EPS(sn * sn + cn * cn, 1, 0, 1), 6, (double)u, (double)m);
-        check_error("dn^2+m sn^2-1", "random", "eps", ERROR_EPS(dn * dn + m * sn * sn, 1, 0, (double)largest), 9, (double)u,
-                    (double)m);
+        check_error("dn^2+m sn^2-1", "random", "eps", ERROR_EPS(dn * dn + m * sn * sn, 1, 0, (double)largest), 9,
+                    (double)u, (double)m);
         jacobi_sncndn(-u, m, &s2, &c2, &d2);
         symmetric = symmetric && s2 == -sn && c2 == cn && d2 == dn;
         if (m > 0) { /* Legendre's relation */
             vm_real K1 = jacobi_K_m1(m), E1 = jacobi_E_m1(m);
-            check_error("Legendre", "random", "eps", ERROR_EPS(E * (double)K1 + (double)E1 * K - K * (double)K1,
-                        1.5707963267948966, 6.1e-17, K * (double)K1), 8, (double)m, 0);
+            check_error("Legendre", "random", "eps",
+                        ERROR_EPS(E * (double)K1 + (double)E1 * K - K * (double)K1, 1.5707963267948966, 6.1e-17,
+                                  K * (double)K1),
+                        8, (double)m, 0);
         }
     }
     CHECK(symmetric);
@@ -107,13 +110,15 @@ static void test_solver(void)
         vm_real target = (vm_real)c, m = jacobi_solve_kpK(target), m1 = jacobi_solve_kpK_m1(target);
         check_error("k'K(solve_m1)", m < 0 ? "m < 0" : "m > 0", "ulp",
                     ERROR_ULP(VM_SQRT(m1) * jacobi_K_m1(m1), (double)target, 0), 8, c, (double)m);
-        check_error("solve - solve_m1", m < 0 ? "m < 0" : "m > 0", "eps", ERROR_EPS(m, 1 - (double)m1, 0, 1 + (double)m1),
-                    2, c, (double)m);
+        check_error("solve - solve_m1", m < 0 ? "m < 0" : "m > 0", "eps",
+                    ERROR_EPS(m, 1 - (double)m1, 0, 1 + (double)m1), 2, c, (double)m);
         CHECK(m <= 1 && (m < 0) == (target > VM_PI / 2));
     }
     /* limits of (307), alpha -> infinity and alpha -> 0, and the cubic oscillator */
-    check_error("solve_kpK", "R1", "eps", ERROR_EPS(jacobi_solve_kpK(1), 0.8061926420529121671171836, 0, 1), 4, 1, 0);
-    check_error("solve_kpK", "R1", "eps", ERROR_EPS(jacobi_solve_kpK(2), -1.807854731049967665276571, 0, 2), 4, 2, 0);
+    check_error("solve_kpK", "R1", "eps", ERROR_EPS(jacobi_solve_kpK(1), 0.8061926420529121671171836, 0, 1), 4, 1,
+                0);
+    check_error("solve_kpK", "R1", "eps", ERROR_EPS(jacobi_solve_kpK(2), -1.807854731049967665276571, 0, 2), 4, 2,
+                0);
     check_error("solve_kpK", "R1", "eps",
                 ERROR_EPS(jacobi_solve_kpK((vm_real)1.3110287771460599052324198), 0.5, 0, 1), 4, 1.311, 0);
     CHECK(jacobi_kpK(1) == 0 && jacobi_solve_kpK(0) == 1 && jacobi_solve_kpK_m1(0) == 0);
@@ -137,7 +142,8 @@ static void test_domain(void)
         jacobi_sncndn(bad_u[i], ok, &sn, &cn, &dn);
         CHECK(sn != sn && cn != cn && dn != dn);
     }
-    CHECK(jacobi_solve_kpK(-ok) != jacobi_solve_kpK(-ok) && jacobi_solve_kpK(VM_INFINITY) != jacobi_solve_kpK(VM_INFINITY));
+    CHECK(jacobi_solve_kpK(-ok) != jacobi_solve_kpK(-ok) &&
+          jacobi_solve_kpK(VM_INFINITY) != jacobi_solve_kpK(VM_INFINITY));
     CHECK(jacobi_K(1) == VM_INFINITY && jacobi_E(1) == 1);
     jacobi_sncndn(0, ok, &sn, &cn, &dn);
     CHECK(sn == 0 && cn == 1 && dn == 1);
@@ -146,7 +152,8 @@ static void test_domain(void)
     for (i = 0; i < 2000; i++) { /* no phase left, still in range */
         vm_real u = largest * (vm_real)uniform(-1, 1), m = (vm_real)uniform(-5, 1), kp = VM_SQRT(1 - m);
         jacobi_sncndn(i % 2 ? u : (vm_real)uniform(-50, 50), m, &sn, &cn, &dn);
-        in_range = in_range && VM_FABS(sn) <= 1 && VM_FABS(cn) <= 1 && dn <= (kp > 1 ? kp : 1) && dn >= (kp > 1 ? 1 : kp);
+        in_range = in_range && VM_FABS(sn) <= 1 && VM_FABS(cn) <= 1 && dn <= (kp > 1 ? kp : 1) &&
+                   dn >= (kp > 1 ? 1 : kp);
     }
     CHECK(in_range);
     jacobi_sncndn((vm_real)1e-3, -largest / 2, &sn, &cn, &dn);

@@ -6,7 +6,10 @@
 #define R(x) ((vm_real)(x))
 
 static vm_vec3 vector(double x, double y, double z) { return vmi_vec3(R(x), R(y), R(z)); }
-static vm_vec3 random_vector(double size) { return vector(uniform(-size, size), uniform(-size, size), uniform(-size, size)); }
+static vm_vec3 random_vector(double size)
+{
+    return vector(uniform(-size, size), uniform(-size, size), uniform(-size, size));
+}
 static double size_of(vm_vec3 a) { return sqrt((double)vmi_dot(a, a)); }
 
 /* A body of a few random particles rigidly joined: its inertia is possible by construction. */
@@ -42,7 +45,8 @@ static double momentum_scale(const vm_body *b, vm_vec3 about)
 }
 
 /* before + moment of j about the point - after - other, over eps times the sizes */
-static double angular_defect(const vm_body *before, const vm_body *after, const vm_body *other, const vm_impulse *j, vm_vec3 about)
+static double angular_defect(const vm_body *before, const vm_body *after, const vm_body *other, const vm_impulse *j,
+                             vm_vec3 about)
 {
     vm_vec3 L = vm_angular_momentum(before, about);
     double scale = momentum_scale(before, about) + momentum_scale(after, about) + momentum_scale(other, about);
@@ -90,9 +94,9 @@ static void test_balance(int with_impulse)
     }
 }
 
-/* Kinetic energy is what it is for the particles: M |v|^2/2 + omega.I.omega/2, and by Koenig the same about any motion.
-   An attachment without impulse loses the energy of the motion relative to the final body (Carnot). The bound is wide
-   because thin bodies turn an eps of angular momentum into several of angular velocity. */
+/* Kinetic energy is what it is for the particles: M |v|^2/2 + omega.I.omega/2, and by Koenig the same about any
+   motion. An attachment without impulse loses the energy of the motion relative to the final body (Carnot). The
+   bound is wide because thin bodies turn an eps of angular momentum into several of angular velocity. */
 static void test_energy(void)
 {
     int i;
@@ -110,7 +114,8 @@ static void test_energy(void)
             x->v = vmi_sub(x->v, carried), x->omega = vmi_sub(x->omega, whole.omega);
             loss += (double)vm_kinetic_energy(x);
         }
-        check_error("Carnot's loss", "free", "eps", fabs(before - after - loss) / (double)VM_EPSILON / before, 40, i, 0);
+        check_error("Carnot's loss", "free", "eps", fabs(before - after - loss) / (double)VM_EPSILON / before, 40,
+                    i, 0);
     }
 }
 
@@ -118,7 +123,8 @@ static void test_jump_domain(void)
 {
     vm_body whole = random_body(5, 1), part = whole, rest, before, rod;
     part.mass = 1;
-    part.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(0.01), vmi_inertia_of_point(vector(1, 1, 1)));
+    part.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(0.01),
+                                    vmi_inertia_of_point(vector(1, 1, 1)));
     part.r = vmi_add(whole.r, vector(0.1, 0, 0));
     memset(&rest, 7, sizeof rest);
     before = rest;
@@ -192,13 +198,17 @@ static void test_oscillator(void)
         check_error("x(T/2) = -x0", "", "eps", fabs((double)(x + x0)) / (double)VM_EPSILON, 4, alpha, 0);
         /* the three frequencies go with one period: Omega_alpha T = 2 pi, Omega_1* T = 4 K; and (307) */
         T = vm_osc_period(1, 1, R(alpha));
-        check_error("Omega_a T/(2 pi)", "", "eps", fabs((double)(vm_osc_omega_trig(R(alpha)) * T) / 6.283185307179586 - 1) /
-                    (double)VM_EPSILON, 4, alpha, 0);
+        check_error("Omega_a T/(2 pi)", "", "eps",
+                    fabs((double)(vm_osc_omega_trig(R(alpha)) * T) / 6.283185307179586 - 1) / (double)VM_EPSILON, 4,
+                    alpha, 0);
         K = jacobi_K(vm_osc_m_jacobi(R(alpha))), kp = VM_SQRT(1 - vm_osc_m_jacobi(R(alpha)));
-        check_error("Omega_1 T/(4 K)", "", "eps", fabs((double)(vm_osc_omega_jacobi(R(alpha)) * T / (4 * K)) - 1) /
-                    (double)VM_EPSILON, 12, alpha, 0);
-        check_error("Omega_1 k' = vmax", "", "eps", fabs((double)(vm_osc_omega_jacobi(R(alpha)) * kp /
-                    vm_osc_vmax(1, 1, R(alpha))) - 1) / (double)VM_EPSILON, 12, alpha, 0);
+        check_error("Omega_1 T/(4 K)", "", "eps",
+                    fabs((double)(vm_osc_omega_jacobi(R(alpha)) * T / (4 * K)) - 1) / (double)VM_EPSILON, 12, alpha,
+                    0);
+        check_error("Omega_1 k' = vmax", "", "eps",
+                    fabs((double)(vm_osc_omega_jacobi(R(alpha)) * kp / vm_osc_vmax(1, 1, R(alpha))) - 1) /
+                        (double)VM_EPSILON,
+                    12, alpha, 0);
     }
     for (i = 0; i < 8; i++) { /* no amplitude, no motion */
         vm_real x, v;
@@ -219,12 +229,14 @@ static void test_laws(void)
                 double v = (double)vm_osc_velocity_law(R(m), R(D), R(r), R(alpha));
                 double J = pow(m, -0.5) * pow(A, (alpha + 3) / 2) * pow(m, r) * exp(D);
                 check_error("invariant", "", "eps*", fabs(J - 1) / eps / (alpha + 1), 6, alpha, D);
-                check_error("v^2 m = A^(a+1)", "", "eps*", fabs(v * v * m / pow(A, alpha + 1) - 1) / eps / (alpha + 1), 6, alpha, D);
+                check_error("v^2 m = A^(a+1)", "", "eps*",
+                            fabs(v * v * m / pow(A, alpha + 1) - 1) / eps / (alpha + 1), 6, alpha, D);
             }
         }
     }
     /* m' = -2 b (reactive) keeps the amplitude (348): (m0/m)^(1/(a+3)) exp(-2/(a+3) b ln(m/m0)/m') = 1 */
-    check_error("m' = -2 b", "", "eps", fabs((double)vm_osc_amplitude_law(R(0.5), R(-0.5 * log(0.5)), 1, R(1.5)) - 1) / eps, 2, 0, 0);
+    check_error("m' = -2 b", "", "eps",
+                fabs((double)vm_osc_amplitude_law(R(0.5), R(-0.5 * log(0.5)), 1, R(1.5)) - 1) / eps, 2, 0, 0);
     CHECK(vm_osc_amplitude_law(1, 0, 1, 3) == 1 && vm_osc_velocity_law(1, 0, 0, 3) == 1);
     CHECK(isnan(vm_osc_amplitude_law(-1, 0, 1, 3)) && isnan(vm_osc_velocity_law(0, 0, 1, 3)));
     CHECK(isnan(vm_osc_amplitude_law(2, 0, 1, -1)) && isnan(vm_osc_velocity_law(2, 0, 1, VM_INFINITY)));

@@ -1,0 +1,149 @@
+/* Which embedded pair of orders 5 and 4? Evaluations of the right-hand side that Dormand and Prince's and
+   Tsitouras' pair take to an error at the end, with the same control (rk45's) and read off by interpolation over
+   tolerances from 1e-3 to 1e-12.5, on four problems: x'' = -x^3, (m x')' = -x^3 with m = 1 + 0.1 t, Euler's rigid
+   body, the Arenstorf orbit. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct pair {
+    const char *name;
+    double a[7][6], c[7], error[7];
+} pair;
+
+static const pair pairs[2] = {
+    {"Dormand-Prince",
+     {{0},
+      {1. / 5},
+      {3. / 40, 9. / 40},
+      {44. / 45, -56. / 15, 32. / 9},
+      {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
+      {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
+      {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}},
+     {0, 0.2, 0.3, 0.8, 8. / 9, 1, 1},
+     {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40}},
+    {"Tsitouras",
+     {{0},
+      {0.161},
+      {-0.008480655492356989, 0.335480655492357},
+      {2.8971530571054935, -6.359448489975075, 4.3622954328695815},
+      {5.325864828439257, -11.748883564062828, 7.4955393428898365, -0.09249506636175525},
+      {5.86145544294642, -12.92096931784711, 8.159367898576159, -0.071584973281401, -0.028269050394068383},
+      {0.09646076681806523, 0.01, 0.4798896504144996, 1.379008574103742, -3.290069515436081, 2.324710524099774}},
+     {0, 0.161, 0.327, 0.9, 0.9800255409045097, 1, 1},
+     {-0.00178001105222577714, -0.0008164344596567469, 0.007880878010261995, -0.1447110071732629,
+      0.5823571654525552, -0.45808210592918697, 1. / 66}},
+};
+
+static void cubic(double t, const double *y, double *d) { (void)t, d[0] = y[1], d[1] = -y[0] * y[0] * y[0]; }
+
+static void varying_mass(double t, const double *y, double *d)
+{
+    d[0] = y[1];
+    d[1] = -(y[0] * y[0] * y[0] + 0.1 * y[1]) / (1 + 0.1 * t);
+}
+
+static void rigid_body(double t, const double *y, double *d) /* moments 1, 2, 3 */
+{
+    (void)t, d[0] = -y[1] * y[2], d[1] = y[2] * y[0], d[2] = -y[0] * y[1] / 3;
+}
+
+static void arenstorf(double t, const double *y, double *d)
+{
+    const double mu = 0.012277471, mu1 = 1 - mu;
+    double r1 = pow((y[0] + mu) * (y[0] + mu) + y[1] * y[1], 1.5),
+           r2 = pow((y[0] - mu1) * (y[0] - mu1) + y[1] * y[1], 1.5);
+    (void)t;
+    d[0] = y[2], d[1] = y[3];
+    d[2] = y[0] + 2 * y[3] - mu1 * (y[0] + mu) / r1 - mu * (y[0] - mu1) / r2;
+    d[3] = y[1] - 2 * y[2] - mu1 * y[1] / r1 - mu * y[1] / r2;
+}
+
+typedef struct problem {
+    const char *name;
+    void (*f)(double t, const double *y, double *d);
+    int n;
+    double y0[4], t_end;
+} problem;
+
+static const problem problems[4] = {
+    {"x'' = -x^3", cubic, 2, {1, 0}, 100},
+    {"(m x')' = -x^3", varying_mass, 2, {1, 0}, 50},
+    {"rigid body", rigid_body, 3, {1, 0.1, 0.9}, 20},
+    {"Arenstorf", arenstorf, 4, {0.994, 0, 0, -2.00158510637908252240537862224}, 17.0652165601579625588917206249},
+};
+
+/* y at t_end; returns the evaluations */
+static long integrate(const pair *p, const problem *q, double tol, double *y)
+{
+    double k[7][4], z[4], t = 0, h = 1e-3, before = 1e-4, e, factor;
+    long evals = 1;
+    int i, j, l, rejected = 0;
+    memcpy(y, q->y0, sizeof z);
+    q->f(0, y, k[0]);
+    for (;;) {
+        int last = t + 1.000001 * h >= q->t_end;
+        double s = last ? q->t_end - t : h;
+        for (i = 1; i < 7; i++, evals++) {
+            for (j = 0; j < q->n; j++)
+                for (z[j] = y[j], l = 0; l < i; l++) z[j] += s * p->a[i][l] * k[l][j];
+            q->f(t + p->c[i] * s, z, k[i]);
+        }
+        for (e = 0, j = 0; j < q->n; j++) {
+            double sum = 0;
+            for (l = 0; l < 7; l++) sum += p->error[l] * k[l][j];
+            e = fmax(e, fabs(s * sum) / (tol + tol * fmax(fabs(y[j]), fabs(z[j]))));
+        }
+        if (e > 1) {
+            h = s * fmax(0.2, 0.9 * pow(e, -0.2));
+            rejected = 1;
+            continue;
+        }
+        factor = fmin(10, fmax(0.2, 0.9 * pow(fmax(e, 1e-8), -0.17) * pow(before, 0.04)));
+        h = s * (rejected ? fmin(factor, 1) : factor);
+        before = fmax(e, 1e-4), rejected = 0, t += s;
+        memcpy(y, z, sizeof z);
+        memcpy(k[0], k[6], sizeof k[0]);
+        if (last) return evals;
+    }
+}
+
+enum { TOLERANCES = 20 };
+
+/* evaluations to the error 10^goal; 0 where the tolerances do not reach it */
+static double evaluations_to(double goal, const double *log_error, const double *log_evals)
+{
+    int i;
+    for (i = 0; i + 1 < TOLERANCES; i++)
+        if (log_error[i] > goal && log_error[i + 1] <= goal)
+            return pow(10, log_evals[i] + (goal - log_error[i]) / (log_error[i + 1] - log_error[i]) *
+                                              (log_evals[i + 1] - log_evals[i]));
+    return 0;
+}
+
+int main(void)
+{
+    int i, j, k, goal;
+    printf("evaluations to an error at the end, %s / %s = ratio\n", pairs[1].name, pairs[0].name);
+    for (i = 0; i < 4; i++) {
+        double reference[4], y[4], log_error[2][TOLERANCES], log_evals[2][TOLERANCES];
+        integrate(pairs + 1, problems + i, 1e-14, reference);
+        for (k = 0; k < 2; k++) {
+            for (j = 0; j < TOLERANCES; j++) {
+                double error = 0;
+                int l;
+                log_evals[k][j] = log10((double)integrate(pairs + k, problems + i, pow(10, -3 - 0.5 * j), y));
+                for (l = 0; l < problems[i].n; l++) error = fmax(error, fabs(y[l] - reference[l]));
+                log_error[k][j] = log10(error);
+            }
+        }
+        printf("%-16s", problems[i].name);
+        for (goal = -4; goal >= -9; goal--) {
+            double dp = evaluations_to(goal, log_error[0], log_evals[0]),
+                   ts = evaluations_to(goal, log_error[1], log_evals[1]);
+            if (dp > 0 && ts > 0) printf("  1e%d: %.0f/%.0f = %.2f", goal, ts, dp, ts / dp);
+        }
+        puts("");
+    }
+    return 0;
+}
