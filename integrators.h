@@ -55,8 +55,8 @@
          Computers & Mathematics with Applications 62 (2011) 770-775.
      [2] E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer 1993:
          II.4 (first step, step size control), II.6 (continuous extensions). */
-#ifndef INTEGRATORS_H
-#define INTEGRATORS_H
+#ifndef VARMASS_INTEGRATORS_H
+#define VARMASS_INTEGRATORS_H
 
 /* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.c keeps it so ---------- */
 #ifndef VM_SHARED
@@ -85,6 +85,9 @@ typedef float vm_real;
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MANT_DIG FLT_MANT_DIG
+#ifdef FP_FAST_FMAF
+#define VM_FAST_FMA
+#endif
 #else
 typedef double vm_real;
 #define VM_C(x) x
@@ -93,6 +96,9 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#ifdef FP_FAST_FMA
+#define VM_FAST_FMA
+#endif
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library */
@@ -127,7 +133,10 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a b exactly (Dekker, Veltkamp) for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows */
+/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a product
+   a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables shed
+   excess precision. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -136,11 +145,15 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
-    vm_real ta = VM_SPLIT * a, tb = VM_SPLIT * b;
-    vm_real ah = ta - (ta - a), al = a - ah;
-    vm_real bh = tb - (tb - b), bl = b - bh;
-    p.hi = a * b;
+#ifdef VM_FAST_FMA
+    p.hi = a * b + 0;
+    p.lo = VM_LIBM(fma)(a, b, -p.hi);
+#else
+    vm_real ta = VM_SPLIT * a + 0, a_rest = ta - a, ah = ta - a_rest, al = a - ah;
+    vm_real tb = VM_SPLIT * b + 0, b_rest = tb - b, bh = tb - b_rest, bl = b - bh;
+    p.hi = a * b + 0;
     p.lo = ((ah * bh - p.hi) + ah * bl + al * bh) + al * bl;
+#endif
     return p;
 }
 
@@ -188,10 +201,10 @@ VM_API int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, lon
 typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* default 1e-6 (float 1e-4) */
     vm_real atol;             /* default 1e-3 rtol */
-    const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol */
     vm_real h0;               /* first step; default chosen from f. Its sign is rk45_step's direction */
     vm_real h_min, h_max;     /* defaults: what t can resolve; no limit */
     long max_steps;           /* attempts in one rk45_solve; default 1000000, negative: no limit */
+    const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol */
 } rk45_options;
 
 typedef struct VM_TAG(rk45) {
@@ -293,7 +306,7 @@ VM_API int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, lon
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vm_real least = 16 * VM_EPSILON;
-    rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL};
     if (options_or_NULL) o = *options_or_NULL;
     if (o.rtol == 0) o.rtol = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-4);
     if (o.rtol > 0 && o.rtol < least) o.rtol = least;

@@ -43,8 +43,8 @@
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its. */
-#ifndef JACOBI_H
-#define JACOBI_H
+#ifndef VARMASS_JACOBI_H
+#define VARMASS_JACOBI_H
 
 /* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.c keeps it so ---------- */
 #ifndef VM_SHARED
@@ -73,6 +73,9 @@ typedef float vm_real;
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MANT_DIG FLT_MANT_DIG
+#ifdef FP_FAST_FMAF
+#define VM_FAST_FMA
+#endif
 #else
 typedef double vm_real;
 #define VM_C(x) x
@@ -81,6 +84,9 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#ifdef FP_FAST_FMA
+#define VM_FAST_FMA
+#endif
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library */
@@ -115,7 +121,10 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a b exactly (Dekker, Veltkamp) for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows */
+/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a product
+   a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables shed
+   excess precision. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -124,11 +133,15 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
-    vm_real ta = VM_SPLIT * a, tb = VM_SPLIT * b;
-    vm_real ah = ta - (ta - a), al = a - ah;
-    vm_real bh = tb - (tb - b), bl = b - bh;
-    p.hi = a * b;
+#ifdef VM_FAST_FMA
+    p.hi = a * b + 0;
+    p.lo = VM_LIBM(fma)(a, b, -p.hi);
+#else
+    vm_real ta = VM_SPLIT * a + 0, a_rest = ta - a, ah = ta - a_rest, al = a - ah;
+    vm_real tb = VM_SPLIT * b + 0, b_rest = tb - b, bh = tb - b_rest, bl = b - bh;
+    p.hi = a * b + 0;
     p.lo = ((ah * bh - p.hi) + ah * bl + al * bh) + al * bl;
+#endif
     return p;
 }
 
@@ -377,24 +390,34 @@ VM_API vm_real vmi_K_slope(const vmi_ladder *l)
     return VM_C(0.5) - sum;
 }
 
-/* k' with k' K = c, c > 0. For c >= pi/2 (m <= 0) the unknown is y = 1/k' and K1(y) = c, convex in ln y; else it is
-   y = k' and ln(y K1(y)) = ln c, concave. So Newton's steps in ln y converge from any start; 3 to 5 do from these. */
+/* Newton's step in ln y for K1(y) = c, or for y K1(y) = c, K1 in two words */
+VM_API vm_real vmi_solve_step(vm_real y, vm_real c, int negative)
+{
+    vmi_ladder l;
+    vm_two K1, p;
+    vm_real sigma;
+    vmi_agm(&l, y);
+    p = vmi_two_product(y, y);
+    K1 = vmi_K_two_words(&l, p.hi, p.lo);
+    sigma = vmi_K_slope(&l);
+    if (negative) return ((K1.hi - c) + K1.lo) / (K1.hi * sigma);
+    p = vmi_two_product(y, K1.hi);
+    return (((c - p.hi) - p.lo) - y * K1.lo) / (p.hi * (1 - sigma));
+}
+
+/* k' with k' K = c, c > 0: for c >= pi/2 (m <= 0) the unknown is y = 1/k' and K1(y) = c, else y = k' and
+   y K1(y) = c. Either function is monotone and convex enough in ln y for 3 to 5 steps from these starts. */
 VM_API vm_real vmi_solve_kp(vm_real c)
 {
-    const vm_real ln8 = VM_C(2.079441541679835928252);
+    const vm_real ln8 = VM_C(2.079441541679835928252), small = VM_SQRT(VM_EPSILON) / 16;
     const int negative = c >= VM_PI / 2;
-    vm_real y, step, small = VM_SQRT(VM_EPSILON) / 16;
-    vmi_ladder l;
+    vm_real y, step;
     if (negative) y = 4 * VM_EXP(-c);                         /* K1 = ln(4/y) + O(y^2 ln y) */
     else y = c / (VM_LOG(4 * (ln8 - VM_LOG(c))) - VM_LOG(c)); /* y = c/ln(4/y), twice */
     if (negative && y < small) return 1 / y;
     do {
-        vm_real K1, sigma;
         if (y == 0) return 0;
-        vmi_agm(&l, y);
-        K1 = VM_PI / 2 / l.a[l.n];
-        sigma = vmi_K_slope(&l);
-        step = negative ? (K1 - c) / (K1 * sigma) : VM_LOG(c / (y * K1)) / (1 - sigma);
+        step = vmi_solve_step(y, c, negative);
         y *= VM_EXP(step);
     } while (VM_FABS(step) > small);
     return negative ? 1 / y : y;

@@ -80,6 +80,9 @@ typedef float vm_real;
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
 #define VM_MANT_DIG FLT_MANT_DIG
+#ifdef FP_FAST_FMAF
+#define VM_FAST_FMA
+#endif
 #else
 typedef double vm_real;
 #define VM_C(x) x
@@ -88,6 +91,9 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#ifdef FP_FAST_FMA
+#define VM_FAST_FMA
+#endif
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library */
@@ -122,7 +128,10 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a b exactly (Dekker, Veltkamp) for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows */
+/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a product
+   a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables shed
+   excess precision. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -131,11 +140,15 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
-    vm_real ta = VM_SPLIT * a, tb = VM_SPLIT * b;
-    vm_real ah = ta - (ta - a), al = a - ah;
-    vm_real bh = tb - (tb - b), bl = b - bh;
-    p.hi = a * b;
+#ifdef VM_FAST_FMA
+    p.hi = a * b + 0;
+    p.lo = VM_LIBM(fma)(a, b, -p.hi);
+#else
+    vm_real ta = VM_SPLIT * a + 0, a_rest = ta - a, ah = ta - a_rest, al = a - ah;
+    vm_real tb = VM_SPLIT * b + 0, b_rest = tb - b, bh = tb - b_rest, bl = b - bh;
+    p.hi = a * b + 0;
     p.lo = ((ah * bh - p.hi) + ah * bl + al * bh) + al * bl;
+#endif
     return p;
 }
 

@@ -67,7 +67,7 @@ static double rk4_error(long steps)
 static double rk45_error(vm_real h, double *inside)
 {
     vm_real y0[3] = {1, 0, 1}, y[3], work[RK45_WORK(3)];
-    rk45_options o = {0, 1000, NULL, 0, 0, 0, 0};
+    rk45_options o = {0, 1000, 0, 0, 0, 0, NULL};
     rk45 s;
     double t;
     o.h0 = o.h_max = h;
@@ -121,7 +121,7 @@ static void test_known_solutions(void)
         known k = solutions[i];
         for (tol = is_float ? 1e-5 : 1e-12; tol < 1e-3; tol *= 100) {
             vm_real y0[2] = {1, 0}, work[RK45_WORK(2)];
-            rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+            rk45_options o = {0, 0, 0, 0, 0, 0, NULL};
             rk45 s;
             o.rtol = o.atol = R(tol);
             CHECK(rk45_init(&s, oscillator_rhs, k.p, 2, 0, y0, &o, work) == ODE_OK);
@@ -137,7 +137,7 @@ static void test_interpolation(void)
 {
     vm_real y0[1] = {1}, work[RK45_WORK(1)], y, before;
     double tol = is_float ? 1e-5 : 1e-9;
-    rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL};
     rk45 s;
     o.rtol = R(tol), o.atol = -1;
     CHECK(rk45_init(&s, time_rhs, NULL, 1, -2, y0, &o, work) == ODE_OK);
@@ -166,7 +166,7 @@ static void test_interpolation(void)
 static void test_refusals(void)
 {
     vm_real y0[2] = {1, 0}, bad[2], work[RK45_WORK(2)], t = 0, y[2] = {1, 0};
-    rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL};
     rk45 s, before;
     memset(&s, 5, sizeof s);
     before = s;
@@ -214,7 +214,7 @@ static void test_tolerances(void)
 static void test_endings(void)
 {
     vm_real y0[1] = {1}, work[RK45_WORK(1)], y[1], at, wanted;
-    rk45_options o = {0, 0, NULL, 0, 0, 0, 0};
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL};
     wall w = {1, 0, 0};
     rk45 s, again;
     int k;
