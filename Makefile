@@ -10,13 +10,14 @@ CC = cc
 CFLAGS = -O2
 STRICT = -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wfloat-conversion -Wshadow -Wundef
 COMPILE = $(CC) -std=c99 $(CFLAGS)
+IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators varmass dissertation
 EXAMPLES = table5 example1 example2
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb
-TEST_FILES = $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
+TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
 .PHONY: run test lint bench measurements figures data clean
@@ -32,11 +33,11 @@ test: $(TEST_PROGRAMS)
 	@if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then \
 	    $(COMPILE) tests/test_gsl.c -o build/tests/gsl -lgsl -lgslcblas -lm && gsl=./build/tests/gsl; \
 	else gsl="echo 'GSL: 0 passed, 0 failed, 9 skipped'"; fi; \
-	sh tests/run.sh build/tests/log "sh tests/test_headers.sh $(CC) build" $(TEST_PROGRAMS) "$$gsl"
+	CC="$(CC)" sh tests/run.sh build/tests/log "sh tests/test_headers.sh build" $(TEST_PROGRAMS) "$$gsl"
 
 lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
-	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; sh tests/lint.sh build $(STRICT)
+	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
 bench: build/bench/double build/bench/float build/bench/pairs
 	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs
@@ -55,31 +56,29 @@ data:
 clean:
 	rm -rf build
 
+# changes when the compiler or its flags do, so that nothing is left from the ones before
+build/command: FORCE
+	@$(IN_BUILD) && echo '$(COMPILE)' | cmp -s - $@ || echo '$(COMPILE)' >$@
+FORCE:
+
 build/tests/double/%: tests/test_%.c $(TEST_FILES)
-	@mkdir -p $(@D); echo '*' >build/.gitignore
-	@$(COMPILE) $< -o $@ -lm
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 # the promised bounds hold with fused multiply-adds wherever the compiler likes them
 build/tests/contracted/%: tests/test_%.c $(TEST_FILES)
-	@mkdir -p $(@D); echo '*' >build/.gitignore
-	@$(CC) -std=c99 -O3 -march=native -ffp-contract=fast $< -o $@ -lm
+	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -ffp-contract=fast $< -o $@ -lm
 
 build/tests/float/%: tests/test_%.c $(TEST_FILES)
-	@mkdir -p $(@D); echo '*' >build/.gitignore
-	@$(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
 
-build/examples/%: examples/%.c examples/envelope.h examples/table5_data.h $(HEADERS)
-	@mkdir -p $(@D); echo '*' >build/.gitignore
-	@$(COMPILE) $< -o $@ -lm
+build/examples/%: examples/%.c build/command examples/envelope.h examples/table5_data.h $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
-build/bench/double: bench/bench.c $(HEADERS)
-	@mkdir -p $(@D); echo '*' >build/.gitignore
-	@$(COMPILE) $< -o $@ -lm
+build/bench/double: bench/bench.c build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
-build/bench/float: bench/bench.c $(HEADERS)
-	@mkdir -p $(@D); echo '*' >build/.gitignore
-	@$(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+build/bench/float: bench/bench.c build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
 
-build/bench/pairs: bench/pairs.c
-	@mkdir -p $(@D); echo '*' >build/.gitignore
-	@$(COMPILE) $< -o $@ -lm
+build/bench/pairs: bench/pairs.c build/command
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

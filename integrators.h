@@ -14,7 +14,7 @@
            double y0[2] = {1, 0}, work[RK45_WORK(2)];
            rk45 s;
            rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work);
-           return rk45_solve(&s, 10.0) < 0;               (the result is in s.y, at s.t)
+           return rk45_solve(&s, 10.0) < 0; // the result is in s.y, at s.t
        }
 
    METHODS
@@ -58,7 +58,7 @@
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
-/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.c keeps it so ---------- */
+/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.sh keeps it so ---------- */
 #ifndef VM_SHARED
 #define VM_SHARED
 
@@ -66,8 +66,11 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FAST_MATH__) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; define VM_ALLOW_FAST_MATH to compile anyway"
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#define VM_NO_NAN
+#endif
+#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
+#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -134,9 +137,9 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 }
 
 /* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a product
-   a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables shed
-   excess precision. */
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables
+   shed excess precision. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -168,7 +171,7 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
     if (j == 0) return x;
     if (!(j < 1 / VM_EPSILON)) return 0;
     *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    scale = q.hi > VM_MAX / (VM_SPLIT * VM_SPLIT) ? 1 / (VM_SPLIT * VM_SPLIT) : 1; /* room for the splitting */
+    scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
     p = vmi_two_product(j, q.hi * scale);
     return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
 }
@@ -204,13 +207,13 @@ typedef struct VM_TAG(rk45_options) {
     vm_real h0;               /* first step; default chosen from f. Its sign is rk45_step's direction */
     vm_real h_min, h_max;     /* defaults: what t can resolve; no limit */
     long max_steps;           /* attempts in one rk45_solve; default 1000000, negative: no limit */
-    const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol */
+    const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol; 0 is none */
 } rk45_options;
 
 typedef struct VM_TAG(rk45) {
     vm_real t;      /* current time */
     vm_real *y;     /* current state, n values (in work) */
-    vm_real t_old;  /* start of the last accepted step: rk45_interpolate covers t_old .. t */
+    vm_real t_old;  /* rk45_interpolate covers t_old .. t, the last accepted step; only t after an error */
     vm_real h;      /* the next step to be tried, signed; 0 before the first */
     long steps;     /* accepted */
     long rejected;  /* and rejected steps */
@@ -270,9 +273,10 @@ VM_API void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 VM_API int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
-    vm_real *k = work, *sum = work + n, *z = work + 2 * n;
+    vm_real *k = work, *sum, *z;
     int i;
     if (!f || n <= 0 || !y || !work || !VM_IS_FINITE(t) || !VM_IS_FINITE(h)) return ODE_BAD_ARGUMENT;
+    sum = work + n, z = sum + n;
     if (f(t, y, k, ctx)) return ODE_RHS_STOPPED;
     for (i = 0; i < n; i++) sum[i] = k[i], z[i] = y[i] + h / 2 * k[i];
     if (f(t + h / 2, z, k, ctx)) return ODE_RHS_STOPPED;
@@ -318,6 +322,17 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
     return o;
 }
 
+/* Every component has a tolerance, none is negative or NaN */
+VM_API int vmi_rk45_tolerances_good(const rk45_options *o, int n)
+{
+    int i;
+    for (i = 0; i < n; i++) {
+        vm_real atol = o->atol_each ? o->atol_each[i] : o->atol;
+        if (!(atol >= 0) || !(atol + o->rtol > 0)) return 0;
+    }
+    return 1;
+}
+
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IN_K7 };
 
 VM_API int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
@@ -326,8 +341,7 @@ VM_API int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_
     rk45_options o = rk45_defaults(options_or_NULL);
     vm_real rtol = options_or_NULL ? options_or_NULL->rtol : 0;
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0)) return ODE_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(o.rtol) || !VM_IS_FINITE(o.atol) || (o.rtol == 0 && o.atol == 0 && !o.atol_each))
-        return ODE_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(o.rtol) || !VM_IS_FINITE(o.atol) || !vmi_rk45_tolerances_good(&o, n)) return ODE_BAD_ARGUMENT;
     if (!VM_IS_FINITE(o.h0) || !(o.h_min >= 0) || !(o.h_max > o.h_min)) return ODE_BAD_ARGUMENT;
     s->f = f, s->ctx = ctx, s->n = n, s->options = o, s->work = work;
     s->t = s->t_old = t0;
@@ -399,16 +413,22 @@ VM_API int vmi_rk45_first_step(rk45 *s, vm_real direction, vm_real longest)
                            : VM_EXP(VM_C(0.2) * VM_LOG(VM_C(0.01) / d2));
     if (h1 > 100 * h0) h1 = 100 * h0;
     if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
-    if (h1 < 64 * VM_EPSILON * VM_FABS(s->t)) h1 = 64 * VM_EPSILON * VM_FABS(s->t);
     s->h = direction * (h1 < longest ? h1 : longest);
     return ODE_OK;
 }
 
-/* k_1 and the first step's size, where they are missing */
+/* The shortest step that is tried */
+VM_API vm_real vmi_rk45_least(const rk45 *s)
+{
+    vm_real least = 4 * VM_EPSILON * VM_FABS(s->t);
+    return least > s->options.h_min ? least : s->options.h_min;
+}
+
+/* k_1, and a first step that is not too short to be tried */
 VM_API int vmi_rk45_prepare(rk45 *s, vm_real t_end)
 {
     vm_real longest = VM_FABS(t_end - s->t), direction = t_end < s->t ? -1 : 1, *k1 = vmi_rk45_work(s, VMI_K1);
-    int status;
+    int status = ODE_OK;
     if (s->k1 == VMI_K1_IN_K7) vmi_copy(s->n, vmi_rk45_work(s, VMI_K7), k1);
     if (s->k1 == VMI_K1_MISSING) {
         status = vmi_rk45_eval(s, s->t, s->y, k1);
@@ -418,9 +438,10 @@ VM_API int vmi_rk45_prepare(rk45 *s, vm_real t_end)
     s->k1 = VMI_K1_READY;
     s->t_old = s->t;
     if (longest > s->options.h_max) longest = s->options.h_max;
-    if (s->h == 0) return vmi_rk45_first_step(s, direction, longest);
-    s->h = direction * VM_FABS(s->h);
-    return ODE_OK;
+    if (s->h == 0) status = vmi_rk45_first_step(s, direction, longest);
+    s->h = VM_FABS(s->h) > vmi_rk45_least(s) ? VM_FABS(s->h) : vmi_rk45_least(s);
+    s->h *= direction;
+    return status;
 }
 
 /* ---- rk45: one step ----------------------------------------------------------------------------------------- */
@@ -506,13 +527,13 @@ VM_API int vmi_rk45_advance(rk45 *s, vm_real t_end, long *attempts)
     int rejected = 0, not_finite = 0, status = vmi_rk45_prepare(s, t_end);
     if (status) return status;
     for (;;) {
-        vm_real h = s->h, least = 4 * VM_EPSILON * VM_FABS(s->t), error, factor, t_new;
+        const vm_real left = VM_FABS(t_end - s->t), nearly = VM_C(0.999999);
+        vm_real h = s->h, error, factor, t_new;
         int last;
         if (VM_FABS(h) > s->options.h_max) h = s->h = direction * s->options.h_max;
-        if (least < s->options.h_min) least = s->options.h_min;
-        last = (s->t + VM_C(1.000001) * h - t_end) * direction >= 0;
+        last = VM_FABS(h) >= nearly * left;
         if (last) h = t_end - s->t;
-        else if (!(VM_FABS(h) > least)) return not_finite ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+        else if (h == 0 || VM_FABS(h) < vmi_rk45_least(s)) return not_finite ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
         if (*attempts == 0) return ODE_MAX_STEPS;
         if (*attempts > 0) --*attempts;
         t_new = last ? t_end : s->t + h;
@@ -562,7 +583,7 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
     vm_real h, x, b1, b2, b3, b4, b5, b6, b7;
     const vm_real *y_old, *k1, *k2, *k3, *k4, *k5, *k6, *k7;
     int i;
-    if (!s || !y || !((t - s->t_old) * (t - s->t) <= 0)) return ODE_BAD_ARGUMENT;
+    if (!s || !y || !((s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old))) return ODE_BAD_ARGUMENT;
     if (t == s->t) {
         vmi_copy(s->n, s->y, y);
         return ODE_OK;

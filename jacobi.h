@@ -14,14 +14,14 @@
 
    CONVENTIONS
      The second argument is the parameter m = k^2, not the modulus k: jacobi_K(0.25) is K for k = 1/2 (Boost and
-     C++17 take k, GSL's Kcomp too, GSL's elljac, SciPy and Mathematica m). Every m <= 1 is meant, negative ones
+     C++17 take k, GSL's Kcomp too, GSL's elljac, SciPy and Mathematica m). Any m <= 1 is allowed, negative ones
      included. m1 = 1 - m is the complementary parameter, k' = sqrt(m1) the complementary modulus; the forms with
      suffix _m1 take or return m1 where m would have lost its digits (m towards 1).
      The period of sn and cn is 4 K(m), that of dn 2 K(m). All arguments are pure numbers.
 
    ERRORS
      m > 1, m1 < 0, c < 0, NaN and infinite arguments give NaN; m = 1 gives the limits: K infinite, E = 1,
-     sn = tanh, cn = dn = sech. Nothing else can fail: no errno, no allocation, no state.
+     sn = tanh, cn = dn = sech. Nothing else can fail. No allocation, no state; errno says nothing.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -46,7 +46,7 @@
 #ifndef VARMASS_JACOBI_H
 #define VARMASS_JACOBI_H
 
-/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.c keeps it so ---------- */
+/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.sh keeps it so ---------- */
 #ifndef VM_SHARED
 #define VM_SHARED
 
@@ -54,8 +54,11 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FAST_MATH__) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; define VM_ALLOW_FAST_MATH to compile anyway"
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#define VM_NO_NAN
+#endif
+#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
+#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -122,9 +125,9 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 }
 
 /* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a product
-   a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables shed
-   excess precision. */
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables
+   shed excess precision. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -156,7 +159,7 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
     if (j == 0) return x;
     if (!(j < 1 / VM_EPSILON)) return 0;
     *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    scale = q.hi > VM_MAX / (VM_SPLIT * VM_SPLIT) ? 1 / (VM_SPLIT * VM_SPLIT) : 1; /* room for the splitting */
+    scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
     p = vmi_two_product(j, q.hi * scale);
     return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
 }
@@ -223,18 +226,14 @@ VM_API vm_real vmi_agm_sum(const vmi_ladder *l)
     return sum;
 }
 
-/* K in two words from a ladder in one: the rounding errors of every step, known exactly, are carried up the ladder
-   to first order. m1_lo is the low word of m1 = b_0^2. Relative error < 2^-(2p - 8). */
-VM_API vm_two vmi_K_two_words(const vmi_ladder *l, vm_real m1, vm_real m1_lo)
+/* The limit of the a_n in two words from a ladder in one: the rounding errors of every step, known exactly, are
+   carried up the ladder to first order. m1_lo is the low word of m1 = b_0^2. Relative error < 2^-(2p - 5). */
+VM_API vm_two vmi_agm_two_words(const vmi_ladder *l, vm_real m1, vm_real m1_lo)
 {
-    const vm_real half_pi = VM_C(1.570796326794896619231);
-#if VM_MANT_DIG > 24
-    const vm_real half_pi_lo = VM_C(6.123233995736766035869e-17);
-#else
-    const vm_real half_pi_lo = VM_C(-4.371139000186241438058e-8);
-#endif
-    vm_two p = vmi_two_product(l->b[0], l->b[0]), K;
-    vm_real al = 0, bl = ((m1 - p.hi) - p.lo + m1_lo) / (2 * l->b[0]), c = l->c;
+    const vm_real unit = m1 < VM_EPSILON ? 1 / (VM_EPSILON * VM_EPSILON) : 1; /* keeps b_0^2 from underflowing */
+    const vm_real b0 = unit * l->b[0];
+    vm_two p = vmi_two_product(b0, b0);
+    vm_real al = 0, bl = ((m1 * unit * unit - p.hi) - p.lo + m1_lo * unit * unit) / (2 * b0) / unit, c = l->c;
     int n;
     for (n = 0; n < l->n; n++) {
         vm_real a = l->a[n], b = l->b[n], root = l->b[n + 1];
@@ -245,10 +244,22 @@ VM_API vm_two vmi_K_two_words(const vmi_ladder *l, vm_real m1, vm_real m1_lo)
         bl = (((p.hi - q.hi) + (p.lo - q.lo)) + (a * bl + b * al)) / (2 * root);
         al = a_lo;
     }
-    al -= c * c / (4 * l->a[n]); /* the limit of the a_n */
-    K.hi = half_pi / l->a[n];
-    p = vmi_two_product(K.hi, l->a[n]);
-    K.lo = (((half_pi - p.hi) - p.lo) + (half_pi_lo - K.hi * al)) / l->a[n];
+    return vmi_two_sum(l->a[l->n], al - c * c / (4 * l->a[l->n]));
+}
+
+/* K = pi/2 over that limit */
+VM_API vm_two vmi_K_two_words(vm_two a)
+{
+    const vm_real half_pi = VM_C(1.570796326794896619231);
+#if VM_MANT_DIG > 24
+    const vm_real half_pi_lo = VM_C(6.123233995736766035869e-17);
+#else
+    const vm_real half_pi_lo = VM_C(-4.371139000186241438058e-8);
+#endif
+    vm_two p, K;
+    K.hi = half_pi / a.hi;
+    p = vmi_two_product(K.hi, a.hi);
+    K.lo = (((half_pi - p.hi) - p.lo) + (half_pi_lo - K.hi * a.lo)) / a.hi;
     return K;
 }
 
@@ -289,13 +300,13 @@ VM_API vm_real jacobi_E(vm_real m) { return jacobi_E_m1(1 - m); }
 
 /* Down the ladder by Gauss' transformation in homogeneous form, sn : cn : dn : 1 = s : c : d : q,
      s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     (a+ = a_(n+1))
-   No difference occurs, for m < 0 neither, so that every value keeps its relative accuracy; |u| <= K/2. */
-VM_API void vmi_descend(const vmi_ladder *l, vm_real u, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
+   No difference occurs, for m < 0 neither, so that every value keeps its relative accuracy. phi = a u, |u| <= K/2. */
+VM_API void vmi_descend(const vmi_ladder *l, vm_two phi, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
-    vm_real phi = l->a[l->n] * u;
+    vm_real sine = VM_SIN(phi.hi), cosine = VM_COS(phi.hi);
     int n;
-    *s = VM_SIN(phi);
-    *c = VM_COS(phi);
+    *s = sine + cosine * phi.lo;
+    *c = cosine - sine * phi.lo;
     *d = *q = 1;
     for (n = l->n - 1; n >= 0; n--) {
         vm_real ra = l->a[n] / l->a[n + 1], rb = l->b[n] / l->a[n + 1];
@@ -309,30 +320,49 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real u, vm_real *s, vm_real *c, 
 
 VM_API vm_real vmi_clamp(vm_real x, vm_real low, vm_real high) { return x < low ? low : x > high ? high : x; }
 
+/* tanh v and sech v, v >= 0: by exp(-v), or for v <= 1/2 by Lambert's continued fraction v/(1 + v^2/(3 + ...)), whose
+   ninth convergent is off by 1e-20 there */
+VM_API void vmi_hyperbolic(vm_real v, vm_real *tanh_v, vm_real *sech_v)
+{
+    vm_real vv = v * v, fraction = 17, e = VM_EXP(-v), sum = 1 + e * e;
+    int odd;
+    *tanh_v = (1 - e * e) / sum;
+    *sech_v = 2 * e / sum;
+    if (v > VM_C(0.5)) return;
+    for (odd = 15; odd > 0; odd -= 2) fraction = (vm_real)odd + vv / fraction;
+    *tanh_v = v / fraction;
+}
+
 /* sn, cn, dn for 1 - m = m1 + m1_lo: u = j K + v with |v| <= K/2, v down the ladder, quarter periods by
-   sn(v + K) = cn/dn, cn(v + K) = -k' sn/dn, dn(v + K) = k'/dn */
+   sn(v + K) = cn/dn, cn(v + K) = -k' sn/dn, dn(v + K) = k'/dn. K and the phase a v in two words where j > 0. */
 VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real limit = 1; /* of |sn| and |cn|; dn lies between 1 and k' */
-    const vm_real tiny = VM_EPSILON * VM_EPSILON * VM_EPSILON * VM_EPSILON;
     vm_real s, c, d, q, kp, v = VM_FABS(u);
     vmi_ladder l;
+    vm_two phi;
     int quarter = 0;
     if (!(m1 >= 0) || !VM_IS_FINITE(m1) || !VM_IS_FINITE(u)) {
         *sn = *cn = *dn = VM_NAN;
         return;
     }
-    if (m1 == 0 && v > VM_C(0.5)) {
-        vm_real e = VM_EXP(-v), sum = 1 + e * e;
-        *sn = VM_COPYSIGN((1 - e * e) / sum, u);
-        *cn = *dn = 2 * e / sum;
+    if (m1 == 0) {
+        vmi_hyperbolic(v, sn, cn);
+        *sn = VM_COPYSIGN(*sn, u);
+        *dn = *cn;
         return;
     }
-    if (m1 == 0) m1 = tiny; /* moves sn, cn, dn by less than m1 */
     kp = VM_SQRT(m1);
     vmi_agm(&l, kp);
-    if (2 * v * l.a[l.n] > VM_PI / 2) v = vmi_reduce(v, vmi_K_two_words(&l, m1, m1_lo), &quarter);
-    vmi_descend(&l, v, &s, &c, &d, &q);
+    phi.hi = l.a[l.n] * v;
+    phi.lo = 0;
+    if (phi.hi > VM_PI / 4) {
+        vm_two a = vmi_agm_two_words(&l, m1, m1_lo);
+        v = vmi_reduce(v, vmi_K_two_words(a), &quarter);
+        phi = vmi_two_product(a.hi, v);
+        phi.lo += a.lo * v;
+    }
+    vmi_descend(&l, phi, &s, &c, &d, &q);
     if (quarter & 1) {
         *sn = c / d;
         *cn = -kp * s / d;
@@ -367,10 +397,11 @@ VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm
 
 VM_API vm_real jacobi_kpK(vm_real m)
 {
-    vm_real kp = VM_SQRT(1 - m);
+    vm_real kp;
     vmi_ladder l;
     if (!(m <= 1) || !VM_IS_FINITE(m)) return VM_NAN;
     if (m == 1) return 0;
+    kp = VM_SQRT(1 - m);
     vmi_agm(&l, kp);
     return kp * (VM_PI / 2 / l.a[l.n]);
 }
@@ -398,7 +429,7 @@ VM_API vm_real vmi_solve_step(vm_real y, vm_real c, int negative)
     vm_real sigma;
     vmi_agm(&l, y);
     p = vmi_two_product(y, y);
-    K1 = vmi_K_two_words(&l, p.hi, p.lo);
+    K1 = vmi_K_two_words(vmi_agm_two_words(&l, p.hi, p.lo));
     sigma = vmi_K_slope(&l);
     if (negative) return ((K1.hi - c) + K1.lo) / (K1.hi * sigma);
     p = vmi_two_product(y, K1.hi);
@@ -411,15 +442,16 @@ VM_API vm_real vmi_solve_kp(vm_real c)
 {
     const vm_real ln8 = VM_C(2.079441541679835928252), small = VM_SQRT(VM_EPSILON) / 16;
     const int negative = c >= VM_PI / 2;
-    vm_real y, step;
+    int most_steps = 8;
+    vm_real y;
     if (negative) y = 4 * VM_EXP(-c);                         /* K1 = ln(4/y) + O(y^2 ln y) */
     else y = c / (VM_LOG(4 * (ln8 - VM_LOG(c))) - VM_LOG(c)); /* y = c/ln(4/y), twice */
     if (negative && y < small) return 1 / y;
-    do {
-        if (y == 0) return 0;
-        step = vmi_solve_step(y, c, negative);
+    while (y > 0 && most_steps-- > 0) { /* a subnormal y may not be able to move by its step */
+        vm_real step = vmi_solve_step(y, c, negative);
         y *= VM_EXP(step);
-    } while (VM_FABS(step) > small);
+        if (VM_FABS(step) <= small) break;
+    }
     return negative ? 1 / y : y;
 }
 

@@ -10,7 +10,7 @@
            vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}}, part = whole, rest;
            part.mass = 1;
            part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
-           part.r.x = 0.4;                               (it sat 0.4 m from the mass centre and leaves at 2 m/s aside)
+           part.r.x = 0.4; // it sat 0.4 m from the mass centre and leaves at 2 m/s aside
            part.v.y = 2;
            if (vm_separate(&whole, &part, NULL, &rest) == VM_OK) printf("spin %g rad/s\n", rest.omega.z);
            return 0;
@@ -31,9 +31,9 @@
      take the variable first, then x0 (initial amplitude, either sign), omega0 = sqrt(k/m) and alpha >= 0 (real).
 
    ERRORS
-     Functions that return a status return 0 (VM_OK) or a negative number, which vm_strerror() names, and then leave
-     their outputs untouched. Outputs may be the inputs. Functions that return a number return NaN outside their
-     domain, for infinite arguments too.
+     Functions that return a status return 0 (VM_OK), a positive number (done, with a remark) or a negative one
+     (their outputs are untouched); vm_strerror() names it. Outputs may be the inputs. Functions that return a
+     number return NaN outside their domain, for infinite arguments too.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -53,7 +53,7 @@
 #ifndef VARMASS_H
 #define VARMASS_H
 
-/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.c keeps it so ---------- */
+/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.sh keeps it so ---------- */
 #ifndef VM_SHARED
 #define VM_SHARED
 
@@ -61,8 +61,11 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FAST_MATH__) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; define VM_ALLOW_FAST_MATH to compile anyway"
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#define VM_NO_NAN
+#endif
+#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
+#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -129,9 +132,9 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 }
 
 /* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a product
-   a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables shed
-   excess precision. */
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables
+   shed excess precision. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -163,7 +166,7 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
     if (j == 0) return x;
     if (!(j < 1 / VM_EPSILON)) return 0;
     *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    scale = q.hi > VM_MAX / (VM_SPLIT * VM_SPLIT) ? 1 / (VM_SPLIT * VM_SPLIT) : 1; /* room for the splitting */
+    scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
     p = vmi_two_product(j, q.hi * scale);
     return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
 }
@@ -179,6 +182,8 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 
 enum {
     VM_OK = 0,
+    VM_NULL_AXIS = 1,     /* done, but about an axis without inertia (of a rod, a point) the spin stayed as it was,
+                             though angular momentum was left for it: that is lost */
     VM_BAD_ARGUMENT = -1, /* a null pointer */
     VM_NOT_FINITE = -2,   /* a number that is infinite or NaN, given or arising */
     VM_BAD_MASS = -3,     /* a mass that is not positive, the rest's included */
@@ -258,6 +263,7 @@ VM_API const char *vm_strerror(int status)
 {
     switch (status) {
     case VM_OK: return "success";
+    case VM_NULL_AXIS: return "angular momentum about an axis without inertia was lost";
     case VM_BAD_ARGUMENT: return "null pointer";
     case VM_NOT_FINITE: return "a number is infinite or NaN";
     case VM_BAD_MASS: return "a mass is not positive";
@@ -283,6 +289,8 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
+VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
+VM_API vm_real vmi_size(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 typedef struct VM_TAG(vmi_mat3) {
@@ -302,8 +310,15 @@ VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
 /* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
-    vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, s = square > 0 ? 2 / square : 0;
+    vm_real largest = VM_FABS(q.w), s = 0;
     vmi_mat3 m;
+    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
+    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
+    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
+    if (largest > 0) {
+        q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
+        s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    }
     m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
     m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
     m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
@@ -387,12 +402,42 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* Moments of a body: none negative, none larger than the two others together, to within slack (kg m^2) */
+/* Moments of a body: none larger than the two others together, to within slack (kg m^2) */
 VM_API int vmi_possible(const vmi_principal *p, vm_real slack)
 {
     vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
-    return a >= -slack && b >= -slack && c >= -slack && a <= b + c + slack && b <= a + c + slack &&
-           c <= a + b + slack;
+    return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack; /* so none is below -slack */
+}
+
+/* Moments that a body can have exactly, of a tensor that is possible within slack. A moment lost in the rounding
+   errors of terms of these sizes becomes 0, one above the sum of the others that sum. 1 where anything changed */
+VM_API int vmi_settle(vmi_principal *p, const vm_inertia *sizes)
+{
+    int k, changed = 0;
+    for (k = 0; k < 3; k++) {
+        vm_vec3 e = vmi_abs(p->axis[k]);
+        if (p->moment[k] > 8 * VM_EPSILON * vmi_dot(e, vmi_inertia_times(sizes, e)) || p->moment[k] == 0) continue;
+        p->moment[k] = 0, changed = 1;
+    }
+    for (k = 0; k < 3; k++) {
+        vm_real others = p->moment[(k + 1) % 3] + p->moment[(k + 2) % 3];
+        if (p->moment[k] <= others) continue;
+        p->moment[k] = others, changed = 1;
+    }
+    return changed;
+}
+
+/* The tensor with these principal moments and axes */
+VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
+{
+    vm_inertia i = {0, 0, 0, 0, 0, 0};
+    int k;
+    for (k = 0; k < 3; k++) {
+        vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
+        i.xx += m.x * e.x, i.yy += m.y * e.y, i.zz += m.z * e.z;
+        i.xy += m.x * e.y, i.xz += m.x * e.z, i.yz += m.y * e.z;
+    }
+    return i;
 }
 
 /* What rounding may do to an inertia whose entries come from sums of the size of i */
@@ -440,17 +485,31 @@ VM_API int vmi_check_body(const vm_body *b)
     return vmi_possible(&p, vmi_slack(&b->inertia)) ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* omega with i omega = h; about an axis whose moment is lost in slack (a rod, a point) omega stays the one before */
-VM_API vm_vec3 vmi_solve_spin(const vmi_principal *p, vm_real slack, vm_vec3 h, vm_vec3 omega_before)
+/* omega with i omega = h but for what points along axes without moment */
+VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
     int k;
-    for (k = 0; k < 3; k++) {
-        vm_vec3 axis = p->axis[k];
-        vm_real spin = p->moment[k] > slack ? vmi_dot(axis, h) / p->moment[k] : vmi_dot(axis, omega_before);
-        omega = vmi_add(omega, vmi_scale(spin, axis));
-    }
+    for (k = 0; k < 3; k++)
+        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
     return omega;
+}
+
+/* omega with i omega = h, refined once. About an axis without moment (of a rod, a point) it stays the one before: 1
+   where more than noise of h would have been left for that axis to carry */
+VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
+                          vm_vec3 *omega)
+{
+    vm_vec3 w = vmi_spin_of(p, h);
+    int k, left = 0;
+    w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
+    for (k = 0; k < 3; k++) {
+        if (p->moment[k] > 0) continue;
+        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
+        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
+    }
+    *omega = w;
+    return left;
 }
 
 /* Separation (sign = -1) and attachment (+1) of other, with d = other->r - body->r, M1 = M + sign m, and every
@@ -459,35 +518,71 @@ VM_API vm_vec3 vmi_solve_spin(const vmi_principal *p, vm_real slack, vm_vec3 h, 
      I1 omega1 = I omega + sign (I2 omega2 - m d x (v1 - v2)) + couple + (at - r) x linear
    The last is (33), (34) with the impulse's moment about the body's mass centre, as (23a), (32) should have said. */
 
-/* I1 in the body's axes; share = sign m/M1 */
-VM_API vm_inertia vmi_jump_inertia(const vm_body *body, const vm_body *other, vm_real sign, vm_real share)
+/* Entries of the size of the terms that those of m^T i m are sums of */
+VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
-    vmi_mat3 turn = vmi_rotation(body->q), other_turn = vmi_rotation(other->q), axes;
-    vm_vec3 d = vmi_times_transposed(&turn, vmi_sub(other->r, body->r));
-    vm_inertia i;
+    vm_inertia a;
+    vmi_mat3 b;
+    a.xx = VM_FABS(i->xx), a.yy = VM_FABS(i->yy), a.zz = VM_FABS(i->zz);
+    a.xy = VM_FABS(i->xy), a.xz = VM_FABS(i->xz), a.yz = VM_FABS(i->yz);
+    b.x = vmi_abs(m->x), b.y = vmi_abs(m->y), b.z = vmi_abs(m->z);
+    return vmi_inertia_along(&a, &b);
+}
+
+/* I1 in the body's axes, and the sizes of the terms of its entries; share = sign m/M1 */
+VM_API vm_inertia vmi_jump_inertia(const vm_body *body, const vm_body *other, vm_real sign, vm_real share,
+                                   vm_inertia *sizes)
+{
+    const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    vmi_mat3 turn = vmi_rotation(body->q), other_turn = vmi_rotation(other->q), axes, abs_turn;
+    vm_vec3 d = vmi_sub(other->r, body->r), d_body = vmi_times_transposed(&turn, d);
+    vm_inertia i, moved = vmi_inertia_of_point(d_body), moved_size;
     axes.x = vmi_times_transposed(&other_turn, turn.x); /* the body's axes in the other's */
     axes.y = vmi_times_transposed(&other_turn, turn.y);
     axes.z = vmi_times_transposed(&other_turn, turn.z);
     i = vmi_inertia_plus(body->inertia, sign, vmi_inertia_along(&other->inertia, &axes));
-    return vmi_inertia_plus(i, share * body->mass, vmi_inertia_of_point(d));
+    abs_turn.x = vmi_abs(turn.x), abs_turn.y = vmi_abs(turn.y), abs_turn.z = vmi_abs(turn.z);
+    moved_size = vmi_inertia_of_point(vmi_times_transposed(&abs_turn, vmi_abs(d)));
+    *sizes = vmi_inertia_plus(vmi_inertia_sizes(&body->inertia, &same), 1,
+                              vmi_inertia_sizes(&other->inertia, &axes));
+    *sizes = vmi_inertia_plus(*sizes, VM_FABS(share) * body->mass, vmi_inertia_sizes(&moved_size, &same));
+    return vmi_inertia_plus(i, share * body->mass, moved);
 }
 
-/* I1 omega1, inertial axes */
+/* I1 omega1, inertial axes, and the size of its terms */
 VM_API vm_vec3 vmi_jump_spin_momentum(const vm_body *body, const vm_body *other, vm_real sign, vm_vec3 v1,
-                                      const vm_impulse *external)
+                                      const vm_impulse *external, vm_real *size)
 {
-    vm_vec3 orbital = vmi_cross(vmi_sub(other->r, body->r), vmi_scale(other->mass, vmi_sub(v1, other->v)));
-    vm_vec3 h = vmi_scale(sign, vmi_sub(vmi_spin_momentum(other), orbital));
-    h = vmi_add(vmi_spin_momentum(body), h);
+    vm_vec3 own = vmi_spin_momentum(body), others = vmi_spin_momentum(other), h, moment;
+    vm_vec3 d = vmi_sub(other->r, body->r), relative = vmi_scale(other->mass, vmi_sub(v1, other->v));
+    h = vmi_add(own, vmi_scale(sign, vmi_sub(others, vmi_cross(d, relative))));
+    *size = vmi_size(own) + vmi_size(others) + vmi_size(d) * vmi_size(relative);
     if (!external) return h;
-    return vmi_add(h, vmi_add(external->couple, vmi_cross(vmi_sub(external->at, body->r), external->linear)));
+    d = vmi_sub(external->at, body->r);
+    moment = vmi_add(external->couple, vmi_cross(d, external->linear));
+    *size += vmi_size(external->couple) + vmi_size(d) * vmi_size(external->linear);
+    return vmi_add(h, moment);
+}
+
+/* Mass, mass centre and momentum */
+VM_API int vmi_jump_translation(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external,
+                                vm_body *b)
+{
+    vm_vec3 momentum = vmi_add(vm_momentum(body), vmi_scale(sign, vm_momentum(other)));
+    b->mass = body->mass + sign * other->mass;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    if (external) momentum = vmi_add(momentum, external->linear);
+    b->v = vmi_scale(1 / b->mass, momentum);
+    b->r = vmi_add(body->r, vmi_scale(sign * other->mass / b->mass, vmi_sub(other->r, body->r)));
+    return VM_OK;
 }
 
 VM_API int vmi_jump(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external,
                     vm_body *result)
 {
-    vm_real share, slack;
+    vm_real slack, size;
     vm_vec3 h;
+    vm_inertia sizes;
     vmi_mat3 turn;
     vmi_principal p;
     vm_body b;
@@ -495,24 +590,24 @@ VM_API int vmi_jump(const vm_body *body, const vm_body *other, vm_real sign, con
     if (!body || !other || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
     if (!status) status = vmi_check_body(other);
-    if (status) return status;
     b = *body;
-    b.mass = body->mass + sign * other->mass;
-    if (!(b.mass > 0)) return VM_BAD_MASS;
-    share = sign * other->mass / b.mass;
-    b.r = vmi_add(body->r, vmi_scale(share, vmi_sub(other->r, body->r)));
-    b.v = vmi_add(body->v, vmi_scale(share, vmi_sub(other->v, body->v)));
-    if (external) b.v = vmi_add(b.v, vmi_scale(1 / b.mass, external->linear));
-    b.inertia = vmi_jump_inertia(body, other, sign, share);
+    if (!status) status = vmi_jump_translation(body, other, sign, external, &b);
+    if (status) return status;
+    b.inertia = vmi_jump_inertia(body, other, sign, sign * other->mass / b.mass, &sizes);
     slack = vmi_slack(sign < 0 ? &body->inertia : &b.inertia);
     p = vmi_principal_axes(&b.inertia);
     if (!vmi_possible(&p, slack)) return VM_BAD_INERTIA;
+    if (vmi_settle(&p, &sizes)) b.inertia = vmi_inertia_from(&p);
     turn = vmi_rotation(body->q);
-    h = vmi_times_transposed(&turn, vmi_jump_spin_momentum(body, other, sign, b.v, external));
-    b.omega = vmi_times(&turn, vmi_solve_spin(&p, slack, h, vmi_times_transposed(&turn, body->omega)));
+    h = vmi_times_transposed(&turn, vmi_jump_spin_momentum(body, other, sign, b.v, external, &size));
+    status = vmi_solve_spin(&b.inertia, &p, h, 32 * VM_EPSILON * size, vmi_times_transposed(&turn, body->omega),
+                            &b.omega)
+                 ? VM_NULL_AXIS
+                 : VM_OK;
+    b.omega = vmi_times(&turn, b.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *result = b;
-    return VM_OK;
+    return status;
 }
 
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
@@ -567,9 +662,15 @@ VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 
 /* ---- Chapter 7.4: slowly varying mass ----------------------------------------------------------------------- */
 
+VM_API int vmi_osc_law_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+{
+    return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(damping) &&
+           VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
+}
+
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
-    if (!(alpha >= 0) || !(mass_ratio > 0) || !VM_IS_FINITE(alpha + mass_ratio)) return VM_NAN;
+    if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
     return VM_POW(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * VM_EXP(-2 * damping / (alpha + 3));
 }
 
@@ -577,7 +678,7 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
     vm_real share = (alpha + 1) / (alpha + 3);
-    if (!(alpha >= 0) || !(mass_ratio > 0) || !VM_IS_FINITE(alpha + mass_ratio)) return VM_NAN;
+    if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
     return VM_POW(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * VM_EXP(-share * damping);
 }
 

@@ -1,8 +1,8 @@
 #!/bin/sh
 # What the headers are as files: each compiles alone, both precisions fit into one program, the shared block is the
 # same everywhere, nothing but a few functions of the C library is needed, nothing is writable.
-# usage: test_headers.sh COMPILER BUILD_FOLDER, from the top of the project
-cc=$1 build=$2/headers
+# usage: CC=compiler test_headers.sh BUILD_FOLDER, from the top of the project
+cc=${CC:-cc} build=$1/headers
 passed=0 failed=0
 rm -rf "$build" && mkdir -p "$build" || exit 1
 

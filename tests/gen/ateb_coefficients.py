@@ -52,5 +52,5 @@ def table(bits, degree, two_words):
             print("    " + ", ".join(text[k:k + 3]) + ",")
 
 
-table(53, 20, 11)
-table(24, 13, 7)
+table(53, 25, 17)
+table(24, 14, 8)

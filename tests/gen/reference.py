@@ -83,6 +83,11 @@ def jacobi_regions():
     yield from pairs("m1 tiny", 20, lambda: uniform(-700, 700), lambda: 10 ** uniform(-300, -38), True, False)
     yield from pairs("|u| < 1e4", 40, lambda: uniform(-1e4, 1e4), lambda: uniform(-2, 1))
     yield from pairs("|u| < 1e9", 40, lambda: uniform(-1e9, 1e9), lambda: uniform(-2, 1), singles=False)
+    for k in range(30):  # the same next to multiples of K
+        m1 = 10 ** uniform(-300, -17)
+        with mp.workdps(40):
+            u = float(random.choice((1, 2, 3, 7, 50)) * quarter(mpf(m1)))
+        yield "m1 tiny", u, m1, True
     for k in range(80):  # next to multiples of K, to 100 K
         m = random.choice((uniform(0, 1), -10 ** uniform(-3, 3), 1 - 10 ** uniform(-6, -1)))
         near = single if k % 2 else float
@@ -182,10 +187,14 @@ def ateb_regions():
         if alpha <= 1e3:
             yield "|s| < 1e4", near(uniform(-1e4, 1e4)), alpha
         yield "|s| < 1e9", uniform(-1e9, 1e9), alpha
-    for exponent in (-300, -20, 9, 12, 15, 20, 30):
-        yield "alpha extreme", 0.5, 10.0 ** exponent
-        yield "alpha extreme", 3.0, 10.0 ** exponent
-        yield "alpha extreme", single(0.3 * half(10.0 ** exponent)), single(10.0 ** exponent)
+    for exponent in (-300, -20, 9, 12, 15, 20, 30, 33):
+        alpha = 10.0 ** exponent
+        yield "alpha extreme", 0.5, alpha
+        yield "alpha extreme", 3.0, alpha
+        yield "alpha extreme", single(0.3 * half(alpha)), single(alpha)
+        for j in (1, 2, 3, 32, 99):
+            yield "alpha extreme", j * half(alpha), alpha
+            yield "alpha extreme", single(j * half(single(alpha))), single(alpha)
 
 
 def check_ateb():
