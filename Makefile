@@ -3,8 +3,9 @@
 #
 #   make run      build and run the examples, draw their figures        make bench   time everything
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
-#   make measurements   write docs/measurements.md     make figures   draw docs/figures     make data   reference tables
-#   make clean          remove build/
+#   make scan     millions of random arguments (minutes)                make data    write the reference tables anew
+#   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
+#   make clean    remove build/
 
 CC = cc
 CFLAGS = -O2
@@ -20,7 +21,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test lint bench measurements figures data clean
+.PHONY: run test scan lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -41,6 +42,13 @@ lint:
 
 bench: build/bench/double build/bench/float build/bench/pairs
 	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs
+
+# a campaign of minutes: millions of random arguments against quadruple precision (gcc with libquadmath)
+scan: build/command
+	@mkdir -p build/tests
+	$(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) tests/scan.c -o build/tests/scan -lquadmath -lm
+	$(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) -DVM_USE_FLOAT tests/scan.c -o build/tests/scan_float -lquadmath -lm
+	./build/tests/scan 500000 && ./build/tests/scan_float 500000
 
 measurements: $(TEST_PROGRAMS) build/bench/double build/bench/float build/bench/pairs
 	sh bench/measurements.sh build

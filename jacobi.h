@@ -32,11 +32,15 @@
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY AND COST, measured (make test, make bench; docs/measurements.md), inputs taken as exact
-     sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 (float 1e4). Relative error <= 8 ulp for
-                  |u| <= 100 K, at and next to the zeros too; towards m = 1 (and m = -infinity) it grows to
-                  3 K' ulp, K' = K max(1, k').
-     K, E         <= 4 ulp. solve_kpK: m to 8 eps max(1, |m|).
-     Cost in units of the C library's sin: K 3, E 6, sn+cn+dn 12 for |u| < K/2 and 15 beyond, solve_kpK 40.
+     sn, cn, dn   absolute error <= 5 eps max(1, k') for |u| <= 1e9 (float 1e4) and |u| < K/eps; beyond that u holds
+                  no phase, and sn = 0, cn = dn = 1. Relative error <= 16 ulp for |u| <= 100 K; towards m = 1 (and
+                  m = -infinity) 5 K' ulp, K' = K max(1, k').
+     the zeros    lie where K in two words puts them, to a relative error of 2^-101 (float 2^-43). This times |u| and
+                  the slope comes on top of the relative error: next to 100 K it is felt where u is nearer to the
+                  zero than a thousandth of its own ulp.
+     K, E         <= 5 ulp. solve_kpK: m to 8 eps max(1, |m|), m1 to 8 ulp.
+     Time         in units of the C library's sin: K 2 to 3, E 4 to 6, sn+cn+dn 10 to 14 for |u| < K/2 and 13 to 19
+                  beyond, solve_kpK 40 to 60.
 
    REFERENCES
      [1] DLMF, chapters 19 and 22, dlmf.nist.gov: 19.8 (AGM), 22.20 (sn, cn, dn by descending transformation).

@@ -44,9 +44,9 @@
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY, measured (make test; docs/measurements.md)
-     Momentum and angular momentum about any point are kept by the jumps to 3 and 6 eps of the sizes of their terms;
-     the constants of the oscillator are right to 8 eps, the amplitude laws to the second order in m' and b that
-     they neglect.
+     Jumps keep momentum to 3 eps and angular momentum about any point to 8 eps of the sizes of their terms, for any
+     ratio of masses and for thin bodies too, but for what VM_NULL_AXIS reports. The constants of the oscillator are
+     right to 8 eps; its amplitude laws neglect the second order of m' and b.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation. */
@@ -226,7 +226,7 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body);
    the parallel axes, velocity (24) and angular velocity (34) of what remains; its attitude is the whole's.
    external, where not NULL, acted during the instant. Exact in space: momentum and angular momentum of rest and
    part are those of the whole plus the impulse. Where the rest is a rod or a point the spin about its null axis
-   stays the whole's. */
+   stays the whole's; VM_NULL_AXIS says that there was angular momentum left which that axis cannot carry. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                        vm_body *rest);
 

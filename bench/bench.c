@@ -8,7 +8,7 @@
 #include <time.h>
 #include "../varmass.h"
 
-enum { COUNT = 2048, REPEATS = 31 };
+enum { COUNT = 2048, REPEATS = 15 };
 static vm_real arg[COUNT], parameter[COUNT];
 static volatile vm_real sink;
 
@@ -31,11 +31,18 @@ static double median(double *x)
     return x[REPEATS / 2];
 }
 
-static double once_ns(void (*body)(void), double calls)
+/* A call of body, from as many runs of it as take a millisecond and more */
+static double call_ns(void (*body)(void), double calls)
 {
-    double start = seconds();
-    body();
-    return (seconds() - start) / calls * 1e9;
+    double start, elapsed;
+    int run, runs = 1;
+    body(); /* warm up */
+    do {
+        for (start = seconds(), run = 0; run < runs; run++) body();
+        elapsed = seconds() - start;
+        runs *= 2;
+    } while (elapsed < 1e-3);
+    return elapsed / (runs / 2) / calls * 1e9;
 }
 
 /* Time of a call of body, and the median ratio to that of a call of the yardstick measured just before. */
@@ -44,10 +51,9 @@ static void print_ratio(const char *what, void (*body)(void), double calls, cons
 {
     double time[REPEATS], ratio[REPEATS];
     int i;
-    yardstick(), body(); /* warm up */
     for (i = 0; i < REPEATS; i++) {
-        double base = once_ns(yardstick, yardstick_calls);
-        time[i] = once_ns(body, calls);
+        double base = call_ns(yardstick, yardstick_calls);
+        time[i] = call_ns(body, calls);
         ratio[i] = time[i] / base;
     }
     printf("%-58s %8.1f ns %8.2f x %s\n", what, median(time), median(ratio), yardstick_name);
@@ -136,7 +142,7 @@ static void run_rk45(void)
 
 int main(void)
 {
-    printf("varmass, %s, median of %d runs of %d calls, random arguments\n\n",
+    printf("varmass, %s, medians of %d, %d random arguments\n\n",
            sizeof(vm_real) == 8 ? "double" : "float", REPEATS, COUNT);
     fill(-10, 10, 0, 1);
     print_function("sin(u), -10 < u < 10", run_sin);

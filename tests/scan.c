@@ -1,0 +1,176 @@
+/* Random arguments by the million against quadruple precision: the largest errors of jacobi.h and ateb.h, region by
+   region. For gcc with libquadmath; a campaign beside the tests, whose tables have fewer points but more digits.
+
+   usage: scan POINTS [SEED] */
+#include <quadmath.h>
+#include <stdlib.h>
+#include "../ateb.h"
+#include "../jacobi.h"
+#include "check.h"
+
+typedef __float128 quad;
+
+static const double eps = (double)VM_EPSILON;
+static const int is_float = PRECISION[0] == 'f';
+
+static double uniform48(double low, double high) { return low + (high - low) * drand48(); }
+static double log_uniform(double low, double high) { return pow(10, uniform48(low, high)); }
+static double ulps(vm_real got, quad exact)
+{
+    return (double)(fabsq((quad)got - exact) / (quad)ULP((double)exact));
+}
+
+/* ---- Jacobi: the AGM and Gauss' transformation ---- */
+
+static quad quarter_period(quad m1, quad *E)
+{
+    quad a = 1, b = sqrtq(m1), sum = (1 - m1) / 2, power = 0.5Q, K;
+    while (fabsq(a - b) > 1e-33Q * a) {
+        quad c = (a - b) / 2;
+        power *= 2, sum += power * c * c;
+        c = sqrtq(a * b), a = (a + b) / 2, b = c;
+    }
+    K = M_PI_2q / a;
+    *E = K * (1 - sum);
+    return K;
+}
+
+static void sncndn(quad u, quad m1, quad *sn, quad *cn, quad *dn)
+{
+    quad a[40], b[40], turns, s, c, d = 1, q = 1, K;
+    int n = 0;
+    a[0] = 1, b[0] = sqrtq(m1);
+    for (; fabsq(a[n] - b[n]) > 1e-33Q * a[n] && n < 38; n++)
+        a[n + 1] = (a[n] + b[n]) / 2, b[n + 1] = sqrtq(a[n] * b[n]);
+    K = M_PI_2q / a[n];
+    turns = rintq(u / (2 * K)), u -= 2 * K * turns;
+    s = sinq(a[n] * u), c = cosq(a[n] * u);
+    for (n--; n >= 0; n--) {
+        quad ra = a[n] / a[n + 1], rb = b[n] / a[n + 1], ss = s * s, cc = c * c;
+        s *= ra * q, c *= d, d = cc + rb * ss, q = cc + ra * ss;
+    }
+    if (fmodq(turns, 2) != 0) s = -s, c = -c;
+    *sn = s / q, *cn = c / q, *dn = d / q;
+}
+
+static void check_relative(const char *function, const char *region, double error, double period, double u,
+                           double m)
+{
+    error = fmax(error, 0);
+    if (period < 4) check_error(function, region, "ulp", error, 16, u, m);
+    else check_error(function, region, "ulp/K", error / period, 5, u, m);
+}
+
+static void scan_jacobi(const char *region, double m, double u)
+{
+    vm_real mr = (vm_real)m, ur = (vm_real)u, sn, cn, dn;
+    quad m1 = 1 - (quad)mr, s, c, d;
+    quad E, Kq = quarter_period(m1 > 0 ? m1 : 1, &E);
+    double K = (double)Kq, largest = fmax(1, sqrt((double)m1)), period = K * largest, moved;
+    if (m1 <= 0) return;
+    check_error("K", region, "ulp", ulps(jacobi_K(mr), Kq), 5, (double)mr, 0);
+    check_error("E", region, "ulp", ulps(jacobi_E(mr), E), 5, (double)mr, 0);
+    if (fabs((double)ur) * eps > K) return;
+    sncndn(ur, m1, &s, &c, &d);
+    jacobi_sncndn(ur, mr, &sn, &cn, &dn);
+    check_error("sn", region, "eps", (double)fabsq(sn - s) / eps, 5, (double)ur, (double)mr);
+    check_error("cn", region, "eps", (double)fabsq(cn - c) / eps, 5, (double)ur, (double)mr);
+    check_error("dn", region, "eps", (double)fabsq(dn - d) / eps / largest, 5, (double)ur, (double)mr);
+    if (fabs((double)ur) > 100 * K) return;
+    moved = 8 * eps * eps * fabs((double)ur) * largest;
+    check_relative("sn", region, ulps(sn, s) - moved / ULP((double)s), period, (double)ur, (double)mr);
+    check_relative("cn", region, ulps(cn, c) - moved / ULP((double)c), period, (double)ur, (double)mr);
+    check_relative("dn", region, ulps(dn, d), period, (double)ur, (double)mr);
+}
+
+/* ---- Ateb: the two series of ateb.h, Newton's method; unknown v = sa, or z = -ln |ca|^(alpha+1) ---- */
+
+static quad series_w(quad w, quad k)
+{
+    quad power = 1, sum = 1;
+    int n;
+    for (n = 0; n < 400 && fabsq(power) > 1e-36Q; n++) power *= w * (k + n) / (n + 1), sum += power / (2 * n + 3);
+    return sum;
+}
+
+static quad series_p(quad p, quad q)
+{
+    quad term = 1, sum = 1;
+    int n;
+    for (n = 0; n < 400 && term > 1e-36Q; n++) term *= p * (2 * q + n) / (1 + q + n), sum += term;
+    return sum;
+}
+
+static void saca(quad s, quad alpha, quad *sa, quad *ca, quad *pi)
+{
+    quad q = 1 / (1 + alpha), f = sqrtq(M_PIq) * tgammaq(1 + q) / tgammaq(q + 0.5Q), half = f / q / 2, j, rest, r,
+         d, v, u;
+    int i, quarter, odd;
+    *pi = 2 * half;
+    j = rintq(fabsq(s) / half), rest = fabsq(s) - j * half;
+    quarter = (int)fmodq(j, 4), odd = quarter & 1;
+    r = odd ? half - fabsq(rest) : fabsq(rest), d = odd ? fabsq(rest) : half - fabsq(rest);
+    if (r < 0.6Q) {
+        for (v = r * (1 - (1 - q) * r * r / 3), i = 0; i < 12; i++)
+            v += (r - v * series_w(v * v, 1 - q)) * powq(1 - v * v, 1 - q);
+        u = powq(1 - v * v, q);
+    } else {
+        quad y = 2 * q * d, z = d > 0 ? fmaxq(-logq(y) / q, 0.5Q) : 1000;
+        for (i = 0; i < 12 && z < 200; i++) {
+            quad S;
+            v = sqrtq(-expm1q(-z)), S = series_p(expq(-z) / (2 * (1 + v)), q);
+            z += v * S * (-q * z + logq(S) - logq(y)) / q;
+        }
+        v = sqrtq(-expm1q(-z)), u = z < 200 ? expq(-q * z) : y;
+    }
+    if (odd) u = rest > 0 ? -u : u;
+    else v = rest < 0 ? -v : v;
+    if (quarter & 2) v = -v, u = -u;
+    *sa = s < 0 ? -v : v, *ca = u;
+}
+
+static void scan_ateb(const char *region, double alpha, double s)
+{
+    const double pi_error = is_float ? 5.7e-14 : 2e-31;
+    vm_real ar = (vm_real)alpha, sr = (vm_real)s, sa, ca;
+    quad v, u, pi;
+    double moved;
+    saca(sr, ar, &v, &u, &pi);
+    ateb_saca(sr, ar, &sa, &ca);
+    check_error("sa", region, "eps", (double)fabsq(sa - v) / eps, 4, (double)sr, (double)ar);
+    check_error("ca", region, "eps", (double)fabsq(ca - u) / eps, 4, (double)sr, (double)ar);
+    check_error("Pi", region, "ulp", ulps(ateb_pi(ar), pi), 1, (double)ar, 0);
+    if (fabs((double)sr) > 100 * (double)pi) return;
+    moved = (pi_error + 1e-31) * fabs((double)sr); /* 1e-31: the reference's own */
+    check_error("sa", region, "ulp", fmax(0, ulps(sa, v) - moved / ULP((double)v)), 8, (double)sr, (double)ar);
+    check_error("ca", region, "ulp", fmax(0, ulps(ca, u) - 2 / (alpha + 1) * moved / ULP((double)u)), 8, (double)sr,
+                (double)ar);
+}
+
+int main(int argc, char **argv)
+{
+    const double largest = is_float ? 1e4 : 1e9;
+    long points = argc > 1 ? atol(argv[1]) : 100000, i;
+    srand48(argc > 2 ? atol(argv[2]) : 1);
+    for (i = 0; i < points; i++) {
+        double m = drand48(), K, alpha, half;
+        quad E;
+        scan_jacobi("|u| < 10", m, uniform48(-10, 10));
+        scan_jacobi("m < 0", -log_uniform(-4, 6), uniform48(-10, 10));
+        scan_jacobi("m near 1", 1 - log_uniform(-16, -1), uniform48(-100, 100));
+        scan_jacobi("|u| large", uniform48(-5, 1), uniform48(-largest, largest));
+        m = (double)(vm_real)(i % 2 ? m : 1 - log_uniform(-4, 4)), K = (double)quarter_period(1 - (quad)m, &E);
+        scan_jacobi("u near jK", m,
+                    K * floor(uniform48(1, 100)) * (1 + (is_float ? 1e-7 : 2e-16) * uniform48(-4, 4)));
+        if (i % 10) continue; /* the series are slow */
+        alpha = (double)(vm_real)log_uniform(-4, 6), half = (double)ateb_pi((vm_real)alpha) / 2;
+        scan_ateb("first quarter", alpha, uniform48(0, half));
+        scan_ateb("s < 3", alpha, uniform48(0, 3));
+        scan_ateb("alpha < 10", uniform48(0, 10), uniform48(-30, 30));
+        scan_ateb("|s| < 100 Pi", alpha, uniform48(-200, 200) * half);
+        scan_ateb("|s| large", alpha, uniform48(-largest, largest));
+        scan_ateb("s near j Pi/2", alpha,
+                  half * floor(uniform48(1, 200)) * (1 + (is_float ? 1e-7 : 2e-16) * uniform48(-4, 4)));
+    }
+    return check_finish("scan");
+}
