@@ -43,14 +43,12 @@ lint:
 bench: build/bench/double build/bench/float build/bench/pairs
 	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs
 
-# a campaign of minutes: millions of random arguments against quadruple precision (gcc with libquadmath)
-scan: build/command
-	@mkdir -p build/tests
-	$(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) tests/scan.c -o build/tests/scan -lquadmath -lm
-	$(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) -DVM_USE_FLOAT tests/scan.c -o build/tests/scan_float -lquadmath -lm
-	./build/tests/scan 500000 && ./build/tests/scan_float 500000
+# a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
+scan: build/tests/scan build/tests/scan_float
+	./build/tests/scan 500000
+	./build/tests/scan_float 500000
 
-measurements: $(TEST_PROGRAMS) build/bench/double build/bench/float build/bench/pairs
+measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float build/bench/double build/bench/float build/bench/pairs
 	sh bench/measurements.sh build
 
 figures: run
@@ -78,6 +76,12 @@ build/tests/contracted/%: tests/test_%.c $(TEST_FILES)
 
 build/tests/float/%: tests/test_%.c $(TEST_FILES)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+
+build/tests/scan: tests/scan.c $(TEST_FILES)
+	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) $< -o $@ -lquadmath -lm
+
+build/tests/scan_float: tests/scan.c $(TEST_FILES)
+	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) -DVM_USE_FLOAT $< -o $@ -lquadmath -lm
 
 build/examples/%: examples/%.c build/command examples/envelope.h examples/table5_data.h $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

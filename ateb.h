@@ -44,7 +44,7 @@
      ln |ca|^(alpha+1) from that of the complement, whose argument (1 - sa)/2 is at most 0.24. A step of Halley's
      method needs one series, a logarithm and an exponential; one or two do.
 
-   ACCURACY AND COST, measured (make test, make bench; docs/measurements.md), inputs taken as exact
+   ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
                   Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 4 ulp.
      the zeros    lie where Pi_alpha in two words puts them, to a relative error of 2^-102 (float 2^-44). This times
@@ -276,7 +276,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     t = vmi_two_plus(c, t);
     for (i = DEGREE - 1; i >= TWO_WORDS; i--) tail = high[i] + tail * t.hi;
     sum.hi = tail, sum.lo = 0;
-    for (i = TWO_WORDS - 1; i >= 0; i--) { /* the coefficient exceeds the rest: high words in two operations a step */
+    for (i = TWO_WORDS - 1; i >= 0;
+         i--) { /* the coefficient exceeds the rest: high words in two operations a step */
         vm_two p = vmi_two_product(sum.hi, t.hi);
         vm_real hi = high[i] + p.hi;
         sum.lo = (p.hi - (hi - high[i])) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low[i]);

@@ -31,14 +31,14 @@
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
 
-   ACCURACY AND COST, measured (make test, make bench; docs/measurements.md), inputs taken as exact
-     sn, cn, dn   absolute error <= 5 eps max(1, k') for |u| <= 1e9 (float 1e4) and |u| < K/eps; beyond that u holds
+   ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
+     sn, cn, dn   absolute error <= 7 eps max(1, k') for |u| <= 1e9 (float 1e4) and |u| < K/eps; beyond that u holds
                   no phase, and sn = 0, cn = dn = 1. Relative error <= 16 ulp for |u| <= 100 K; towards m = 1 (and
                   m = -infinity) 5 K' ulp, K' = K max(1, k').
      the zeros    lie where K in two words puts them, to a relative error of 2^-101 (float 2^-43). This times |u| and
                   the slope comes on top of the relative error: next to 100 K it is felt where u is nearer to the
                   zero than a thousandth of its own ulp.
-     K, E         <= 5 ulp. solve_kpK: m to 8 eps max(1, |m|), m1 to 8 ulp.
+     K, E         <= 5 ulp, <= 6 ulp. solve_kpK: m to 8 eps max(1, |m|), m1 to 8 ulp.
      Time         in units of the C library's sin: K 2 to 3, E 4 to 6, sn+cn+dn 10 to 14 for |u| < K/2 and 13 to 19
                   beyond, solve_kpK 40 to 60.
 

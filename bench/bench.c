@@ -142,8 +142,8 @@ static void run_rk45(void)
 
 int main(void)
 {
-    printf("varmass, %s, medians of %d, %d random arguments\n\n",
-           sizeof(vm_real) == 8 ? "double" : "float", REPEATS, COUNT);
+    printf("varmass, %s, medians of %d, %d random arguments\n\n", sizeof(vm_real) == 8 ? "double" : "float",
+           REPEATS, COUNT);
     fill(-10, 10, 0, 1);
     print_function("sin(u), -10 < u < 10", run_sin);
     print_function("jacobi_K(m), 0 < m < 1", run_K);

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Write docs/measurements.md from what the test and bench programs print, on the machine at hand.
+# Write docs/measurements.md from what the test and bench programs print, on the machine at hand; some minutes.
 # usage: measurements.sh BUILD_FOLDER, from the top of the project
 build=$1
 block() { printf '```\n'; cat; printf '```\n\n'; }
 {
     printf '# Measurements\n\n'
-    printf 'Written by `make measurements` from the output of `make test` and `make bench`.\n\n'
+    printf 'Written by `make measurements`: what `make test`, `make scan` and `make bench` print.\n\n'
     printf '## Accuracy\n\n'
     printf 'Worst errors over the stored arbitrary-precision tables (inputs taken as exact), identities and random bodies.\n'
     printf 'eps: of the type, times the function'"'"'s largest value; ulp: of the true value; ulp/K: that divided by\n'
@@ -15,6 +15,9 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
             "$build/tests/$precision/$program" | block
         done
     done
+    printf '## Random arguments against quadruple precision\n\n'
+    "$build/tests/scan" 500000 | block
+    "$build/tests/scan_float" 500000 | block
     printf '## Time\n\n%s, %s\n\n' "$(awk -F': ' '/model name/ {print $2; exit}' /proc/cpuinfo)" "$(cc --version | head -n 1)"
     "$build/bench/double" | block
     "$build/bench/float" | block

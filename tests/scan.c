@@ -69,13 +69,13 @@ static void scan_jacobi(const char *region, double m, double u)
     double K = (double)Kq, largest = fmax(1, sqrt((double)m1)), period = K * largest, moved;
     if (m1 <= 0) return;
     check_error("K", region, "ulp", ulps(jacobi_K(mr), Kq), 5, (double)mr, 0);
-    check_error("E", region, "ulp", ulps(jacobi_E(mr), E), 5, (double)mr, 0);
+    check_error("E", region, "ulp", ulps(jacobi_E(mr), E), 6, (double)mr, 0);
     if (fabs((double)ur) * eps > K) return;
     sncndn(ur, m1, &s, &c, &d);
     jacobi_sncndn(ur, mr, &sn, &cn, &dn);
-    check_error("sn", region, "eps", (double)fabsq(sn - s) / eps, 5, (double)ur, (double)mr);
-    check_error("cn", region, "eps", (double)fabsq(cn - c) / eps, 5, (double)ur, (double)mr);
-    check_error("dn", region, "eps", (double)fabsq(dn - d) / eps / largest, 5, (double)ur, (double)mr);
+    check_error("sn", region, "eps", (double)fabsq(sn - s) / eps, 7, (double)ur, (double)mr);
+    check_error("cn", region, "eps", (double)fabsq(cn - c) / eps, 7, (double)ur, (double)mr);
+    check_error("dn", region, "eps", (double)fabsq(dn - d) / eps / largest, 7, (double)ur, (double)mr);
     if (fabs((double)ur) > 100 * K) return;
     moved = 8 * eps * eps * fabs((double)ur) * largest;
     check_relative("sn", region, ulps(sn, s) - moved / ULP((double)s), period, (double)ur, (double)mr);
