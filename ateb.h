@@ -276,8 +276,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     t = vmi_two_plus(c, t);
     for (i = DEGREE - 1; i >= TWO_WORDS; i--) tail = high[i] + tail * t.hi;
     sum.hi = tail, sum.lo = 0;
-    for (i = TWO_WORDS - 1; i >= 0;
-         i--) { /* the coefficient exceeds the rest: high words in two operations a step */
+    /* each coefficient exceeds what follows, so that the high words take two operations a step */
+    for (i = TWO_WORDS - 1; i >= 0; i--) {
         vm_two p = vmi_two_product(sum.hi, t.hi);
         vm_real hi = high[i] + p.hi;
         sum.lo = (p.hi - (hi - high[i])) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low[i]);
@@ -408,13 +408,14 @@ VM_API vm_real vmi_ateb_guess_x(vm_real X, vm_real q)
     return X * (1 + (b - e1) * X) / (1 + b * X);
 }
 
-/* sa, ca for r >= 0.55: Halley's steps for ln x, which neither underflows nor loses digits for large alpha, with the
-   residual E = (2 q d - ca (1 + q T))/q taken from r or from d, whichever is the smaller: d/dlnx of the left side's
-   q d is q ca/(2 sa). ca follows from d, with T moved along to the last x. */
+/* sa, ca for r >= 0.55: Halley's steps for ln x, which neither underflows nor loses digits for large alpha. The
+   residual E = (2 q d - ca (1 + q T))/q, whose slope is that of 2 d, ca/sa, is taken from r or from d, whichever is
+   smaller. ca follows from d, with T moved along to the last x. */
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
-    const vm_real q = c->q, z = 2 * r - c->g;                                          /* 2 q d = 1 - q z */
+    const vm_real q = c->q;
+    const vm_real z = 2 * r - c->g; /* 2 q d = 1 - q z */
     const int from_r = r < d;
     const vm_real y = from_r ? 1 - q * z : 2 * q * d;
     const vm_real ln_X = (from_r ? vmi_log1p(-q * z) : VM_LOG(y)) * c->n;

@@ -439,9 +439,10 @@ VM_API int vmi_rk45_prepare(rk45 *s, vm_real t_end)
     s->t_old = s->t;
     if (longest > s->options.h_max) longest = s->options.h_max;
     if (s->h == 0) status = vmi_rk45_first_step(s, direction, longest);
+    if (status) return status;
     s->h = VM_FABS(s->h) > vmi_rk45_least(s) ? VM_FABS(s->h) : vmi_rk45_least(s);
     s->h *= direction;
-    return status;
+    return ODE_OK;
 }
 
 /* ---- rk45: one step ----------------------------------------------------------------------------------------- */

@@ -441,7 +441,7 @@ VM_API vm_real vmi_solve_step(vm_real y, vm_real c, int negative)
 }
 
 /* k' with k' K = c, c > 0: for c >= pi/2 (m <= 0) the unknown is y = 1/k' and K1(y) = c, else y = k' and
-   y K1(y) = c. Either function is monotone and convex enough in ln y for 3 to 5 steps from these starts. */
+   y K1(y) = c. Either function is monotone and convex enough in ln y: from these starts one to four steps do. */
 VM_API vm_real vmi_solve_kp(vm_real c)
 {
     const vm_real ln8 = VM_C(2.079441541679835928252), small = VM_SQRT(VM_EPSILON) / 16;

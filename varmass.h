@@ -572,7 +572,7 @@ VM_API int vmi_jump_translation(const vm_body *body, const vm_body *other, vm_re
     b->mass = body->mass + sign * other->mass;
     if (!(b->mass > 0)) return VM_BAD_MASS;
     if (external) momentum = vmi_add(momentum, external->linear);
-    b->v = vmi_scale(1 / b->mass, momentum);
+    b->v = vmi_vec3(momentum.x / b->mass, momentum.y / b->mass, momentum.z / b->mass);
     b->r = vmi_add(body->r, vmi_scale(sign * other->mass / b->mass, vmi_sub(other->r, body->r)));
     return VM_OK;
 }
