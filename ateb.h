@@ -298,7 +298,7 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi/2 */
 } vmi_ateb;
 
-/* g(q) = (f(q) - 1)/q for small q, by its Taylor series; off by q^4/2 */
+/* g(q) = (f(q) - 1)/q for small q, by its Taylor series; off by q^3/2 */
 VM_API vm_two vmi_ateb_g(vm_real q)
 {
     const vm_real two_ln2 = VM_C(1.386294361119890618835);
@@ -307,8 +307,7 @@ VM_API vm_two vmi_ateb_g(vm_real q)
 #else
     const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
 #endif
-    vm_real rest = VM_C(0.5677838543520556957) - q * VM_C(0.5291548571651465401);
-    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * rest));
+    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
 }
 
 /* Pi = (alpha + 1) f(q) = (alpha + 1) + g exactly. Where q is small g is known better than f, and so, as an error

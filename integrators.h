@@ -183,8 +183,10 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 
 enum {
     ODE_OK = 0,
-    ODE_RTOL_RAISED = 1,     /* rk45_init: rtol was less than the type can hold, 16 eps is used */
-    ODE_BAD_ARGUMENT = -1,   /* n <= 0, a null pointer, no tolerance at all, a time or state that is not finite */
+    ODE_RTOL_RAISED = 1, /* rk45_init: rtol was less than the type can hold, 16 eps is used */
+    ODE_BAD_ARGUMENT =
+        -1, /* n or steps <= 0, a null pointer, a component without tolerance, h_min < 0 or above h_max,
+                                a time, state or option that is not finite, a time outside the last step */
     ODE_RHS_STOPPED = -2,    /* f returned something else than 0 */
     ODE_NOT_FINITE = -3,     /* f or the state became infinite or NaN, however short the step */
     ODE_STEP_TOO_SMALL = -4, /* the tolerance asks for a step below h_min, or below what t can resolve */
@@ -342,7 +344,7 @@ VM_API int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_
     vm_real rtol = options_or_NULL ? options_or_NULL->rtol : 0;
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0)) return ODE_BAD_ARGUMENT;
     if (!VM_IS_FINITE(o.rtol) || !VM_IS_FINITE(o.atol) || !vmi_rk45_tolerances_good(&o, n)) return ODE_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(o.h0) || !(o.h_min >= 0) || !(o.h_max > o.h_min)) return ODE_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(o.h0) || !(o.h_min >= 0) || !(o.h_max >= o.h_min) || !(o.h_max > 0)) return ODE_BAD_ARGUMENT;
     s->f = f, s->ctx = ctx, s->n = n, s->options = o, s->work = work;
     s->t = s->t_old = t0;
     s->y = work;
@@ -424,7 +426,7 @@ VM_API vm_real vmi_rk45_least(const rk45 *s)
     return least > s->options.h_min ? least : s->options.h_min;
 }
 
-/* k_1, and a first step that is not too short to be tried */
+/* k_1, and a step that is not too short to be tried */
 VM_API int vmi_rk45_prepare(rk45 *s, vm_real t_end)
 {
     vm_real longest = VM_FABS(t_end - s->t), direction = t_end < s->t ? -1 : 1, *k1 = vmi_rk45_work(s, VMI_K1);

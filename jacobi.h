@@ -26,7 +26,6 @@
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
-     VM_TABLE             storage of the tables, default static const
      VM_SQRT, VM_SIN ...  the functions of the C library that are used (all of them, if any)
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
@@ -234,7 +233,8 @@ VM_API vm_real vmi_agm_sum(const vmi_ladder *l)
    carried up the ladder to first order. m1_lo is the low word of m1 = b_0^2. Relative error < 2^-(2p - 5). */
 VM_API vm_two vmi_agm_two_words(const vmi_ladder *l, vm_real m1, vm_real m1_lo)
 {
-    const vm_real unit = m1 < VM_EPSILON ? 1 / (VM_EPSILON * VM_EPSILON) : 1; /* keeps b_0^2 from underflowing */
+    const vm_real large = 1 / (VM_EPSILON * VM_EPSILON), small = VM_EPSILON * VM_EPSILON;
+    const vm_real unit = m1 < small ? large : m1 > large ? small : 1; /* keeps b_0^2 from under- and overflow */
     const vm_real b0 = unit * l->b[0];
     vm_two p = vmi_two_product(b0, b0);
     vm_real al = 0, bl = ((m1 * unit * unit - p.hi) - p.lo + m1_lo * unit * unit) / (2 * b0) / unit, c = l->c;

@@ -22,7 +22,7 @@ for header in jacobi ateb integrators varmass; do
     printf '#include "%s.h"\n' $header | tee "$build/$header.c" >"$build/$header.cpp"
 done
 for compiler in gcc clang; do
-    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; continue; }
+    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; failed=$((failed + 1)); continue; }
     for precision in "" -DVM_USE_FLOAT; do
         for standard in c99 c11 c17; do
             for header in jacobi ateb integrators varmass; do
@@ -42,7 +42,7 @@ for compiler in gcc clang; do
     fi
 done
 for compiler in g++ clang++; do
-    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; continue; }
+    command -v $compiler >/dev/null || { echo "lint: no $compiler here"; failed=$((failed + 1)); continue; }
     for precision in "" -DVM_USE_FLOAT; do
         for standard in c++11 c++17; do
             for header in jacobi ateb integrators varmass; do

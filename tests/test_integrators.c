@@ -64,6 +64,13 @@ static double rk4_error(long steps)
     return fmax(fabs((double)y[0] - cos(2.)), fmax(fabs((double)y[1] - sin(2.)), fabs((double)y[2] - exp(-2.))));
 }
 
+static double rk4_error_of_time(long steps)
+{
+    vm_real y[1] = {1}, work[RK4_WORK(1)], t = 0;
+    CHECK(rk4_solve(time_rhs, NULL, 1, &t, 1, steps, y, work) == ODE_OK);
+    return fabs((double)y[0] - exp(1.));
+}
+
 /* steps of fixed size h, because no error is ever too large; *inside is the error in the middle of the last step */
 static double rk45_error(vm_real h, double *inside)
 {
@@ -92,6 +99,7 @@ static void test_orders(void)
     double a, b, inside_a, inside_b;
     if (is_float) return; /* in float rounding hides them */
     check_order("rk4", log2(rk4_error(40) / rk4_error(80)), 4, 0.1);
+    check_order("rk4, f of t", log2(rk4_error_of_time(40) / rk4_error_of_time(80)), 4, 0.2);
     a = rk45_error(0.125, &inside_a), b = rk45_error(0.0625, &inside_b);
     check_order("rk45", log2(a / b), 5, 0.3);
     check_order("rk45_interpolate (local error)", log2(inside_a / inside_b), 5, 0.5);
@@ -157,9 +165,31 @@ static void test_interpolation(void)
     CHECK(rk45_interpolate(&s, s.t + 1, &y) == ODE_BAD_ARGUMENT && y == before);
     CHECK(rk45_interpolate(&s, s.t_old - 1, &y) == ODE_BAD_ARGUMENT && y == before);
     CHECK(rk45_interpolate(&s, VM_NAN, &y) == ODE_BAD_ARGUMENT && y == before);
+    CHECK(rk45_restart(&s, VM_NAN, &y) == ODE_BAD_ARGUMENT && rk45_restart(&s, 0, NULL) == ODE_BAD_ARGUMENT);
+    y = VM_NAN;
+    CHECK(rk45_restart(&s, 0, &y) == ODE_BAD_ARGUMENT && rk45_restart(NULL, 0, &y) == ODE_BAD_ARGUMENT);
+    CHECK(s.t >= 1 && s.y[0] == before);
     y = 2;
     CHECK(rk45_restart(&s, s.t, &y) == ODE_OK && s.y[0] == 2 && s.t_old == s.t);
     CHECK(rk45_step(&s) == ODE_OK && s.y[0] > 2 && rk45_interpolate(&s, s.t_old, &y) == ODE_OK && y == 2);
+    { /* the first step after a restart is that of a run that starts there, with the same step size */
+        vm_real start = 3, other_work[RK45_WORK(1)];
+        rk45 fresh;
+        CHECK(rk45_restart(&s, R(0.5), &start) == ODE_OK);
+        o.h0 = s.h;
+        CHECK(rk45_init(&fresh, time_rhs, NULL, 1, R(0.5), &start, &o, other_work) == ODE_OK);
+        CHECK(rk45_step(&s) == ODE_OK && rk45_step(&fresh) == ODE_OK && s.t == fresh.t && s.y[0] == fresh.y[0]);
+    }
+    { /* backward */
+        vm_real middle;
+        CHECK(rk45_solve(&s, R(-0.5)) == ODE_OK && s.t_old > s.t);
+        middle = s.t + (s.t_old - s.t) / 2;
+        CHECK(rk45_interpolate(&s, middle, &y) == ODE_OK &&
+              rk45_interpolate(&s, s.t - 1, &before) == ODE_BAD_ARGUMENT);
+        check_error("interpolate", "backward", "tol",
+                    fabs((double)y / (double)s.y[0] / exp((double)(middle * middle - s.t * s.t)) - 1) / tol, 30,
+                    (double)middle, tol);
+    }
 }
 
 /* ---- step size control ---- */
@@ -221,6 +251,13 @@ static int refusing_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return t > 1 ? -3 : 0;
 }
 
+static int growing_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t, (void)y, (void)ctx;
+    dydt[0] = VM_MAX / 100;
+    return 0;
+}
+
 /* An interval in which no step can be short enough ends with a status, not in a loop. */
 static void test_unresolvable(void)
 {
@@ -238,6 +275,15 @@ static void test_unresolvable(void)
     CHECK(rk45_init(&s, refusing_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK &&
           rk45_solve(&s, 2) == ODE_RHS_STOPPED);
     CHECK(s.rhs_status == -3 && s.t <= 1);
+    CHECK(rk45_init(&s, refusing_rhs, NULL, 1, R(0.9999), y0, NULL, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
+    CHECK(rk45_init(&s, growing_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK && rk45_solve(&s, 1000) < 0);
+    CHECK(VM_IS_FINITE(s.y[0]) && s.t > 20 && s.t < 101); /* the state would be infinite, its derivative is not */
+    rate = R(1e6), o.max_steps = 7, o.h0 = 1;
+    CHECK(rk45_init(&s, stiff_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 10) == ODE_MAX_STEPS);
+    CHECK(s.rejected > 0 && s.steps + s.rejected == 7);
+    o.h0 = R(1e-6), rate = R(1e-3), o.max_steps = 0; /* a step is at most ten times the one before */
+    CHECK(rk45_init(&s, stiff_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_step(&s) == ODE_OK);
+    CHECK(fabs((double)(s.h / o.h0) - 10) < 1e-5);
 }
 
 /* ---- how runs end ---- */
@@ -272,6 +318,11 @@ static void test_refusals(void)
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
     bad[1] = -1;
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
+    bad[1] = 1, o.h_min = 1, o.h_max = R(0.5);
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
+    o.h_min = o.h_max = 0, o.atol_each = NULL, o.atol = VM_INFINITY;
+    REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
+    o.atol = 0, o.atol_each = bad;
     bad[1] = 0, o.rtol = -1; /* no tolerance for one component */
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
     CHECK(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, NULL, work) == ODE_OK);
@@ -309,7 +360,7 @@ static void test_tolerances(void)
     vm_real y0[1] = {1}, work[RK45_WORK(1)], each[1] = {R(1e-3)};
     rk45_options o = rk45_defaults(NULL);
     rk45 s;
-    CHECK(o.rtol == (is_float ? R(1e-4) : R(1e-6)) && o.atol > 0 && o.max_steps > 0 && o.h_max > 0);
+    CHECK(o.rtol == (is_float ? R(1e-4) : R(1e-6)) && o.atol == o.rtol * R(1e-3) && o.max_steps > 0 && o.h_max > 0);
     o.rtol = R(eps); /* below what the type holds: raised, said, and reached */
     o.atol = -1;
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_RTOL_RAISED && ODE_RTOL_RAISED > 0);

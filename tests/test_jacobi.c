@@ -108,6 +108,22 @@ static void test_closed_forms(void)
     check_error("E(0) = pi/2", "m = 0", "ulp", ERROR_ULP(jacobi_E(0), (double)(VM_PI / 2), 0), 1, 0, 0);
 }
 
+static void test_solver_table(void)
+{
+    static const struct {
+        double c, m1, m1_low, m, m_low;
+    } table[] = {
+#include "data/solver_table.h"
+    };
+    size_t i;
+    for (i = 0; i < sizeof table / sizeof *table; i++) {
+        vm_real m = jacobi_solve_kpK((vm_real)table[i].c), m1 = jacobi_solve_kpK_m1((vm_real)table[i].c);
+        check_error("solve_kpK_m1", "table", "ulp", ERROR_ULP(m1, table[i].m1, table[i].m1_low), 4, table[i].c, 0);
+        check_error("solve_kpK", "table", "eps",
+                    ERROR_EPS(m, table[i].m, table[i].m_low, fmax(1, fabs(table[i].m))), 6, table[i].c, 0);
+    }
+}
+
 static void test_solver(void)
 {
     double c;
@@ -156,7 +172,27 @@ static void test_domain(void)
     }
     CHECK(jacobi_solve_kpK(-ok) != jacobi_solve_kpK(-ok) &&
           jacobi_solve_kpK(VM_INFINITY) != jacobi_solve_kpK(VM_INFINITY));
+    CHECK(isnan(jacobi_solve_kpK_m1(VM_INFINITY)) && isnan(jacobi_solve_kpK_m1(-ok)) &&
+          isnan(jacobi_solve_kpK(VM_NAN)));
+    CHECK(isnan(jacobi_K_m1(-ok)) && isnan(jacobi_K_m1(VM_INFINITY)) && isnan(jacobi_E_m1(-ok)) &&
+          isnan(jacobi_E_m1(VM_NAN)));
+    jacobi_sncndn_m1(ok, -ok, &sn, &cn, &dn);
+    CHECK(sn != sn && cn != cn && dn != dn);
+    jacobi_sncndn_m1(ok, VM_INFINITY, &sn, &cn, &dn);
+    CHECK(sn != sn && cn != cn && dn != dn);
     CHECK(jacobi_K(1) == VM_INFINITY && jacobi_E(1) == 1);
+    jacobi_sncndn(jacobi_K(ok) * 2 / VM_EPSILON, ok, &sn, &cn,
+                  &dn); /* from K/eps on there is no phase, before there is */
+    CHECK(sn == 0 && cn == 1 && dn == 1);
+    jacobi_sncndn(jacobi_K(ok) / 7 / VM_EPSILON, ok, &sn, &cn, &dn);
+    CHECK(sn != 0);
+    for (i = 0; i < 20; i++) { /* the largest |m| and periods about it */
+        vm_real m = -largest * (1 - (vm_real)i * VM_EPSILON), root = VM_SQRT(largest);
+        jacobi_sncndn(jacobi_K(m) * (vm_real)(0.3 + 0.35 * i), m, &sn, &cn, &dn);
+        check_error("dn^2/m1-sn^2", "m = -VM_MAX", "eps",
+                    ERROR_EPS(dn / root * (dn / root), (double)(sn * sn), 0, 1), 16, i, 0);
+        check_error("sn^2+cn^2-1", "m = -VM_MAX", "eps", ERROR_EPS(sn * sn + cn * cn, 1, 0, 1), 12, i, 0);
+    }
     jacobi_sncndn(0, ok, &sn, &cn, &dn);
     CHECK(sn == 0 && cn == 1 && dn == 1);
     jacobi_sncndn(-(vm_real)0, ok, &sn, &cn, &dn);
@@ -187,6 +223,7 @@ int main(void)
     test_identities();
     test_closed_forms();
     test_solver();
+    test_solver_table();
     test_domain();
     return check_finish("jacobi.h");
 }
