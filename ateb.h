@@ -51,7 +51,8 @@
                   |s| and the slope comes on top of the relative error: next to 100 Pi_alpha it is felt where s is
                   nearer to the zero than a thousandth of its own ulp.
      Pi_alpha     <= 1 ulp.
-     Time         Pi_alpha 20 to 25 times the C library's sin, sa+ca 30 to 50 times, Pi_alpha included.
+     Time         in units of the C library's sin (float: sinf), which vary by up to 2 on one machine: Pi_alpha 21 (29),
+                  sa+ca 40 to 50 (45 to 62), Pi_alpha included.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in

@@ -48,7 +48,8 @@
    Names that begin with vmi_ or VMI_ are internal.
 
    COST, measured (make bench; docs/measurements.md)
-     rk4_solve takes 1.01 times a hand-written loop where f is static and n a constant that the compiler sees.
+     rk4_solve takes 1.01 times a hand-written loop where f is static and n a constant that the compiler sees; an
+     evaluation by rk45_solve takes 5 times one of that loop.
 
    REFERENCES
      [1] Ch. Tsitouras, Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption,

@@ -38,8 +38,8 @@
                   the slope comes on top of the relative error: next to 100 K it is felt where u is nearer to the
                   zero than a thousandth of its own ulp.
      K, E         <= 5 ulp, <= 6 ulp. solve_kpK: m to 8 eps max(1, |m|), m1 to 8 ulp.
-     Time         in units of the C library's sin: K 2 to 3, E 4 to 6, sn+cn+dn 10 to 14 for |u| < K/2 and 13 to 19
-                  beyond, solve_kpK 40 to 60.
+     Time         in units of the C library's sin (float: sinf), which vary by up to 2 on one machine: K 3 (3), E 5.5
+                  (6.5), sn+cn+dn 13 (12) for |u| < K/2 and 19 (25) beyond, solve_kpK 58 (70).
 
    REFERENCES
      [1] DLMF, chapters 19 and 22, dlmf.nist.gov: 19.8 (AGM), 22.20 (sn, cn, dn by descending transformation).

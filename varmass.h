@@ -552,20 +552,22 @@ VM_API vm_inertia vmi_jump_inertia(const vm_body *body, const vm_body *other, vm
     return vmi_inertia_plus(i, share * body->mass, moved);
 }
 
-/* I1 omega1, inertial axes, and the size of its terms */
-VM_API vm_vec3 vmi_jump_spin_momentum(const vm_body *body, const vm_body *other, vm_real sign, vm_vec3 v1,
-                                      const vm_impulse *external, vm_real *size)
+/* |I omega| + |r| |M v|, what rounding errors of the angular momentum about the origin go by */
+VM_API vm_real vmi_angular_size(const vm_body *b)
 {
-    vm_vec3 own = vmi_spin_momentum(body), others = vmi_spin_momentum(other), h, moment;
-    vm_vec3 d = vmi_sub(other->r, body->r), relative = vmi_scale(other->mass, vmi_sub(v1, other->v));
-    h = vmi_add(own, vmi_scale(sign, vmi_sub(others, vmi_cross(d, relative))));
-    *size = vmi_size(own) + vmi_size(others) +
-            (vmi_size(d) + vmi_size(body->r) + vmi_size(other->r)) * vmi_size(relative);
+    return vmi_size(vmi_spin_momentum(b)) + vmi_size(b->r) * vmi_size(vm_momentum(b));
+}
+
+/* I1 omega1, inertial axes, of the result b, whose translation is known */
+VM_API vm_vec3 vmi_jump_spin_momentum(const vm_body *body, const vm_body *other, vm_real sign,
+                                      const vm_impulse *external, const vm_body *b)
+{
+    vm_vec3 d = vmi_sub(other->r, body->r), relative = vmi_scale(other->mass, vmi_sub(b->v, other->v)), h;
+    h = vmi_add(vmi_spin_momentum(body),
+                vmi_scale(sign, vmi_sub(vmi_spin_momentum(other), vmi_cross(d, relative))));
     if (!external) return h;
     d = vmi_sub(external->at, body->r);
-    moment = vmi_add(external->couple, vmi_cross(d, external->linear));
-    *size += vmi_size(external->couple) + vmi_size(d) * vmi_size(external->linear);
-    return vmi_add(h, moment);
+    return vmi_add(h, vmi_add(external->couple, vmi_cross(d, external->linear)));
 }
 
 /* Mass, mass centre and momentum */
@@ -584,7 +586,7 @@ VM_API int vmi_jump_translation(const vm_body *body, const vm_body *other, vm_re
 VM_API int vmi_jump(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external,
                     vm_body *result)
 {
-    vm_real size;
+    vm_real noise;
     vm_vec3 h;
     vm_inertia sizes;
     vmi_mat3 turn;
@@ -602,9 +604,10 @@ VM_API int vmi_jump(const vm_body *body, const vm_body *other, vm_real sign, con
     if (!vmi_possible(&p, vmi_slack(&sizes))) return VM_BAD_INERTIA;
     if (vmi_settle(&p, &sizes)) b.inertia = vmi_inertia_from(&p);
     turn = vmi_rotation(body->q);
-    h = vmi_times_transposed(&turn, vmi_jump_spin_momentum(body, other, sign, b.v, external, &size));
-    status = vmi_solve_spin(&b.inertia, &p, h, 8 * VM_EPSILON * size, vmi_times_transposed(&turn, body->omega),
-                            &b.omega)
+    noise = 8 * VM_EPSILON *
+            (vmi_angular_size(body) + vmi_angular_size(other) + vmi_size(b.r) * vmi_size(vm_momentum(&b)));
+    h = vmi_times_transposed(&turn, vmi_jump_spin_momentum(body, other, sign, external, &b));
+    status = vmi_solve_spin(&b.inertia, &p, h, noise, vmi_times_transposed(&turn, body->omega), &b.omega)
                  ? VM_NULL_AXIS
                  : VM_OK;
     b.omega = vmi_times(&turn, b.omega);
