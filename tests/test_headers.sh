@@ -1,6 +1,6 @@
 #!/bin/sh
 # What the headers are as files: each compiles alone, both precisions fit into one program, the shared block is the
-# same everywhere, nothing but a few functions of the C library is needed, nothing is writable.
+# same everywhere, nothing but a few functions of the C library is needed, nothing is writable, the examples run.
 # usage: CC=compiler test_headers.sh BUILD_FOLDER, from the top of the project
 cc=${CC:-cc} build=$1/headers
 passed=0 failed=0
@@ -33,6 +33,10 @@ imports() { # imports HEADER OPTIONS... : only the libm functions named in allow
     [ -z "$undefined$writable" ]
 }
 
+# the example in a header's manual, and the one in the README
+manual_example() { awk '/^       #include/ {on = 1} on && !/^       / {exit} on {print substr($0, 8)}' "$1"; }
+readme_example() { awk '/^```c$/ {on = 1; next} /^```$/ {on = 0} on' README.md; }
+
 for header in jacobi ateb integrators; do
     mkdir "$build/$header"
     cp $header.h "$build/$header"
@@ -54,5 +58,15 @@ for header in jacobi ateb integrators varmass; do
 done
 check "float and double in one program: builds" $cc -std=c99 -O2 tests/mixed_double.c tests/mixed_float.c -o "$build/mixed" -lm
 check "float and double in one program: agrees" "$build/mixed"
+for header in jacobi ateb integrators varmass; do
+    manual_example $header.h >"$build/$header.c"
+    check "$header.h: the manual's example builds" $cc -std=c99 -I. "$build/$header.c" -o "$build/$header.example" -lm
+    check "$header.h: the manual's example runs" "$build/$header.example"
+done
+readme_example >"$build/readme.c"
+check "the README's example builds" $cc -std=c99 -I. "$build/readme.c" -o "$build/readme.example" -lm
+"$build/readme.example" | sed 's/^/    /' >"$build/readme.output"
+check "the README's example prints what it says" sh -c 'grep -Fqf "$1" README.md && [ $(grep -cFf "$1" README.md) = 2 ]' sh \
+    "$build/readme.output"
 echo "headers: $passed passed, $failed failed, 0 skipped"
 [ $failed = 0 ]
