@@ -360,7 +360,8 @@ static void test_tolerances(void)
     vm_real y0[1] = {1}, work[RK45_WORK(1)], each[1] = {R(1e-3)};
     rk45_options o = rk45_defaults(NULL);
     rk45 s;
-    CHECK(o.rtol == (is_float ? R(1e-4) : R(1e-6)) && o.atol == o.rtol * R(1e-3) && o.max_steps > 0 && o.h_max > 0);
+    CHECK(o.rtol == (is_float ? R(1e-4) : R(1e-6)) && fabs((double)(o.atol / o.rtol) - 1e-3) < 1e-9 &&
+          o.max_steps > 0 && o.h_max > 0);
     o.rtol = R(eps); /* below what the type holds: raised, said, and reached */
     o.atol = -1;
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_RTOL_RAISED && ODE_RTOL_RAISED > 0);
@@ -394,9 +395,19 @@ static void test_endings(void)
                     (double)at, k);
         CHECK(fabs((double)at - 0.9) < 1e-6);
     }
-    w.at = -1; /* at once */
+    w.at = -1; /* at once: NaN, then a refusal; and a refusal at the probe of the first step, and within a step */
     CHECK(rk45_init(&s, wall_rhs, &w, 1, 0, y0, NULL, work) == ODE_OK && rk45_step(&s) == ODE_NOT_FINITE);
     CHECK(s.t == 0 && s.y[0] == 1 && s.steps == 0);
+    w.use_nan = 0;
+    CHECK(rk45_init(&s, wall_rhs, &w, 1, 0, y0, NULL, work) == ODE_OK && rk45_step(&s) == ODE_RHS_STOPPED);
+    w.at = R(1e-12);
+    CHECK(rk45_init(&s, wall_rhs, &w, 1, 0, y0, NULL, work) == ODE_OK && rk45_step(&s) == ODE_RHS_STOPPED);
+    for (w.at = R(0.001); w.at < R(0.1); w.at += R(0.004)) {
+        o.h0 = R(0.1);
+        CHECK(rk45_init(&s, wall_rhs, &w, 1, 0, y0, &o, work) == ODE_OK && rk45_step(&s) == ODE_RHS_STOPPED &&
+              s.t == 0);
+    }
+    o.h0 = 0;
 
     CHECK(rk45_init(&s, blow_up_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK);
     k = rk45_solve(&s, 2);

@@ -53,6 +53,10 @@ static void check_complete(const jacobi_row *row)
     vm_real E = row->complement ? jacobi_E_m1(m) : jacobi_E(m);
     if (isfinite(row->K)) check_error("K", row->region, "ulp", ERROR_ULP(K, row->K, row->K_low), 5, row->m, 0);
     else CHECK(K == VM_INFINITY);
+    if (!row->complement && fabs(row->m) < 1e30 &&
+        isfinite(row->K)) /* 1 - m is rounded: twice half an ulp and more */
+        check_error("k'K", row->region, "ulp", ERROR_ULP(jacobi_kpK(m), sqrt(1 - row->m) * row->K, 0), 5, row->m,
+                    0);
     check_error("E", row->region, "ulp", ERROR_ULP(E, row->E, row->E_low), 6, row->m, 0);
 }
 
