@@ -35,8 +35,7 @@
                   no phase, and sn = 0, cn = dn = 1. Relative error <= 16 ulp for |u| <= 100 K; towards m = 1 (and
                   m = -infinity) 5 K' ulp, K' = K max(1, k').
      the zeros    lie where K in two words puts them, to a relative error of 2^-101 (float 2^-43). This times |u| and
-                  the slope comes on top of the relative error: next to 100 K it is felt where u is nearer to the
-                  zero than a thousandth of its own ulp.
+                  the slope comes on top of the relative error; it is felt where u is within an ulp of the zero.
      K, k'K; E    <= 5 ulp; <= 6 ulp. solve_kpK: m to 8 eps max(1, |m|), m1 to 8 ulp.
      Time         in units of the C library's sin (float: sinf), which vary by up to 2 on one machine: K 3 (3), E 5.5
                   (6.5), sn+cn+dn 13 (12) for |u| < K/2 and 19 (25) beyond, solve_kpK 58 (70).
