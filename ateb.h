@@ -48,8 +48,8 @@
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
                   Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 4 ulp.
      the zeros    lie where Pi_alpha in two words puts them, to a relative error of 2^-102 (float 2^-44). This times
-                  |s| and the slope comes on top of the relative error: next to 100 Pi_alpha it is felt where s is
-                  nearer to the zero than a thousandth of its own ulp.
+                  |s| and the slope comes on top of the relative error; it is felt where s is within an ulp of the
+                  zero.
      Pi_alpha     <= 1 ulp.
      Time         in units of the C library's sin (float: sinf), which vary by up to 2 on one machine: Pi_alpha 21 (29),
                   sa+ca 40 to 50 (45 to 62), Pi_alpha included.
