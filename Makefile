@@ -45,8 +45,8 @@ bench: build/bench/double build/bench/float build/bench/pairs
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
-	./build/tests/scan 500000
-	./build/tests/scan_float 500000
+	./build/tests/scan 1000000
+	./build/tests/scan_float 1000000
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float build/bench/double build/bench/float build/bench/pairs
 	sh bench/measurements.sh build

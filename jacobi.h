@@ -32,8 +32,8 @@
 
    ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
      sn, cn, dn   absolute error <= 7 eps max(1, k') for |u| <= 1e9 (float 1e4) and |u| < K/eps; beyond that u holds
-                  no phase, and sn = 0, cn = dn = 1. Relative error <= 16 ulp for |u| <= 100 K; towards m = 1 (and
-                  m = -infinity) 5 K' ulp, K' = K max(1, k').
+                  no phase, and sn = 0, cn = dn = 1. Relative error for |u| <= 100 K, with K' = K max(1, k') which grows
+                  towards m = 1 and m = -infinity: <= 16 ulp where K' < 4, else <= 5 K' ulp.
      the zeros    lie where K in two words puts them, to a relative error of 2^-101 (float 2^-43). This times |u| and
                   the slope comes on top of the relative error; it is felt where u is within an ulp of the zero.
      K, k'K; E    <= 5 ulp; <= 6 ulp. solve_kpK: m to 8 eps max(1, |m|), m1 to 8 ulp.

@@ -16,8 +16,8 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
         done
     done
     printf '## Random arguments against quadruple precision\n\n'
-    "$build/tests/scan" 500000 | block
-    "$build/tests/scan_float" 500000 | block
+    "$build/tests/scan" 1000000 | block
+    "$build/tests/scan_float" 1000000 | block
     printf '## Time\n\n%s, %s\n\n' "$(awk -F': ' '/model name/ {print $2; exit}' /proc/cpuinfo)" "$(cc --version | head -n 1)"
     "$build/bench/double" | block
     "$build/bench/float" | block

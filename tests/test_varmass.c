@@ -33,6 +33,18 @@ static vm_body random_body(double mass, double size)
     return b;
 }
 
+/* n points of equal mass on a line along axis, from its middle */
+static vm_body rod(int n, vm_vec3 axis)
+{
+    vm_body b;
+    int i;
+    memset(&b, 0, sizeof b);
+    b.mass = R(n);
+    for (i = 0; i < n; i++)
+        b.inertia = vmi_inertia_plus(b.inertia, 1, vmi_inertia_of_point(vmi_scale(R(i - (n - 1) / 2.), axis)));
+    return b;
+}
+
 static vm_impulse random_impulse(void)
 {
     vm_impulse j;
@@ -69,8 +81,8 @@ static double linear_defect(const vm_body *before, const vm_body *after, const v
     return size_of(K) / ((double)VM_EPSILON * scale);
 }
 
-/* Attachment, then the separation of what was attached, with its own motion: both balances about random points, the
-   loss of energy of Carnot's theorem (corrected (113)/(118) for an addition), and the first body back. */
+/* Attachment, undone by the opposite impulse; then the separation of what was attached, with a motion of its own: both
+   balances about random points, and the first body's place back. */
 static void test_balance(int with_impulse)
 {
     const char *region = with_impulse ? "with impulse" : "free";
@@ -93,33 +105,64 @@ static void test_balance(int with_impulse)
         if (vm_separate(&whole, &part, j, &rest)) FAIL("separate");
         check_error("separate: K", region, "eps", linear_defect(&whole, &rest, &part, j), 3, i, 0);
         check_error("separate: L", region, "eps", angular_defect(&whole, &rest, &part, j, about), 12, i, 0);
-        check_error("rest: r", region, "eps", size_of(vmi_sub(rest.r, a.r)) / (double)VM_EPSILON, 60, i, 0);
+        check_error("rest: r", region, "eps", size_of(vmi_sub(rest.r, a.r)) / (double)VM_EPSILON, 16, i, 0);
     }
 }
 
-/* Kinetic energy is what it is for the particles: M |v|^2/2 + omega.I.omega/2, and by Koenig the same about any
-   motion. An attachment without impulse loses the energy of the motion relative to the final body (Carnot). The
-   bound is wide because thin bodies turn an eps of angular momentum into several of angular velocity. */
+/* Kinetic energy of x relative to what moves on rigidly with whole */
+static double relative_energy(vm_body x, const vm_body *whole)
+{
+    vm_vec3 carried = vmi_add(whole->v, vmi_cross(whole->omega, vmi_sub(x.r, whole->r)));
+    x.v = vmi_sub(x.v, carried), x.omega = vmi_sub(x.omega, whole->omega);
+    return (double)vm_kinetic_energy(&x);
+}
+
+/* Without impulse an attachment loses the energy of the motions relative to the final body (Carnot; (113)/(118) for an
+   addition), and a separation gains that relative to the whole (113), (118). The bounds are wide because thin bodies
+   turn an eps of angular momentum into several of angular velocity. */
 static void test_energy(void)
 {
     int i;
     for (i = 0; i < 3000; i++) {
-        vm_body a = random_body(uniform(1, 10), 1), b = random_body(uniform(0.1, 5), 0.5), whole;
-        vm_body bodies[2];
-        double loss = 0, before, after;
-        int k;
+        vm_body a = random_body(uniform(1, 10), 1), b = random_body(uniform(0.1, 5), 0.5), whole, rest;
+        double apart = (double)(vm_kinetic_energy(&a) + vm_kinetic_energy(&b)), joined, difference;
         if (vm_attach(&a, &b, NULL, &whole)) FAIL("attach");
-        bodies[0] = a, bodies[1] = b;
-        before = (double)(vm_kinetic_energy(&a) + vm_kinetic_energy(&b)), after = (double)vm_kinetic_energy(&whole);
-        for (k = 0; k < 2; k++) { /* each body's energy relative to the final body */
-            vm_body *x = bodies + k;
-            vm_vec3 carried = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(x->r, whole.r)));
-            x->v = vmi_sub(x->v, carried), x->omega = vmi_sub(x->omega, whole.omega);
-            loss += (double)vm_kinetic_energy(x);
-        }
-        check_error("Carnot's loss", "free", "eps", fabs(before - after - loss) / (double)VM_EPSILON / before, 40,
-                    i, 0);
+        joined = (double)vm_kinetic_energy(&whole);
+        difference = relative_energy(a, &whole) + relative_energy(b, &whole);
+        check_error("Carnot's loss", "free", "eps", fabs(apart - joined - difference) / (double)VM_EPSILON / apart,
+                    25, i, 0);
+        b.v = random_vector(5), b.omega = random_vector(3);
+        if (vm_separate(&whole, &b, NULL, &rest)) FAIL("separate");
+        apart = (double)(vm_kinetic_energy(&rest) + vm_kinetic_energy(&b));
+        difference = relative_energy(rest, &whole) + relative_energy(b, &whole);
+        check_error("gain (118)", "free", "eps",
+                    fabs(apart - joined - difference) / (double)VM_EPSILON / (apart + joined), 25, i, 0);
     }
+}
+
+/* Masses up to 1e4 and sizes up to 100 apart, thin ones among them: joined, then parted with another motion */
+static void test_unequal_bodies(void)
+{
+    int i, balanced = 0, done = 1;
+    for (i = 0; i < 40000; i++) {
+        double ratio = pow(10, uniform(-4, 4));
+        vm_body a = random_body(1, pow(10, uniform(-1, 1))), b = random_body(ratio, pow(10, uniform(-1, 1))), whole,
+                rest;
+        vm_vec3 about = random_vector(4);
+        int status;
+        b.r = vmi_add(a.r, random_vector(1));
+        if (i % 4 == 0) a.inertia = vmi_inertia_plus(rod(2, random_vector(1)).inertia, R(1e-4), a.inertia);
+        done = done && vm_attach(&a, &b, NULL, &whole) >= 0;
+        check_error("attach: L", "unequal", "eps", angular_defect(&whole, &a, &b, NULL, about), 12, ratio, 0);
+        b.omega = vmi_add(b.omega, random_vector(1)), b.v = vmi_add(b.v, random_vector(1));
+        status = vm_separate(&whole, &b, NULL, &rest);
+        done = done && status >= 0;
+        if (status) continue; /* in float a rest of 1e-4 the mass and size is lost in the whole's rounding errors */
+        balanced++;
+        check_error("separate: K", "unequal", "eps", linear_defect(&whole, &rest, &b, NULL), 3, ratio, 0);
+        check_error("separate: L", "unequal", "eps", angular_defect(&whole, &rest, &b, NULL, about), 12, ratio, 0);
+    }
+    CHECK(done && balanced > (is_float ? 30000 : 39990));
 }
 
 /* Masses of any ratio, in either order */
@@ -136,18 +179,6 @@ static void test_mass_ratios(void)
         check_error("attach: K", "mass ratios", "eps", linear_defect(&whole, &a, &b, NULL), 3, ratio, 0);
         check_error("attach: L", "mass ratios", "eps", angular_defect(&whole, &a, &b, NULL, about), 12, ratio, 0);
     }
-}
-
-/* n points of equal mass on a line along axis, from its middle */
-static vm_body rod(int n, vm_vec3 axis)
-{
-    vm_body b;
-    int i;
-    memset(&b, 0, sizeof b);
-    b.mass = R(n);
-    for (i = 0; i < n; i++)
-        b.inertia = vmi_inertia_plus(b.inertia, 1, vmi_inertia_of_point(vmi_scale(R(i - (n - 1) / 2.), axis)));
-    return b;
 }
 
 /* Points and rods in general position: the spin about an axis without inertia stays the first body's, the rest of the
@@ -176,7 +207,7 @@ static void test_null_axes(void)
         axis = vmi_sub(point.r, pair.r), before = pair.omega;
         check_error("rod: spin kept", "null axes", "eps",
                     fabs((double)vmi_dot(axis, vmi_sub(whole.omega, before))) / size_of(axis) / (double)VM_EPSILON,
-                    60, i, 0);
+                    20, i, 0);
         CHECK(vm_separate(&whole, &point, NULL, &rest) >= 0 && vm_attach(&whole, &a, NULL, &again) == VM_OK);
     }
 }
@@ -235,7 +266,7 @@ static void test_thin_bodies(void)
     }
 }
 
-/* What no body has, about each axis, is refused, in the first body as in the second, far or near */
+/* What no body has, about each axis, is refused, in the first body as in the second */
 static void test_impossible(void)
 {
     const double excess[] = {is_float ? 1e-4 : 1e-12, 1e-3, 1};
@@ -297,7 +328,7 @@ static void test_jump_domain(void)
         REFUSED(VM_NOT_FINITE, vm_attach(&whole, &x, NULL, &rest));
         x = part, x.omega.y = VM_INFINITY;
         REFUSED(VM_NOT_FINITE, vm_attach(&x, &whole, NULL, &rest));
-        x = whole, x.v.z = VM_MAX, part.v.z = -VM_MAX; /* the difference overflows */
+        x = whole, x.v.z = VM_MAX, part.v.z = -VM_MAX; /* the momenta overflow */
         REFUSED(VM_NOT_FINITE, vm_attach(&x, &part, NULL, &rest));
         part.v = whole.v;
         x = part, x.inertia.xx = -1;
@@ -423,6 +454,7 @@ int main(void)
     test_balance(0);
     test_balance(1);
     test_energy();
+    test_unequal_bodies();
     test_mass_ratios();
     test_null_axes();
     test_thin_bodies();
