@@ -3,7 +3,8 @@
 #
 #   make run      build and run the examples, draw their figures        make bench   time everything
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
-#   make scan     millions of random arguments (minutes)                make data    write the reference tables anew
+#   make scan     millions of random arguments (minutes)                make points  jacobi.h at 20 000 points more
+#   make data     write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make clean    remove build/
 
@@ -21,7 +22,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test scan lint bench measurements figures data clean
+.PHONY: run test scan points lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -48,6 +49,13 @@ scan: build/tests/scan build/tests/scan_float
 	./build/tests/scan 1000000
 	./build/tests/scan_float 1000000
 
+# twenty times as many points as jacobi.h's stored tables have, computed anew by mpmath
+points: build/command
+	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
+	mkdir -p build/points && python3 tests/gen/jacobi_reference.py 20 build/points
+	$(COMPILE) -DPOINTS tests/test_jacobi.c -o build/tests/points -lm && ./build/tests/points
+	$(COMPILE) -DPOINTS -DVM_USE_FLOAT tests/test_jacobi.c -o build/tests/points_float -lm && ./build/tests/points_float
+
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float build/bench/double build/bench/float build/bench/pairs
 	sh bench/measurements.sh build
 
@@ -57,6 +65,7 @@ figures: run
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/reference.py
+	python3 tests/gen/jacobi_reference.py
 	python3 tests/gen/table5.py
 
 clean:

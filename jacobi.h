@@ -1,4 +1,4 @@
-/* jacobi.h - complete elliptic integrals and Jacobi's elliptic functions by the arithmetic-geometric mean
+/* jacobi.h - Jacobi's elliptic functions, complete elliptic integrals, and the modulus from its quarter period
 
    Part of varmass (MIT licence), usable alone: copy this one file, include it, link with -lm.
 
@@ -19,29 +19,40 @@
      suffix _m1 take or return m1 where m would have lost its digits (m towards 1).
      The period of sn and cn is 4 K(m), that of dn 2 K(m). All arguments are pure numbers.
 
+   WHAT TO CALL
+     jacobi_sncndn        the three functions for one u and one m; twelve quotients and the amplitude singly
+     jacobi_plan_init     where m stays: the plan is prepared once, then jacobi_plan_sncndn, or .._array for many u.
+                          A plan is plain data and may be a constant in flash; examples/jacobi_plan prints one.
+     jacobi_solve_kpK     m from k'K(k^2), jacobi_solve_K m from K
+     jacobi_agm_...       the same functions by the arithmetic-geometric mean, with its steps counted
+
    ERRORS
      m > 1, m1 < 0, c < 0, NaN and infinite arguments give NaN; m = 1 gives the limits: K infinite, E = 1,
-     sn = tanh, cn = dn = sech. Nothing else can fail. No allocation, no state; errno says nothing.
+     sn = tanh, cn = dn = sech, at u = +-infinity too. A quotient at a pole is infinite. A plan refuses a bad m
+     with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says nothing.
+
+   METHOD
+     Theta functions [1]: for -1 <= m <= 1/2 those of a real phase with the nome of m, else those of an imaginary
+     phase with the nome of 1 - m (of 1/(1 - m) for m < -1), so that the nome is at most exp(-pi) = 0.0432 and three
+     terms of each series do. Phase and nome come from one or two steps of the AGM. Nothing cancels, at m = 1 neither.
+     u is reduced with the quarter period in as many words as its distance from a zero asks for.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
-     VM_SQRT, VM_SIN ...  the functions of the C library that are used (all of them, if any)
+     VM_API, VM_INLINE    linkage of the functions, default static inline (forced where loops must vectorise)
+     VM_SQRT, VM_FLOOR .. the functions of the C library that are used (all of them, if any)
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
-     sn, cn, dn   absolute error <= 7 eps max(1, k') for |u| <= 1e9 (float 1e4) and |u| < K/eps; beyond that u holds
-                  no phase, and sn = 0, cn = dn = 1. Relative error for |u| <= 100 K, with K' = K max(1, k') which grows
-                  towards m = 1 and m = -infinity: <= 16 ulp where K' < 4, else <= 5 K' ulp.
-     the zeros    lie where K in two words puts them, to a relative error of 2^-101 (float 2^-43). This times |u| and
-                  the slope comes on top of the relative error; it is felt where u is within an ulp of the zero.
-     K, k'K; E    <= 5 ulp; <= 6 ulp. solve_kpK: m to 8 eps max(1, |m|), m1 to 8 ulp.
-     Time         in units of the C library's sin (float: sinf), which vary by up to 2 on one machine: K 3 (3), E 5.5
-                  (6.5), sn+cn+dn 13 (12) for |u| < K/2 and 19 (25) beyond, solve_kpK 58 (70).
+     sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and 2^40 K (float 1e4, 2^17 K); from K/eps on u
+                  holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and next to the
+                  zeros too. A plan is as accurate.
+     K; E         <= 2 ulp; <= 2.5 ulp. k'K <= 4 ulp. Means of cn^2, cn^4, cn^6 <= 8 ulp.
+     solvers      m and m1 <= 4 ulp and what one ulp of c moves them.
 
    REFERENCES
-     [1] DLMF, chapters 19 and 22, dlmf.nist.gov: 19.8 (AGM), 22.20 (sn, cn, dn by descending transformation).
+     [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its. */
@@ -169,6 +180,249 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 #endif
 /* ---- End of the shared block -------------------------------------------------------------------------------- */
 
+/* ---- Elementary kernels: the same, word for word, in jacobi.h and ateb.h ------------------------------------ */
+#ifndef VM_ELEMENTARY
+#define VM_ELEMENTARY
+
+#include <stdint.h>
+#include <string.h>
+
+/* Logarithm, exponential and power with a low word. No branch but where a result is subnormal, no function of the C
+   library, so that they are the same everywhere and loops over them vectorise. Tables: tests/gen/elementary.py. */
+#if VM_MANT_DIG > 24
+typedef uint64_t vmi_bits;
+#define VMI_STORED_DIG 52 /* of the mantissa */
+#define VMI_BIAS 1023     /* of the exponent */
+#define VMI_MIN VM_C(2.2250738585072014e-308)
+#else
+typedef uint32_t vmi_bits;
+#define VMI_STORED_DIG 23
+#define VMI_BIAS 127
+#define VMI_MIN VM_C(1.1754943508e-38)
+#endif
+
+VM_API vmi_bits vmi_to_bits(vm_real x)
+{
+    vmi_bits bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+VM_API vm_real vmi_from_bits(vmi_bits bits)
+{
+    vm_real x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* x 2^k, rounded at most once, for |x| from 2^-2 to 4 or 0; for any x, if x 2^(k/2) is a normal number */
+VM_API vm_real vmi_ldexp(vm_real x, int k)
+{
+    const int limit = 2 * VMI_BIAS - 2;
+    const int bounded = k > limit ? limit : k < -limit ? -limit : k, half = bounded / 2, rest = bounded - half;
+    return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
+           vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
+}
+
+/* a + b exactly, for |a| >= |b| (Dekker) */
+VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
+{
+    vm_two s;
+    s.hi = a + b;
+    s.lo = (a - s.hi) + b;
+    return s;
+}
+
+/* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
+   1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
+VM_API vm_two vmi_log(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+    VM_TABLE vm_real table[32][3] = {
+        /* 1/c, ln c: the high words are multiples of 2^-42, as ln2_hi */
+        {VM_C(1.4189453125), VM_C(-0.34991385797093244037), VM_C(1.0263080618141573753e-13)},
+        {VM_C(1.375), VM_C(-0.31845373111855224124), VM_C(1.7625431312172662057e-14)},
+        {VM_C(1.3330078125), VM_C(-0.28743790201951924246), VM_C(-8.7770524478057945722e-14)},
+        {VM_C(1.2939453125), VM_C(-0.25769593282097957854), VM_C(1.1008936326855972656e-13)},
+        {VM_C(1.2568359375), VM_C(-0.22859740199669431604), VM_C(2.0747306192914545005e-14)},
+        {VM_C(1.22265625), VM_C(-0.20102574606062262319), VM_C(3.1881849375437737022e-14)},
+        {VM_C(1.189453125), VM_C(-0.1734936426703370671), VM_C(-5.2171826698845917966e-14)},
+        {VM_C(1.158203125), VM_C(-0.14686977395831490867), VM_C(9.7240876868206596417e-14)},
+        {VM_C(1.1279296875), VM_C(-0.12038381735646908055), VM_C(2.8259559616440998507e-14)},
+        {VM_C(1.099609375), VM_C(-0.09495500310026727675), VM_C(8.4679504198281513406e-14)},
+        {VM_C(1.0732421875), VM_C(-0.070684148804275537259), VM_C(1.0726890146864022217e-13)},
+        {VM_C(1.0478515625), VM_C(-0.046741937031356428633), VM_C(1.1105125439752240142e-13)},
+        {VM_C(1.0234375), VM_C(-0.023167059281604451826), VM_C(7.0073597043100356586e-14)},
+        {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+        {VM_C(0.9775390625), VM_C(0.022717026284226449206), VM_C(6.0597450660084316691e-15)},
+        {VM_C(0.9560546875), VM_C(0.044940163068986294093), VM_C(-4.3582300048382453133e-14)},
+        {VM_C(0.9365234375), VM_C(0.065580730715964818955), VM_C(5.0054796379247145689e-14)},
+        {VM_C(0.9169921875), VM_C(0.086656326391221227823), VM_C(-3.1041724514644213313e-14)},
+        {VM_C(0.8984375), VM_C(0.1070981355562707904), VM_C(9.6310110335192174531e-14)},
+        {VM_C(0.8798828125), VM_C(0.12796654799103635014), VM_C(7.8829637969380855345e-14)},
+        {VM_C(0.8623046875), VM_C(0.14814660499541787431), VM_C(7.5206341283980230625e-14)},
+        {VM_C(0.845703125), VM_C(0.16758689703692652984), VM_C(9.1408198894914123398e-14)},
+        {VM_C(0.830078125), VM_C(0.18623545611512781761), VM_C(-3.6862307174239401374e-14)},
+        {VM_C(0.814453125), VM_C(0.2052384032406280312), VM_C(7.8304972192271964422e-14)},
+        {VM_C(0.7998046875), VM_C(0.22338772174634868861), VM_C(3.4981611229820216869e-14)},
+        {VM_C(0.7861328125), VM_C(0.24062952818098892749), VM_C(-9.9203828758961551027e-14)},
+        {VM_C(0.771484375), VM_C(0.25943886013828887371), VM_C(9.7042267920673565155e-14)},
+        {VM_C(0.7587890625), VM_C(0.27603145523175953713), VM_C(4.6116175827277368694e-14)},
+        {VM_C(0.74609375), VM_C(0.29290401643288532796), VM_C(4.7274529405144062921e-14)},
+        {VM_C(0.7333984375), VM_C(0.31006615383535063302), VM_C(-3.2283099979657674925e-14)},
+        {VM_C(0.7216796875), VM_C(0.32617388465132535202), VM_C(-7.4032069124645893097e-14)},
+        {VM_C(0.7099609375), VM_C(0.34254532806585302751), VM_C(8.0700749411504883334e-14)}};
+#else
+    const vmi_bits least_z = UINT32_C(0x3f355556), half_tail = UINT32_C(0x4000);
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+    VM_TABLE vm_real table[32][3] = {/* 1/c, ln c: the high words are multiples of 2^-16, as ln2_hi */
+                                     {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
+                                     {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
+                                     {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
+                                     {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
+                                     {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
+                                     {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
+                                     {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
+                                     {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
+                                     {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
+                                     {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
+                                     {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
+                                     {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
+                                     {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
+                                     {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+                                     {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
+                                     {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
+                                     {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
+                                     {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
+                                     {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
+                                     {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
+                                     {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
+                                     {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
+                                     {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
+                                     {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
+                                     {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
+                                     {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
+                                     {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
+                                     {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
+                                     {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
+                                     {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
+                                     {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
+                                     {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
+#endif
+    const int subnormal = x < VMI_MIN;
+    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
+    const vmi_bits above = vmi_to_bits(x * (subnormal ? 4 / VM_EPSILON : 1)) - least_z;
+    const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
+    const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
+    const vmi_bits z_bits = (above & (one - 1)) + least_z;
+    const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
+    const vm_real *row = table[(int)(44 * z - VM_C(30.5))];
+    const vm_real r_head = z_head * row[0] - 1, r_tail = (z - z_head) * row[0]; /* exact, half of the digits each */
+    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                          /* |r| < 0.0162 */
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + row[1], r.hi);
+    const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
+    const vm_real rr = r.hi * r.hi;
+#if VM_MANT_DIG > 24
+    const vm_real L01 = VM_C(0.33333333333333331483) - r.hi * VM_C(0.25);
+    const vm_real L23 = VM_C(0.20000000000035858538) - r.hi * VM_C(0.1666666666669953667);
+    const vm_real L45 = VM_C(0.1428571357080885007) - r.hi * VM_C(0.12499999344666766488);
+    const vm_real L67 = VM_C(0.11115671970945563418) - r.hi * VM_C(0.10004180804025793183);
+    const vm_real L = L01 + rr * (L23 + rr * (L45 + rr * L67)); /* ln(1 + r) = r - r^2/2 + r^3 L(r) */
+#else
+    const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
+    const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
+#endif
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + row[2]) + (r.lo - r_tail * (r.hi + r_head) / 2);
+    return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
+}
+
+/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 where |x| < 0.34,
+   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
+   r^3 E(r) with the square of the head of r exact. */
+VM_API vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const vm_real t = x * one_over_ln2;
+    const int n = (int)(t + VM_COPYSIGN(VM_C(0.5), t));
+    const vm_two r = vmi_fast_two_sum(x - (vm_real)n * ln2_hi, x_lo - (vm_real)n * ln2_lo);
+    const vm_real split = VM_SPLIT * r.hi + 0, excess = split - r.hi, head = split - excess, tail = r.hi - head;
+    const vm_two p = vmi_fast_two_sum(r.hi, head * head / 2);
+    const vm_real rr = r.hi * r.hi;
+#if VM_MANT_DIG > 24
+    const vm_real E01 = VM_C(0.16666666666666668517) + r.hi * VM_C(0.041666666666666664354);
+    const vm_real E23 = VM_C(0.0083333333333300649987) + r.hi * VM_C(0.0013888888888886554047);
+    const vm_real E45 = VM_C(1.9841269863040544982e-4) + r.hi * VM_C(2.4801587317135163907e-5);
+    const vm_real E67 = VM_C(2.75572684803100238e-6) + r.hi * VM_C(2.7557282984055877379e-7);
+    const vm_real E89 = VM_C(2.510037583256123403e-8) + r.hi * VM_C(2.091122972975856191e-9);
+    const vm_real E = (E01 + rr * E23) + rr * rr * (E45 + rr * (E67 + rr * E89));
+#else
+    const vm_real E01 = VM_C(0.166666671634) + r.hi * VM_C(0.0416666679084);
+    const vm_real E23 = VM_C(0.00833331048489) + r.hi * VM_C(0.00138888659421);
+    const vm_real E45 = VM_C(1.98909809114e-4) + r.hi * VM_C(2.48512878898e-5);
+    const vm_real E = E01 + rr * (E23 + rr * E45);
+#endif
+    const vm_real low = p.lo + tail * (r.hi + head) / 2 + (r.lo + r.lo * p.hi);
+    const vm_two sum = vmi_fast_two_sum(p.hi, low + r.hi * rr * E);
+    *k = n;
+    *p_lo = sum.lo;
+    return sum.hi;
+}
+
+/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
+{
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
+        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+        const vm_two sum = vmi_fast_two_sum(large, y);
+        y = (sum.hi + (sum.lo + y_lo)) - large;
+        y_lo = 0;
+    }
+    return vmi_ldexp(y + y_lo, k);
+}
+
+/* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
+VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
+{
+    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
+    const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
+    const vm_real inside = x > least ? x < largest ? x : largest : least; /* of NaN too */
+    vm_real p_lo, p;
+    vm_two y;
+    int k;
+    p = vmi_exp_core(inside, x == inside ? x_lo : 0, &k, &p_lo);
+    y = vmi_fast_two_sum(1, p);
+    return x == x ? vmi_ldexp_two(y.hi, y.lo + p_lo, k) : x;
+}
+
+/* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+VM_API vm_real vmi_pow(vm_two x, vm_two y)
+{
+    const vm_real t = x.lo / x.hi;
+    vm_two l = vmi_log(x.hi), p;
+    l = vmi_fast_two_sum(l.hi, l.lo + (t - t * t / 2));
+    p = vmi_two_product(l.hi, y.hi);
+    p = vmi_fast_two_sum(p.hi, p.lo + (l.hi * y.lo + l.lo * y.hi));
+    return vmi_exp(p.hi, p.lo);
+}
+
+#endif
+/* ---- End of the elementary kernels -------------------------------------------------------------------------- */
+
+#ifndef VM_INLINE /* linkage of what must be inlined for speed; VM_API is enough for the results */
+#ifdef __GNUC__
+#define VM_INLINE VM_API __attribute__((always_inline))
+#else
+#define VM_INLINE VM_API
+#endif
+#endif
+
 /* ---- Table of contents -------------------------------------------------------------------------------------- */
 
 /* Complete elliptic integrals of the first and second kind, K(m) and E(m), m <= 1. */
@@ -178,9 +432,51 @@ VM_API vm_real jacobi_K_m1(vm_real m1);
 VM_API vm_real jacobi_E_m1(vm_real m1);
 
 /* sn, cn, dn (u | m) for any real u and m <= 1. |sn|, |cn| <= 1, dn between 1 and sqrt(1 - m); sn is odd, cn and dn
-   are even in u, to the bit. u is reduced with K in two words. */
+   are even in u, to the bit. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn);
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn);
+
+/* The twelve functions one by one: jacobi_pq = theta_p/theta_q, infinite at its poles. */
+VM_API vm_real jacobi_sn(vm_real u, vm_real m);
+VM_API vm_real jacobi_cn(vm_real u, vm_real m);
+VM_API vm_real jacobi_dn(vm_real u, vm_real m);
+VM_API vm_real jacobi_cd(vm_real u, vm_real m);
+VM_API vm_real jacobi_sd(vm_real u, vm_real m);
+VM_API vm_real jacobi_nd(vm_real u, vm_real m);
+VM_API vm_real jacobi_sc(vm_real u, vm_real m);
+VM_API vm_real jacobi_dc(vm_real u, vm_real m);
+VM_API vm_real jacobi_nc(vm_real u, vm_real m);
+VM_API vm_real jacobi_cs(vm_real u, vm_real m);
+VM_API vm_real jacobi_ds(vm_real u, vm_real m);
+VM_API vm_real jacobi_ns(vm_real u, vm_real m);
+
+/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, am(u + 2K) = am(u) + pi. Radians. */
+VM_API vm_real jacobi_am(vm_real u, vm_real m);
+
+/* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
+typedef struct VM_TAG(vmi_theta_form) {
+    int form;                  /* which of the three forms below */
+    vm_real kp, kp_lo;         /* k' = sqrt(1 - m) */
+    vm_real q;                 /* the nome of m; of 1 - m or 1/(1 - m) in the hyperbolic forms */
+    vm_real defect, defect_lo; /* 1 - (phase per unit of argument) */
+    vm_real f[4], g[4], scale[3];
+} vmi_theta_form;
+
+typedef struct VM_TAG(jacobi_plan) {
+    vmi_theta_form theta;
+    vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
+} jacobi_plan;
+
+/* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
+VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m);
+VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1);
+
+/* As jacobi_sncndn, for the plan's m. */
+VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn);
+
+/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. */
+VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
+                                     vm_real *dn);
 
 /* k'K(k^2) = sqrt(1 - m) K(m), the left side of (307): falls from infinity (m -> -infinity) to 0 (m = 1). */
 VM_API vm_real jacobi_kpK(vm_real m);
@@ -189,19 +485,119 @@ VM_API vm_real jacobi_kpK(vm_real m);
 VM_API vm_real jacobi_solve_kpK(vm_real c);
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c);
 
-/* ---- The AGM ladder [1, 2] ---------------------------------------------------------------------------------- */
+/* The inverse of K: the one m (or m1) with K(m) = c, for any c > 0; m < 0 for c < pi/2. */
+VM_API vm_real jacobi_solve_K(vm_real c);
+VM_API vm_real jacobi_solve_K_m1(vm_real c);
+
+/* Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408). */
+VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6);
+
+/* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
+   less; from VMI_LADDER - 1 on it climbs as far as the type needs. The phase is reduced in two words of pi/2, not
+   of K, so that the error grows with |u|. */
+VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn);
+VM_API vm_real jacobi_agm_K(vm_real m);
+
+/* ---- Sums, products and roots in two and three words ---------------------------------------------------------- */
+
+VM_API vm_two vmi_two(vm_real hi, vm_real lo)
+{
+    vm_two a;
+    a.hi = hi;
+    a.lo = lo;
+    return a;
+}
+
+/* The square root: relative error below 2^-(2p - 3), for a > 1 */
+VM_API vm_two vmi_two_sqrt(vm_two a)
+{
+    const vm_real root = VM_SQRT(a.hi), unit = root > 1 / VM_EPSILON ? VM_EPSILON : 1; /* against overflow */
+    const vm_two p = vmi_two_product(root * unit, root * unit);
+    return vmi_two(root, (((a.hi * unit) * unit - p.hi) - p.lo + (a.lo * unit) * unit) / (2 * root * unit) / unit);
+}
+
+typedef struct VM_TAG(vmi_three) {
+    vm_real w[3];
+} vmi_three; /* w[0] + w[1] + w[2], each below an ulp of the one before it */
+
+VM_API vmi_three vmi_three_from(vm_real a, vm_real b, vm_real c)
+{
+    const vm_two tail = vmi_two_sum(b, c), head = vmi_two_sum(a, tail.hi), rest = vmi_two_sum(head.lo, tail.lo);
+    vmi_three x;
+    x.w[0] = head.hi;
+    x.w[1] = rest.hi;
+    x.w[2] = rest.lo;
+    return x;
+}
+
+VM_API vmi_three vmi_three_add(vmi_three a, vmi_three b)
+{
+    const vm_two s = vmi_two_sum(a.w[0], b.w[0]), t = vmi_two_sum(a.w[1], b.w[1]), u = vmi_two_sum(s.lo, t.hi);
+    return vmi_three_from(s.hi, u.hi, u.lo + t.lo + (a.w[2] + b.w[2]));
+}
+
+VM_API vmi_three vmi_three_times(vmi_three a, vmi_three b)
+{
+    const vm_two p = vmi_two_product(a.w[0], b.w[0]), q = vmi_two_product(a.w[0], b.w[1]);
+    const vm_two r = vmi_two_product(a.w[1], b.w[0]), s = vmi_two_sum(q.hi, r.hi), t = vmi_two_sum(p.lo, s.hi);
+    const vm_real small = a.w[0] * b.w[2] + a.w[1] * b.w[1] + a.w[2] * b.w[0];
+    return vmi_three_from(p.hi, t.hi, t.lo + s.lo + (q.lo + r.lo) + small);
+}
+
+/* x - a b, in one word of what is left when they nearly agree */
+VM_API vm_real vmi_three_residual(vmi_three x, vmi_three a, vmi_three b)
+{
+    vmi_three p = vmi_three_times(a, b);
+    int i;
+    for (i = 0; i < 3; i++) p.w[i] = -p.w[i];
+    p = vmi_three_add(x, p);
+    return p.w[0] + (p.w[1] + p.w[2]);
+}
+
+/* a/b, and the square root of a: a quotient or root of one word, each of two corrections brings another */
+VM_API vmi_three vmi_three_over(vmi_three a, vmi_three b)
+{
+    vmi_three x = vmi_three_from(a.w[0] / b.w[0], 0, 0);
+    int i;
+    for (i = 0; i < 2; i++)
+        x = vmi_three_add(x, vmi_three_from(vmi_three_residual(a, x, b) / b.w[0], 0, 0));
+    return x;
+}
+
+VM_API vmi_three vmi_three_sqrt(vmi_three a)
+{
+    const vm_real root = VM_SQRT(a.w[0]);
+    vmi_three x = vmi_three_from(root, 0, 0);
+    int i;
+    for (i = 0; i < 2; i++) x = vmi_three_add(x, vmi_three_from(vmi_three_residual(a, x, x) / (2 * root), 0, 0));
+    return x;
+}
+
+/* pi/2, words 0, 1 and 2 */
+VM_API vmi_three vmi_half_pi(void)
+{
+#if VM_MANT_DIG > 24
+    return vmi_three_from(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
+                          VM_C(-1.497384904859169832944e-33));
+#else
+    return vmi_three_from(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
+                          VM_C(-1.715124510005881872804e-15));
+#endif
+}
+
+/* ---- The arithmetic-geometric mean [1, 2] --------------------------------------------------------------------- */
 
 #define VMI_LADDER 16 /* levels; 13 are needed at m1 = 5e-324 */
 
 typedef struct VM_TAG(vmi_ladder) {
     int n;                                /* last level */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 of the last level: c_n^2 <= eps/4 a_n^2 */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 of the last level */
 } vmi_ladder;
 
-/* agm(1, b0) climbed until k_n^2 = (c_n/a_n)^2 <= eps/4: there sn differs from sin by at most eps/60, and a_n from
-   its limit by c_n^2/(4 a_n) <= eps/16 a_n. b0 > 0, finite. */
-VM_API void vmi_agm(vmi_ladder *l, vm_real b0)
+/* agm(1, b0) climbed until k_n^2 = (c_n/a_n)^2 <= eps/4, or for so many steps: there sn differs from sin by at most
+   eps/60, and a_n from its limit by c_n^2/(4 a_n) <= eps/16 a_n. b0 > 0, finite. */
+VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
     l->a[0] = 1;
@@ -212,34 +608,28 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0)
         n++;
         l->a[n] = (a + b) / 2;
         l->b[n] = VM_SQRT(a * b);
-    } while (4 * l->c * l->c > VM_EPSILON * l->a[n] * l->a[n] && n + 1 < VMI_LADDER);
+    } while (4 * l->c * l->c > VM_EPSILON * l->a[n] * l->a[n] && n < steps && n < VMI_LADDER - 1);
     l->n = n;
 }
 
-/* sum 2^(n-1) c_n^2 over n >= 1, all of one sign; with c_0^2 = 1 - b0^2 it makes E = K (1 - c_0^2/2 - sum) */
-VM_API vm_real vmi_agm_sum(const vmi_ladder *l)
-{
-    vm_real sum = 0, power = 1;
-    int n;
-    for (n = 0; n < l->n; n++, power *= 2) {
-        vm_real c = (l->a[n] - l->b[n]) / 2;
-        sum += power * c * c;
-    }
-    return sum;
-}
-
-/* The limit of the a_n in two words from a ladder in one: the rounding errors of every step, known exactly, are
-   carried up the ladder to first order. m1_lo is the low word of m1 = b_0^2. Relative error < 2^-(2p - 5). */
-VM_API vm_two vmi_agm_two_words(const vmi_ladder *l, vm_real m1, vm_real m1_lo)
+/* K in two words from a ladder in one: the rounding errors of every step, known exactly, are carried up the ladder
+   to first order. m1_lo is the low word of m1 = b_0^2. Relative error < 2^-(2p - 5). */
+VM_API vm_two vmi_K_two_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real large = 1 / (VM_EPSILON * VM_EPSILON), small = VM_EPSILON * VM_EPSILON;
     const vm_real unit = m1 < small ? large : m1 > large ? small : 1; /* keeps b_0^2 from under- and overflow */
-    const vm_real b0 = unit * l->b[0];
-    vm_two p = vmi_two_product(b0, b0);
-    vm_real al = 0, bl = ((m1 * unit * unit - p.hi) - p.lo + m1_lo * unit * unit) / (2 * b0) / unit, c = l->c;
+    const vmi_three half_pi = vmi_half_pi();
+    vmi_ladder l;
+    vm_two p, K, limit;
+    vm_real al = 0, bl, b0, c;
     int n;
-    for (n = 0; n < l->n; n++) {
-        vm_real a = l->a[n], b = l->b[n], root = l->b[n + 1];
+    vmi_agm(&l, VM_SQRT(m1), VMI_LADDER);
+    b0 = unit * l.b[0];
+    p = vmi_two_product(b0, b0);
+    bl = ((m1 * unit * unit - p.hi) - p.lo + m1_lo * unit * unit) / (2 * b0) / unit;
+    c = l.c;
+    for (n = 0; n < l.n; n++) {
+        vm_real a = l.a[n], b = l.b[n], root = l.b[n + 1];
         vm_two s = vmi_two_sum(a, b), q = vmi_two_product(root, root);
         vm_real a_lo = (al + bl) / 2 + s.lo / 2;
         c = (a - b) / 2 + (al - bl) / 2;
@@ -247,73 +637,969 @@ VM_API vm_two vmi_agm_two_words(const vmi_ladder *l, vm_real m1, vm_real m1_lo)
         bl = (((p.hi - q.hi) + (p.lo - q.lo)) + (a * bl + b * al)) / (2 * root);
         al = a_lo;
     }
-    return vmi_two_sum(l->a[l->n], al - c * c / (4 * l->a[l->n]));
-}
-
-/* K = pi/2 over that limit */
-VM_API vm_two vmi_K_two_words(vm_two a)
-{
-    const vm_real half_pi = VM_C(1.570796326794896619231);
-#if VM_MANT_DIG > 24
-    const vm_real half_pi_lo = VM_C(6.123233995736766035869e-17);
-#else
-    const vm_real half_pi_lo = VM_C(-4.371139000186241438058e-8);
-#endif
-    vm_two p, K;
-    K.hi = half_pi / a.hi;
-    p = vmi_two_product(K.hi, a.hi);
-    K.lo = (((half_pi - p.hi) - p.lo) + (half_pi_lo - K.hi * a.lo)) / a.hi;
+    limit = vmi_two_sum(l.a[l.n], al - c * c / (4 * l.a[l.n]));
+    K.hi = half_pi.w[0] / limit.hi;
+    p = vmi_two_product(K.hi, limit.hi);
+    K.lo = (((half_pi.w[0] - p.hi) - p.lo) + (half_pi.w[1] - K.hi * limit.lo)) / limit.hi;
     return K;
 }
 
-/* ---- Complete integrals ------------------------------------------------------------------------------------- */
-
-VM_API vm_real jacobi_K_m1(vm_real m1)
+/* K in three words, for plans and for arguments next to a multiple of it: relative error < 2^-(3p - 12) */
+VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
-    vmi_ladder l;
+    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* keeps the square of b from under- and overflow */
+    const vm_real lift = m1 < tiny ? 1 / tiny : m1 > 1 / tiny ? VM_EPSILON : 1;
+    vmi_three a = vmi_three_from(1, 0, 0);
+    vmi_three b = vmi_three_sqrt(vmi_three_from(m1 * lift * lift, m1_lo * lift * lift, 0));
+    vm_real c;
+    int i;
+    for (i = 0; i < 3; i++) b.w[i] /= lift;
+    do {
+        vmi_three sum = vmi_three_add(a, b);
+        c = (a.w[0] - b.w[0]) / 2 + (a.w[1] - b.w[1]) / 2;
+        b = vmi_three_sqrt(vmi_three_times(a, b));
+        for (i = 0; i < 3; i++) a.w[i] = sum.w[i] / 2;
+    } while (VM_FABS(c) > VM_EPSILON * a.w[0]);
+    return vmi_three_over(vmi_half_pi(), vmi_three_add(a, vmi_three_from(-c * c / (4 * a.w[0]), 0, 0)));
+}
+
+/* K as pieces so short that a product with j < VMI_EXACT_QUARTERS is exact, and a last word */
+VM_API void vmi_pieces(vmi_three K, vm_real *piece)
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const vm_real large = (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) * K.w[0], sum = K.w[0] + large;
+        piece[i] = sum - large;
+        K = vmi_three_add(K, vmi_three_from(-piece[i], 0, 0));
+    }
+    piece[3] = K.w[0];
+}
+
+/* x = j K + rest, x >= 0, K in two words: the rest in two words, |rest| <= K/2 but for a rounding, and j mod 4. From
+   1/eps quarters on the argument holds no phase: rest 0, quarter 0. */
+VM_API vm_two vmi_reduce_words(vm_real x, vm_two K, int *quarter)
+{
+    const vm_real j = VM_FLOOR(x / K.hi + VM_C(0.5));
+    vm_two p, s;
+    *quarter = 0;
+    if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
+    p = vmi_two_product(j, K.hi);
+    s = vmi_two_sum(x - p.hi, -p.lo);
+    return vmi_fast_two_sum(s.hi, s.lo - j * K.lo);
+}
+
+#define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
+
+/* The same for x < VMI_EXACT_QUARTERS K and K in pieces, per_K = 1/K, so that loops over it vectorise */
+VM_INLINE vm_two vmi_reduce_pieces(vm_real x, const vm_real *K, vm_real per_K, int *quarter)
+{
+    const int count = (int)(x * per_K + VM_C(0.5));
+    const vm_real j = (vm_real)count;
+    const vm_real rest = (x - j * K[0]) - j * K[1]; /* exactly: a multiple of 2^-p K, below K */
+    const vm_two s = vmi_two_sum(rest, -j * K[2]);
+    *quarter = count & 3;
+    return vmi_fast_two_sum(s.hi, s.lo - j * K[3]);
+}
+
+/* ---- The nome ------------------------------------------------------------------------------------------------- */
+
+/* x G(x) = 1 - agm(1, sqrt(1 - x)), 0 <= x <= 0.0295: relative error 2^-62 (float 2^-32) */
+VM_API vm_real vmi_agm_defect(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vm_real xx = x * x;
+    const vm_real G01 = VM_C(0.250000000000000666) + x * VM_C(0.07812499999943949);
+    const vm_real G23 = VM_C(0.042968750163389538) + x * VM_C(0.0286254657230344163);
+    const vm_real G45 = VM_C(0.0210435326372290371) + x * VM_C(0.0163580602938771594);
+    const vm_real G = (G01 + xx * G23) + xx * xx * (G45 + xx * VM_C(0.0147401685155095323));
+#else
+    const vm_real G = VM_C(0.250000149) + x * (VM_C(0.0780960843) + x * VM_C(0.04464155063));
+#endif
+    return x * G;
+}
+
+/* The nome of m from k1 = (1 - k')/(1 + k'), x = k1^2 <= 0.0295: 4 q/k1 = 1 + x Q(x), error 2^-53 (float 2^-31) */
+VM_API vm_real vmi_nome(vm_real k1, vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vm_real xx = x * x;
+    const vm_real Q01 = VM_C(0.249999999999790112) + x * VM_C(0.132812500137754114);
+    const vm_real Q23 = VM_C(0.0878905949147435472) + x * VM_C(0.0646850229644579805);
+    const vm_real Q45 = VM_C(0.050533534545645388) + x * VM_C(0.0451522108322996232);
+    const vm_real Q = (Q01 + xx * Q23) + xx * xx * Q45;
+#else
+    const vm_real Q = VM_C(0.2500003278) + x * (VM_C(0.1327469796) + x * VM_C(0.0916782096));
+#endif
+    return k1 / 4 * (1 + x * Q);
+}
+
+/* ---- Theta functions ------------------------------------------------------------------------------------------ */
+
+enum { VMI_CIRCULAR, VMI_HYPERBOLIC, VMI_RECIPROCAL };
+
+/* What is known on the way: the complement relatively accurate (m; 1 - m; 1/(1 - m)), a + a_lo = 1 - complement and
+   its roots, the low words after refining */
+typedef struct VM_TAG(vmi_roots) {
+    vm_real complement, a, a_lo, second, second_lo, fourth, fourth_lo;
+} vmi_roots;
+
+/* For 1 - m = m1 + m1_lo > 0: the form whose nome lies within exp(-pi) of 0.
+   VMI_CIRCULAR, -1 <= m <= 1/2: theta functions of the real argument z = u agm(1, k'), |z| <= pi/4, nome q of m;
+   VMI_HYPERBOLIC, m > 1/2: of the imaginary argument i z, z = u agm(1, k), nome of 1 - m;
+   VMI_RECIPROCAL, m < -1: as that for mu = m/(m - 1) and k'u, by sn(u | m) = sd(k'u | mu)/k' and its kin.
+   One step of the AGM from 1 and k' (k in the hyperbolic forms) reaches (1 + k')/2 and the parameter k1^2. */
+VM_API vmi_roots vmi_theta_choose(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
+{
+    vmi_roots r;
+    vm_real k1, half;
+    if (m1 < VM_C(0.5)) {
+        t->form = VMI_HYPERBOLIC;
+        r.complement = m1;
+        r.a = 1 - m1;
+        r.a_lo = ((1 - r.a) - m1) - m1_lo;
+    } else if (m1 <= 2) {
+        t->form = VMI_CIRCULAR;
+        r.complement = (1 - m1) - m1_lo;
+        r.a = m1;
+        r.a_lo = m1_lo;
+    } else {
+        t->form = VMI_RECIPROCAL;
+        r.complement = 1 / m1;
+        r.a = 1 - r.complement;
+        r.a_lo = (1 - r.a) - r.complement;
+    }
+    r.second = VM_SQRT(r.a);
+    r.fourth = VM_SQRT(r.second);
+    r.second_lo = r.fourth_lo = 0;
+    k1 = r.complement / ((1 + r.second) * (1 + r.second));
+    half = (1 - r.second) / 2;
+    t->q = vmi_nome(k1, k1 * k1);
+    t->defect = half + (1 - half) * vmi_agm_defect(k1 * k1);
+    t->defect_lo = 0;
+    t->kp = t->form == VMI_CIRCULAR ? r.second : VM_SQRT(m1);
+    t->kp_lo = 0;
+    return r;
+}
+
+/* Half of the digits of x, 2^-4 < |x| < 2, and from it what is left of a - root^2 */
+VM_API vm_real vmi_head(vm_real x)
+{
+    const vm_real large = VM_MANT_DIG > 24 ? VM_C(201326592.0) : VM_C(6144.0), sum = x + large;
+    return sum - large;
+}
+
+VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
+{
+    const vm_real head = vmi_head(root), tail = root - head;
+    return ((a - head * head) - 2 * head * tail) - tail * tail;
+}
+
+/* The low words of the two roots, of k' and of the defect, whose error is below 2^-(p + 15): with h = (1 - r)/2 from
+   the fourth root r, two steps of the AGM reach (1 - h)^2 and the parameter 16 q^4 (1 - 8 q^4 + 44 q^8). */
+VM_API void vmi_theta_refine(vmi_theta_form *t, vmi_roots *r, vm_real m1, vm_real m1_lo)
+{
+    const vm_real h = (1 - r->fourth) / 2, rest = 1 - h, head = vmi_head(h), tail = h - head;
+    const vm_real y = (t->q * t->q) * (t->q * t->q);
+    vm_two s;
+    if (t->form == VMI_RECIPROCAL) {
+        t->kp_lo = vmi_two_sqrt(vmi_two(m1, m1_lo)).lo;
+        if (m1 < 1 / (VM_EPSILON * VM_EPSILON)) {
+            const vm_two one = vmi_two_product(r->complement, m1);
+            r->a_lo -= ((1 - one.hi) - one.lo - r->complement * m1_lo) / m1;
+        }
+    }
+    r->second_lo = (vmi_root_residual(r->a, r->second) + r->a_lo) / (2 * r->second);
+    r->fourth_lo = (vmi_root_residual(r->second, r->fourth) + r->second_lo) / (2 * r->fourth);
+    s = vmi_fast_two_sum(2 * h, -head * head);
+    s.lo -= tail * (h + head) - rest * (rest * vmi_agm_defect(16 * y * (1 - y * (8 - 44 * y))) - r->fourth_lo);
+    s = vmi_fast_two_sum(s.hi, s.lo);
+    t->defect = s.hi;
+    t->defect_lo = s.lo;
+}
+
+/* The coefficients of what follows. With X = q cos 2z (or q cosh 2z),
+     theta_1, theta_2 ~ sin z (P - Q), cos z (P + Q),  P = f0 + f2 X^2,  Q = X (f1 + f3 X^2),
+     theta_3, theta_4 = E + O, E - O,                  E = g0 + g2 X^2,  O = X (g1 + g3 X^2);
+   what is left out is below 1e-17, for |X| up to sqrt(q)/2 = 0.104. */
+VM_API void vmi_theta_prepare(vmi_theta_form *t, vm_real fourth_root)
+{
+    const vm_real q = t->q, q2 = q * q, q4 = q2 * q2, q6 = q2 * q4;
+    const vm_real D = 1 + (q2 + q6), even = 2 * q4, odd = 2 * q * (1 + q4 * q4);
+    const vm_real theta3 = 1 + (odd + even), theta4 = 1 - (odd - even);
+    t->f[0] = 1 - (q2 + q6);
+    t->f[1] = 2 * q * (1 - q4 * (1 + 2 * q6));
+    t->f[2] = 4 * q4 * (1 - q6);
+    t->f[3] = 8 * q4 * q4 * q;
+    t->g[0] = 1 - even;
+    t->g[1] = 2 - 6 * q4 * q4;
+    t->g[2] = 4 * q2;
+    t->g[3] = 8 * q6;
+    if (t->form == VMI_CIRCULAR) {
+        t->scale[0] = theta3 / D;
+        t->scale[1] = theta4 / D;
+        t->scale[2] = fourth_root;
+    } else {
+        t->scale[0] = 1 / (t->form == VMI_RECIPROCAL ? t->kp * fourth_root : fourth_root);
+        t->scale[2] = 2 * D / theta3;
+        t->scale[1] = t->scale[2] / fourth_root;
+    }
+}
+
+/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
+VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
+{
+    const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
+#if VM_MANT_DIG > 24
+    const vm_real S01 = VM_C(-0.166666666666666269) + t * VM_C(8.33333333332120924e-3);
+    const vm_real S23 = VM_C(-1.98412698288076529e-4) + t * VM_C(2.75573133340740356e-6);
+    const vm_real S45 = VM_C(-2.5050700566966798e-8) + t * VM_C(1.58933807848550637e-10);
+    const vm_real C01 = VM_C(0.041666666666666588) + t * VM_C(-1.38888888888725006e-3);
+    const vm_real C23 = VM_C(2.48015872884295392e-5) + t * VM_C(-2.75573140380815829e-7);
+    const vm_real C45 = VM_C(2.08756793176115783e-9) + t * VM_C(-1.13573139592429182e-11);
+    const vm_real S = S01 + tt * (S23 + tt * S45), C = C01 + tt * (C23 + tt * C45);
+#else
+    const vm_real S = VM_C(-0.1666666716) + t * VM_C(8.333329111e-3) +
+                      tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
+    const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
+#endif
+    *sine = z.hi + (z.hi * t * S + z.lo * w);
+    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+}
+
+/* odd ? a : b without a branch, which would be mispredicted every other time */
+VM_INLINE vm_real vmi_select(vmi_bits odd, vm_real a, vm_real b)
+{
+    const vmi_bits a_bits = vmi_to_bits(a), b_bits = vmi_to_bits(b), mask = (vmi_bits)0 - odd;
+    return vmi_from_bits(b_bits ^ ((a_bits ^ b_bits) & mask));
+}
+
+/* Neville's theta functions s, c, d, n of z, or where odd is 1 of z and a quarter, but for a common factor, so that
+   pq = theta_p/theta_q: each relatively accurate, since no difference loses digits. A quarter on, theta_1, theta_2,
+   theta_3, theta_4 become theta_2, -theta_1, theta_4, theta_3. */
+VM_INLINE void vmi_theta_circular(const vmi_theta_form *t, vm_two z, vmi_bits odd, vm_real *theta)
+{
+    vm_real s, c, X, XX, P, Q, E, O, s_new, c_new;
+    vmi_sin_cos(z, &s, &c);
+    X = t->q * (1 - 2 * s * s);
+    XX = X * X;
+    P = t->f[0] + t->f[2] * XX;
+    Q = X * (t->f[1] + t->f[3] * XX);
+    E = t->g[0] + t->g[2] * XX;
+    O = X * (t->g[1] + t->g[3] * XX);
+    s_new = vmi_select(odd, c, s);
+    c_new = vmi_select(odd, -s, c);
+    Q = vmi_select(odd, -Q, Q);
+    O = vmi_select(odd, -O, O);
+    theta[0] = t->scale[0] * (s_new * (P - Q));
+    theta[1] = t->scale[1] * (c_new * (P + Q));
+    theta[2] = t->scale[2] * (E + O);
+    theta[3] = E - O;
+}
+
+#define VMI_FAR (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-VMI_FAR) is 0: tanh is 1, sech 0 */
+
+/* The same for 0 <= z <= VMI_FAR, all four by 2 exp(-z), which makes sinh z 1 - exp(-2z) and cosh z 1 + exp(-2z). A
+   quarter on, s, c, d, n become c, -k's, k'n, d. */
+VM_INLINE void vmi_theta_hyperbolic(const vmi_theta_form *t, int form, vm_two z, vmi_bits odd, vm_real *theta)
+{
+    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* q: then X <= sqrt(q)/2 is negligible */
+    vm_real p, p_lo, power, root, less, e, cosh_2z, X, XX, P, Q, E, O, s, c, d, n, d_form, n_form;
+    int k;
+    p = vmi_exp_core(-z.hi, -z.lo, &k, &p_lo);
+    power = vmi_ldexp(1, k);
+    root = power + power * p;       /* exp(-z) */
+    less = (1 - power) - power * p; /* 1 - exp(-z) */
+    e = root * root;
+    cosh_2z = (e + 1 / e) / 2;
+    X = t->q > tiny ? t->q * cosh_2z : 0;
+    XX = X * X;
+    P = t->f[0] + t->f[2] * XX;
+    Q = X * (t->f[1] + t->f[3] * XX);
+    E = t->g[0] + t->g[2] * XX;
+    O = X * (t->g[1] + t->g[3] * XX);
+    s = t->scale[0] * (less * (1 + root) * (P - Q));
+    c = t->scale[1] * (root * (E - O));
+    d = t->scale[2] * (root * (E + O));
+    n = (1 + e) * (P + Q);
+    d_form = form == VMI_RECIPROCAL ? n : d;
+    n_form = form == VMI_RECIPROCAL ? d : n;
+    theta[0] = vmi_select(odd, c, s);
+    theta[1] = vmi_select(odd, -t->kp * s, c);
+    theta[2] = vmi_select(odd, t->kp * n_form, d_form);
+    theta[3] = vmi_select(odd, d_form, n_form);
+}
+
+/* The thetas at z and so many quarters: z < 0 changes the sign of s before the quarter, half periods those of s, c */
+VM_INLINE void vmi_theta_at(const vmi_theta_form *t, int form, vm_two z, int quarter, vm_real *theta)
+{
+    const vmi_bits odd = (vmi_bits)(quarter & 1);
+    const vm_real half = (vm_real)(1 - (quarter & 2));
+    if (form == VMI_CIRCULAR) {
+        vmi_theta_circular(t, z, odd, theta);
+        theta[0] *= half;
+        theta[1] *= half;
+    } else {
+        const vm_real sign = VM_COPYSIGN((vm_real)1, z.hi), flipped = sign * half;
+        vmi_theta_hyperbolic(t, form, vmi_two(sign * z.hi, sign * z.lo), odd, theta);
+        theta[0] *= vmi_select(odd, half, flipped);
+        theta[1] *= vmi_select(odd, flipped, half);
+    }
+    theta[1] = theta[0] == 0 ? VM_COPYSIGN(theta[3], theta[1]) : theta[1]; /* cn(0) = dn(0) = 1, not almost */
+    theta[2] = theta[0] == 0 ? theta[3] : theta[2];
+}
+
+VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high) { return x < low ? low : x > high ? high : x; }
+
+VM_INLINE void vmi_theta_ratios(const vm_real *theta, vm_real kp, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real low = kp < 1 ? kp : 1, high = kp < 1 ? 1 : kp;
+    *sn = vmi_clamp(theta[0] / theta[3], -1, 1);
+    *cn = vmi_clamp(theta[1] / theta[3], -1, 1);
+    *dn = vmi_clamp(theta[2] / theta[3], low, high);
+}
+
+/* ---- The phase and its quarter -------------------------------------------------------------------------------- */
+
+/* v, times k' in the reciprocal form */
+VM_INLINE vm_two vmi_theta_argument(const vmi_theta_form *t, vm_two v)
+{
+    vm_two p;
+    if (t->form != VMI_RECIPROCAL) return v;
+    p = vmi_two_product(v.hi, t->kp);
+    return vmi_fast_two_sum(p.hi, p.lo + (v.hi * t->kp_lo + v.lo * t->kp));
+}
+
+/* z = v (1 - defect): within 2^-(p + 3) */
+VM_INLINE vm_two vmi_theta_phase(const vmi_theta_form *t, vm_two v)
+{
+    const vm_real less = v.hi * t->defect, z = v.hi - less;
+    return vmi_two(z, ((v.hi - z) - less) + (v.lo * (1 - t->defect) - v.hi * t->defect_lo));
+}
+
+/* The quarter period of the phase in two words: pi/2, or -ln(q)/2 with q = m1/(2 (1 + k)(1 + sqrt k)^2) (1 + 2 q^4 -
+   ...) and m1 -> 1/m1 in the reciprocal form. Relative error < 2^-63 (float 2^-31). */
+VM_API vm_two vmi_theta_quarter(const vmi_theta_form *t, const vmi_roots *roots, vm_real m1, vm_real m1_lo)
+{
+#if VM_MANT_DIG > 24
+    const vm_real lift = VM_C(2.5822498780869086e120), threshold = VM_C(1e150); /* 2^400 */
+    const vm_real ln_lift = VM_C(277.2588722239781304779), ln_lift_lo = VM_C(-6.711024299217055504695e-15);
+#else
+    const vm_real lift = VM_C(1099511627776.0), threshold = VM_C(1e18); /* 2^40 */
+    const vm_real ln_lift = VM_C(27.725887298583984375), ln_lift_lo = VM_C(-7.618616848503734217957e-8);
+#endif
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real y = t->q * t->q * t->q * t->q, scale = m1 > threshold ? 1 / lift : m1 < 1 / threshold ? lift : 1;
+    vm_two a = vmi_fast_two_sum(1, roots->second), b = vmi_fast_two_sum(1, roots->fourth), p, x, L;
+    if (t->form == VMI_CIRCULAR) return vmi_two(half_pi.w[0], half_pi.w[1]);
+    p = vmi_two_product(b.hi, b.hi);
+    p.lo += 2 * b.hi * (b.lo + roots->fourth_lo);
+    x = vmi_two_product(a.hi, p.hi);
+    x.lo += a.hi * p.lo + (a.lo + roots->second_lo) * p.hi;
+    m1 *= scale;
+    m1_lo *= scale;
+    if (t->form == VMI_RECIPROCAL) {
+        p = vmi_two_product(x.hi, m1);
+        p.lo += x.hi * m1_lo + x.lo * m1;
+    } else {
+        a.hi = x.hi / m1;
+        p = vmi_two_product(a.hi, m1);
+        p = vmi_two(a.hi, (((x.hi - p.hi) - p.lo) + (x.lo - a.hi * m1_lo)) / m1);
+    }
+    L = vmi_log(2 * p.hi);
+    L.lo += p.lo / p.hi - y * (2 - y * (3 - y * VM_C(2.666666666666666667)));
+    if (scale != 1) {
+        const vm_two s = vmi_two_sum(L.hi, ln_lift);
+        L = vmi_two(s.hi, s.lo + L.lo + ln_lift_lo);
+    }
+    return vmi_fast_two_sum(L.hi / 2, L.lo / 2);
+}
+
+/* The phase less one or two quarters H: its quarter, or 0 if it is so near a multiple that H has too few digits */
+VM_API int vmi_theta_first_quarters(const vmi_theta_form *t, vm_real u, vm_two H, vm_two *z)
+{
+    const vm_two v = vmi_theta_argument(t, vmi_two(u, 0)), less = vmi_two_product(v.hi, t->defect);
+    const vm_two high = vmi_fast_two_sum(v.hi, -less.hi);
+    const int j = high.hi < VM_C(1.5) * H.hi ? 1 : 2;
+    const vm_two s = vmi_two_sum(high.hi, -(vm_real)j * H.hi);
+    const vm_real low = high.lo + (v.lo * (1 - t->defect) - v.hi * t->defect_lo) - less.lo;
+    *z = vmi_fast_two_sum(s.hi, s.lo + (low - (vm_real)j * H.lo));
+    return VM_FABS(s.hi) > high.hi / 64 ? j : 0;
+}
+
+/* The phase z of u > 0, |z| <= half a quarter but for a rounding, and the quarter 0 to 3 it is counted from; by K in
+   more words where the phase's own quarter period has too few: for many quarters, or next to a multiple of K */
+VM_API vm_two vmi_theta_reduced(vmi_theta_form *t, vmi_roots *roots, vm_real m1, vm_real m1_lo, vm_real u,
+                                int *quarter)
+{
+    vm_two z = vmi_theta_phase(t, vmi_theta_argument(t, vmi_two(u, 0))), H, v;
+    *quarter = 0;
+    if ((z.hi <= VM_PI / 4 && t->form != VMI_RECIPROCAL) || m1 == 0) return z;
+    vmi_theta_refine(t, roots, m1, m1_lo);
+    H = vmi_theta_quarter(t, roots, m1, m1_lo);
+    if (z.hi < H.hi / 2) return vmi_theta_phase(t, vmi_theta_argument(t, vmi_two(u, 0)));
+    if (z.hi < VM_C(2.5) * H.hi && (*quarter = vmi_theta_first_quarters(t, u, H, &z)) != 0) return z;
+    H = vmi_K_two_words(m1, m1_lo);
+    v = vmi_reduce_words(u, H, quarter);
+    if (VM_FABS(v.hi) < 128 * VM_EPSILON * u && u < VMI_EXACT_QUARTERS * H.hi) {
+        vm_real K[4];
+        vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
+        v = vmi_reduce_pieces(u, K, 1 / H.hi, quarter);
+    }
+    return vmi_theta_phase(t, vmi_theta_argument(t, v));
+}
+
+/* ---- sn, cn, dn and their quotients --------------------------------------------------------------------------- */
+
+/* theta_s, theta_c, theta_d, theta_n (u), relatively accurate, for 1 - m = m1 + m1_lo, and k'; NaN where refused */
+VM_API void vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *theta, vm_real *kp)
+{
+    vmi_theta_form t;
+    vmi_roots roots;
+    vm_two z;
+    vm_real x = VM_FABS(u);
+    int quarter;
+    if (m1 == 0 && x > VMI_FAR) x = VMI_FAR;
+    if (!(m1 >= 0) || !VM_IS_FINITE(m1) || !VM_IS_FINITE(x)) {
+        theta[0] = theta[1] = theta[2] = theta[3] = *kp = VM_NAN;
+        return;
+    }
+    roots = vmi_theta_choose(&t, m1, m1_lo);
+    vmi_theta_prepare(&t, roots.fourth);
+    z = vmi_theta_reduced(&t, &roots, m1, m1_lo, x, &quarter);
+    if (t.form == VMI_CIRCULAR) vmi_theta_at(&t, VMI_CIRCULAR, z, quarter, theta);
+    else vmi_theta_at(&t, t.form, z, quarter, theta);
+    theta[0] *= VM_COPYSIGN((vm_real)1, u);
+    *kp = t.kp;
+}
+
+VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vm_real theta[4], kp;
+    const vm_two m1 = vmi_two_sum(1, -m);
+    vmi_neville(u, m1.hi, m1.lo, theta, &kp);
+    vmi_theta_ratios(theta, kp, sn, cn, dn);
+}
+
+VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vm_real theta[4], kp;
+    vmi_neville(u, m1, 0, theta, &kp);
+    vmi_theta_ratios(theta, kp, sn, cn, dn);
+}
+
+#define VMI_SINGLE(name, p, q)                    \
+    VM_API vm_real name(vm_real u, vm_real m)     \
+    {                                             \
+        vm_real theta[4], kp;                     \
+        const vm_two m1 = vmi_two_sum(1, -m);     \
+        vmi_neville(u, m1.hi, m1.lo, theta, &kp); \
+        return theta[p] / theta[q];               \
+    }
+VMI_SINGLE(jacobi_cd, 1, 2)
+VMI_SINGLE(jacobi_sd, 0, 2)
+VMI_SINGLE(jacobi_nd, 3, 2)
+VMI_SINGLE(jacobi_sc, 0, 1)
+VMI_SINGLE(jacobi_dc, 2, 1)
+VMI_SINGLE(jacobi_nc, 3, 1)
+VMI_SINGLE(jacobi_cs, 1, 0)
+VMI_SINGLE(jacobi_ds, 2, 0)
+VMI_SINGLE(jacobi_ns, 3, 0)
+#undef VMI_SINGLE
+
+VM_API vm_real jacobi_sn(vm_real u, vm_real m)
+{
+    vm_real sn, cn, dn;
+    jacobi_sncndn(u, m, &sn, &cn, &dn);
+    return sn;
+}
+
+VM_API vm_real jacobi_cn(vm_real u, vm_real m)
+{
+    vm_real sn, cn, dn;
+    jacobi_sncndn(u, m, &sn, &cn, &dn);
+    return cn;
+}
+
+VM_API vm_real jacobi_dn(vm_real u, vm_real m)
+{
+    vm_real sn, cn, dn;
+    jacobi_sncndn(u, m, &sn, &cn, &dn);
+    return dn;
+}
+
+/* ---- One m prepared ------------------------------------------------------------------------------------------- */
+
+VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
+{
+    vmi_roots roots;
+    int i;
+    if (!(m1 >= 0) || !VM_IS_FINITE(m1)) return -1;
+    roots = vmi_theta_choose(&p->theta, m1, m1_lo);
+    vmi_theta_refine(&p->theta, &roots, m1, m1_lo);
+    vmi_theta_prepare(&p->theta, roots.fourth);
+    for (i = 0; i < 4; i++) p->K[i] = 0;
+    p->per_K = 0;
+    if (m1 == 0) return 0;
+    vmi_pieces(vmi_K_three_words(m1, m1_lo), p->K);
+    p->per_K = 1 / (p->K[0] + p->K[1]);
+    return 0;
+}
+
+VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_plan_init(p, m1.hi, m1.lo);
+}
+
+VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
+
+/* One point from u = j K + v; no branch where form is known to the compiler */
+VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vm_two v, int quarter, vm_real *sn,
+                              vm_real *cn, vm_real *dn)
+{
+    vm_real theta[4];
+    if (form == VMI_RECIPROCAL) v = vmi_theta_argument(&p->theta, v);
+    vmi_theta_at(&p->theta, form, vmi_theta_phase(&p->theta, v), quarter, theta);
+    theta[0] *= VM_COPYSIGN((vm_real)1, u);
+    vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
+}
+
+/* The argument's size, in the range of exp where m = 1 */
+VM_INLINE vm_real vmi_plan_size(const jacobi_plan *p, vm_real u)
+{
+    const vm_real most = p->per_K == 0 ? VMI_FAR : VM_INFINITY, size = VM_FABS(u);
+    return size > most ? most : size;
+}
+
+VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real x = vmi_plan_size(p, u);
+    vm_two v;
+    int quarter;
+    if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarter);
+    else { /* many quarters, infinity or NaN */
+        const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
+        v = vmi_reduce_words(x, K, &quarter);
+        v.hi += x - x;
+    }
+    if (p->theta.form == VMI_CIRCULAR) vmi_plan_point(p, VMI_CIRCULAR, u, v, quarter, sn, cn, dn);
+    else vmi_plan_point(p, p->theta.form, u, v, quarter, sn, cn, dn);
+}
+
+/* For |u| < VMI_EXACT_QUARTERS K a loop that compilers vectorise */
+VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
+                             vm_real *dn)
+{
+    int i;
+    for (i = 0; i < n; i++) {
+        int quarter;
+        const vm_two v = vmi_reduce_pieces(vmi_plan_size(p, u[i]), p->K, p->per_K, &quarter);
+        vmi_plan_point(p, form, u[i], v, quarter, sn + i, cn + i, dn + i);
+    }
+}
+
+VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
+                                     vm_real *dn)
+{
+    const jacobi_plan local = *p; /* the compiler sees that no element of the arrays is a part of it */
+    int i, far = 0;
+    for (i = 0; i < n; i++) far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
+    if (far)
+        for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
+    else if (local.theta.form == VMI_CIRCULAR) vmi_plan_loop(&local, VMI_CIRCULAR, n, u, sn, cn, dn);
+    else if (local.theta.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
+    else vmi_plan_loop(&local, VMI_RECIPROCAL, n, u, sn, cn, dn);
+}
+
+/* ---- Complete integrals --------------------------------------------------------------------------------------- */
+
+/* H(x) = 4 (1 - E(x)/K(x)) = 2x + x^2/4 + ..., 0 <= x <= 0.0288: relative error 2^-60 (float 2^-30) */
+VM_API vm_real vmi_E_defect(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vm_real xx = x * x;
+    const vm_real H01 = VM_C(2.00000000000000133) + x * VM_C(0.249999999998691019);
+    const vm_real H23 = VM_C(0.125000000389751259) + x * VM_C(0.0800780700334637885);
+    const vm_real H45 = VM_C(0.0576213257025749714) + x * VM_C(0.0442019959451111361);
+    const vm_real H = (H01 + xx * H23) + xx * xx * (H45 + xx * VM_C(0.0393442713217982271));
+#else
+    const vm_real H = VM_C(2.000000477) + x * (VM_C(0.2499225885) + x * VM_C(0.1295758039));
+#endif
+    return x * H;
+}
+
+/* Two steps of the AGM from 1 and k' = root reach ((1 + r)/2)^2, r = sqrt(k'), and the parameter x <= 0.0063 for m
+   from -1 to 0.9; h = (1 - r)/2, corrected by the rounding errors of both roots */
+typedef struct VM_TAG(vmi_two_steps) {
+    vm_two root;
+    vm_real h, x;
+} vmi_two_steps;
+
+VM_API vmi_two_steps vmi_agm_two_steps(vm_real m1, vm_real m1_lo)
+{
+    vmi_two_steps s;
+    vm_real fourth, ratio;
+    s.root.hi = VM_SQRT(m1);
+    s.root.lo = (vmi_root_residual(m1, s.root.hi) + m1_lo) / (2 * s.root.hi);
+    fourth = VM_SQRT(s.root.hi);
+    s.h = (1 - fourth) / 2 - (vmi_root_residual(s.root.hi, fourth) + s.root.lo) / (4 * fourth);
+    ratio = s.h / (1 - s.h);
+    s.x = (ratio * ratio) * (ratio * ratio);
+    return s;
+}
+
+/* K = pi/2 over the limit, E/K = ((1 + k')/2)^2 - ((1 + r)/2)^4 H(x), as sums of a large part and a smaller one */
+VM_API vm_two vmi_K_middle(const vmi_two_steps *s)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real rest = 1 - s->h, defect = s->h * (2 - s->h) + rest * rest * vmi_agm_defect(s->x);
+    return vmi_fast_two_sum(half_pi.w[0], half_pi.w[0] * (defect / (1 - defect)) + half_pi.w[1]);
+}
+
+VM_API vm_real vmi_E_middle(const vmi_two_steps *s)
+{
+    const vm_two K = vmi_K_middle(s);
+    const vm_real a2 = (1 - s->h) * (1 - s->h), root = s->root.hi;
+    const vm_real more = (root - 1) * (root + 3) / 4 + s->root.lo * (root + 1) / 2;
+    return K.hi + (K.lo + K.hi * (more - a2 * a2 * vmi_E_defect(s->x)));
+}
+
+/* For m > 0.9 and m < -1, there of mu = m/(m - 1): K = H/agm(1, k) in two words, E = agm(1, k) + K (1 - E'/K') */
+typedef struct VM_TAG(vmi_outer) {
+    vm_two K, E, kp;
+} vmi_outer;
+
+VM_API vmi_outer vmi_K_outer(vm_real m1, vm_real m1_lo)
+{
+    vmi_theta_form t;
+    vmi_roots r = vmi_theta_choose(&t, m1, m1_lo);
+    const vm_two H = vmi_theta_quarter(&t, &r, m1, m1_lo);
+    const vm_real h = (1 - r.fourth) / 2, a2 = (1 - h) * (1 - h), ratio = h / (1 - h), limit = 1 - t.defect;
+    const vm_real less = r.complement * (3 + r.second) / (4 * (1 + r.second)); /* 1 - ((1 + k)/2)^2 */
+    vmi_outer o;
+    o.K = vmi_fast_two_sum(H.hi, H.hi * (t.defect / limit) + H.lo);
+    o.E = vmi_fast_two_sum(1, -t.defect);
+    o.E.lo += o.K.hi * (less + a2 * a2 * vmi_E_defect((ratio * ratio) * (ratio * ratio)));
+    o.E = vmi_fast_two_sum(o.E.hi, o.E.lo);
+    o.kp = vmi_two_sqrt(vmi_two(m1, m1_lo));
+    return o;
+}
+
+VM_API int vmi_is_middle(vm_real m1) { return m1 >= VM_C(0.1) && m1 <= 2; }
+
+VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
+{
+    vmi_two_steps s;
+    vmi_outer o;
+    vm_real K;
+    vm_two p;
     if (!(m1 >= 0) || !VM_IS_FINITE(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    vmi_agm(&l, VM_SQRT(m1));
-    return VM_PI / 2 / l.a[l.n];
+    if (vmi_is_middle(m1)) {
+        s = vmi_agm_two_steps(m1, m1_lo);
+        return vmi_K_middle(&s).hi;
+    }
+    o = vmi_K_outer(m1, m1_lo);
+    if (m1 < 1) return o.K.hi;
+    K = o.K.hi / o.kp.hi;
+    p = vmi_two_product(K, o.kp.hi);
+    return K + (((o.K.hi - p.hi) - p.lo) + (o.K.lo - K * o.kp.lo)) / o.kp.hi;
 }
 
-VM_API vm_real jacobi_K(vm_real m) { return jacobi_K_m1(1 - m); }
-
-/* For m > 1/2 the difference E = K (1 - ...) would cancel; Legendre's relation makes it a sum of positive terms,
-   E = agm(1, k) + K (m1/2 + sum 2^(n-1) c_n^2), with the c_n of agm(1, k). For m < 0 E(m) = k' E(m/(m - 1)). */
-VM_API vm_real jacobi_E_m1(vm_real m1)
+VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
-    vmi_ladder l;
-    vm_real K, scale = 1;
+    vmi_two_steps s;
+    vmi_outer o;
+    vm_two p;
     if (!(m1 >= 0) || !VM_IS_FINITE(m1)) return VM_NAN;
     if (m1 == 0) return 1;
-    if (m1 > 1) {
-        scale = VM_SQRT(m1);
-        m1 = 1 / m1;
+    if (vmi_is_middle(m1) && m1 >= VM_C(0.3)) { /* nearer to m = 1 the sum cancels */
+        s = vmi_agm_two_steps(m1, m1_lo);
+        return vmi_E_middle(&s);
     }
-    K = jacobi_K_m1(m1);
-    vmi_agm(&l, m1 < VM_C(0.5) ? VM_SQRT(1 - m1) : VM_SQRT(m1));
-    if (m1 < VM_C(0.5)) return scale * (l.a[l.n] + K * (m1 / 2 + vmi_agm_sum(&l)));
-    return scale * K * ((1 + m1) / 2 - vmi_agm_sum(&l));
+    o = vmi_K_outer(m1, m1_lo);
+    if (m1 < 1) return o.E.hi;
+    p = vmi_two_product(o.kp.hi, o.E.hi);
+    return p.hi + (p.lo + (o.kp.hi * o.E.lo + o.kp.lo * o.E.hi));
 }
 
-VM_API vm_real jacobi_E(vm_real m) { return jacobi_E_m1(1 - m); }
+VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
+VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
-/* ---- sn, cn, dn --------------------------------------------------------------------------------------------- */
+VM_API vm_real jacobi_K(vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_K(m1.hi, m1.lo);
+}
+
+VM_API vm_real jacobi_E(vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_E(m1.hi, m1.lo);
+}
+
+VM_API vm_real jacobi_kpK(vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    if (!(m1.hi >= 0) || !VM_IS_FINITE(m1.hi)) return VM_NAN;
+    if (m1.hi == 0) return 0;
+    if (m1.hi > 2) return vmi_K_outer(m1.hi, m1.lo).K.hi;
+    return VM_SQRT(m1.hi) * vmi_K(m1.hi, m1.lo);
+}
+
+/* ---- The amplitude -------------------------------------------------------------------------------------------- */
+
+/* atan(y/x) for x, y >= 0, not both 0: within 1 ulp. |argument of the series| <= tan(pi/8). */
+VM_API vm_real vmi_arctan(vm_real y, vm_real x)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const int steep = y > x;
+    const vm_real low = steep ? x : y, high = steep ? y : x;
+    const int middle = low > VM_C(0.4142135623730950488) * high;
+    const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
+    vm_real angle, rest;
+#if VM_MANT_DIG > 24
+    const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
+    const vm_real A23 = VM_C(-0.142857141959989442) + t * VM_C(0.111111066814559886);
+    const vm_real A45 = VM_C(-0.090907830050303437) + t * VM_C(0.0769007587545607746);
+    const vm_real A67 = VM_C(-0.0664118057808822659) + t * VM_C(0.0569281822630746878);
+    const vm_real A89 = VM_C(-0.0435981713871582341) + t * VM_C(0.0212677217547787116);
+    const vm_real A = (A01 + tt * A23) + tt * tt * (A45 + tt * (A67 + tt * A89));
+#else
+    const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
+    const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
+#endif
+    rest = z + z * (t * A) + (middle ? half_pi.w[1] / 2 : 0);
+    angle = middle ? half_pi.w[0] / 2 + rest : rest;
+    return steep ? (half_pi.w[0] - angle) + half_pi.w[1] : angle;
+}
+
+/* j pi + atan(sn/cn), j the multiple of 2K next to u */
+VM_API vm_real jacobi_am(vm_real u, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    const vmi_three half_pi = vmi_half_pi();
+    vm_real K, turns, j, odd, am, theta[4], kp;
+    vm_two p;
+    vmi_neville(VM_FABS(u), m1.hi, m1.lo, theta, &kp);
+    if (kp != kp) return VM_NAN;
+    K = m1.hi > 0 ? vmi_K(m1.hi, m1.lo) : VM_MAX;
+    turns = VM_FABS(u) / (2 * K);
+    j = VM_FLOOR(turns + VM_C(0.5));
+    if (!(j < 1 / VM_EPSILON)) return u / K * half_pi.w[0];
+    odd = j - 2 * VM_FLOOR(j / 2);
+    if ((odd > 0) != (theta[1] < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
+    am = vmi_arctan(VM_FABS(theta[0]), VM_FABS(theta[1]));
+    if ((theta[0] < 0) != (theta[1] < 0)) am = -am;
+    p = vmi_two_product(j, 2 * half_pi.w[0]);
+    return VM_COPYSIGN(p.hi + (am + (p.lo + j * (2 * half_pi.w[1]))), u);
+}
+
+/* ---- The modulus solver --------------------------------------------------------------------------------------- */
+
+VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
+
+/* m = 16 q R, R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4, from (1 - R)/q, which rounds less; |q| <= 0.1. With
+   b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
+VM_API vm_real vmi_theta_loss(vm_real q)
+{
+    const vm_real y = q * q, y2 = y * y, theta3 = 1 + 2 * (q + y2 * (1 + y2 * q));
+    const vm_real rho = (2 - q + q * y * (2 - y) + y2 * y2 * (2 - q * y)) / theta3, b = 1 - q * rho;
+    return rho * ((1 + b) * (1 + b * b));
+}
+
+/* A parameter by its nome q, which is that of m where circular, else exp(-L - L_lo) and that of 1 - m, or where
+   upside that of 1/(1 - m) */
+typedef struct VM_TAG(vmi_solution) {
+    int circular, upside;
+    vm_real q, L, L_lo;
+} vmi_solution;
+
+/* theta_4(q)^2 = 2 c/pi: the nome of k'K = c, minus that of K = c, for c within K(-1) and K(1/2) */
+VM_API vm_real vmi_solve_middle(vm_real c)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real less = ((half_pi.w[0] - c) + half_pi.w[1]) / half_pi.w[0]; /* 1 - theta_4^2 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));              /* (1 - theta_4)/2 = q - q^4 + q^9 */
+    vm_real q = start;
+    int i;
+    for (i = 0; i < 6; i++) q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q); /* each 3 digits more */
+    return q;
+}
+
+/* L = -ln q with K = L theta_3(q)^2/2 = c, c >= K(1/2): Newton's method for lambda = 2c - L = 2c (1 - theta_3^-2),
+   0 <= lambda < 0.57, from 0, where seven steps do */
+VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
+{
+    vm_real lambda = 0;
+    vm_two L = vmi_two(2 * c, 0);
+    int i;
+    for (i = 0; i < 8; i++) {
+        const vm_real q = vmi_exp(-L.hi, -L.lo), q3 = q * q * q, t = 2 * q * (1 + q3 * (1 + q3 * q * q));
+        const vm_real over = 1 / (1 + t), value = 2 * c * (t * (2 + t)) * (over * over);
+        lambda -= (lambda - value) / (1 - 8 * c * q * (1 + 4 * q3) * (over * over * over));
+        L = vmi_two_sum(2 * c, -lambda);
+    }
+    s->L = L.hi;
+    s->L_lo = L.lo;
+}
+
+/* ln(1 + x), 0 <= x < 0.0019 */
+VM_API vm_real vmi_small_log(vm_real x)
+{
+    return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
+}
+
+/* L with k'K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, 0 < c <= K(-1): Newton's method for
+     L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
+   convex and rising, from above the root, where seven steps do; the last residual in two words */
+VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
+{
+    const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
+    const vm_two w = vmi_two_sum(ln2.hi, -ln_c.hi);
+    const vm_real w_lo = w.lo + (ln2.lo - ln_c.lo);
+    vm_real L = 2 * w.hi + 2 * vmi_log(2 * w.hi + 3).hi + 1, step = 0;
+    int i;
+    for (i = 0; i < 9; i++) {
+        const vm_real q = vmi_exp(-L, 0), q2 = q * q, x = q2 * (1 + q2 * q2);
+        const vm_two ln_L = vmi_log(L), r = vmi_two_sum(L / 2 - w.hi, -ln_L.hi);
+        step = (r.hi + (r.lo - w_lo - ln_L.lo - 2 * vmi_small_log(x))) /
+               (VM_C(0.5) - 1 / L + 4 * q2 * (1 + 3 * q2 * q2) / (1 + x));
+        if (i < 8) L -= step;
+    }
+    s->L = L;
+    s->L_lo = -step;
+}
+
+/* The parameter with k'K = c, or with K = c: k'K of m is K of m/(m - 1), whose complement is 1/(1 - m) */
+VM_API vmi_solution vmi_solve(vm_real c, int inverse_of_K)
+{
+    const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
+    vmi_solution s;
+    s.circular = c >= least && c <= most;
+    s.upside = (c > most) != inverse_of_K;
+    s.q = s.L = s.L_lo = 0;
+    if (s.circular) s.q = inverse_of_K ? -vmi_solve_middle(c) : vmi_solve_middle(c);
+    else {
+        if (c > most) vmi_solve_high(c, &s);
+        else vmi_solve_low(c, &s);
+        s.q = vmi_exp(-s.L, -s.L_lo);
+    }
+    return s;
+}
+
+/* 1 - m; 16 q and 1/(16 q) as exponentials, since q may underflow where they do not */
+VM_API vm_real vmi_solution_m1(const vmi_solution *s)
+{
+    const vm_two ln2 = vmi_log(2);
+    vm_real ratio;
+    vm_two sum;
+    ratio = 1 - s->q * vmi_theta_loss(s->q);
+    if (s->circular) return 1 - 16 * s->q * ratio;
+    sum = vmi_two_sum(4 * ln2.hi, -s->L);
+    sum = vmi_fast_two_sum(sum.hi, sum.lo + (4 * ln2.lo - s->L_lo));
+    return s->upside ? vmi_exp(-sum.hi, -sum.lo) / ratio : vmi_exp(sum.hi, sum.lo) * ratio;
+}
+
+VM_API vm_real vmi_solution_m(const vmi_solution *s)
+{
+    if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));
+    return 1 - vmi_solution_m1(s);
+}
+
+VM_API vm_real jacobi_solve_kpK(vm_real c)
+{
+    vmi_solution s;
+    if (!(c >= 0) || !VM_IS_FINITE(c)) return VM_NAN;
+    if (c == 0) return 1;
+    s = vmi_solve(c, 0);
+    return vmi_solution_m(&s);
+}
+
+VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
+{
+    vmi_solution s;
+    if (!(c >= 0) || !VM_IS_FINITE(c)) return VM_NAN;
+    if (c == 0) return 0;
+    s = vmi_solve(c, 0);
+    return vmi_solution_m1(&s);
+}
+
+VM_API vm_real jacobi_solve_K(vm_real c)
+{
+    vmi_solution s;
+    if (!(c > 0) || !VM_IS_FINITE(c)) return VM_NAN;
+    s = vmi_solve(c, 1);
+    return vmi_solution_m(&s);
+}
+
+VM_API vm_real jacobi_solve_K_m1(vm_real c)
+{
+    vmi_solution s;
+    if (!(c > 0) || !VM_IS_FINITE(c)) return VM_NAN;
+    s = vmi_solve(c, 1);
+    return vmi_solution_m1(&s);
+}
+
+/* ---- Means ---------------------------------------------------------------------------------------------------- */
+
+/* From the nome q of m, |q| <= 0.1, where the recurrences of (384), (408) divide 0 by 0: with d = 1/2 - C2 = q S,
+   m = 16 q R, both recurrences are divided by m on paper. */
+VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
+{
+    const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
+    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y)), high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
+    const vm_real series = low + (y * y) * (y * y) * high;                           /* (S - 1)/q^2 */
+    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R);               /* d/m */
+    const vm_real eta = (loss + q * series) / (256 * R * R);                         /* (delta - 1/16)/m */
+    *C2 = VM_C(0.5) - d;
+    *C4 = (1 - 4 * d + 2 * delta) / 3;
+    *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
+}
+
+/* (383), (384), (408), from K and E in two words, 1/2 < m < 1 */
+VM_API void vmi_means_from_K(const vmi_outer *o, vm_real m1, vm_real *C2, vm_real *C4, vm_real *C6)
+{
+    const vm_real m = 1 - m1;
+    const vm_two less = vmi_two_product(m1, o->K.hi);
+    *C2 = ((o->E.hi - less.hi) + (o->E.lo - (less.lo + m1 * o->K.lo))) / (m * o->K.hi);
+    *C4 = (2 * (m - m1) * *C2 + m1) / (3 * m);
+    *C6 = (4 * (m - m1) * *C4 + 3 * m1 * *C2) / (5 * m);
+}
+
+VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    *C2 = *C4 = *C6 = m1.hi >= 0 && VM_IS_FINITE(m1.hi) ? 0 : VM_NAN;
+    if (!(m1.hi > 0) || !VM_IS_FINITE(m1.hi)) return;
+    if (m1.hi >= VM_C(0.5) && m1.hi <= 5) {
+        const vm_real root = VM_SQRT(m1.hi), fourth = VM_SQRT(root);
+        const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
+        vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
+    } else {
+        const vmi_outer o = vmi_K_outer(m1.hi, m1.lo);
+        vmi_means_from_K(&o, m1.hi < 1 ? m1.hi : 1 / m1.hi, C2, C4, C6);
+        if (m1.hi < 1) return;
+        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* cn(u | m) = cd(k'u | mu), of sn's means */
+        *C4 = 1 - 2 * *C2 + *C4;
+        *C2 = 1 - *C2;
+    }
+}
+
+/* ---- The route by the AGM [1, 2] ---------------------------------------------------------------------------- */
 
 /* Down the ladder by Gauss' transformation in homogeneous form, sn : cn : dn : 1 = s : c : d : q,
      s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     (a+ = a_(n+1))
-   No difference occurs, for m < 0 neither, so that every value keeps its relative accuracy. phi = a u, |u| <= K/2. */
-VM_API void vmi_descend(const vmi_ladder *l, vm_two phi, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
+   from sin and cos of the phase a_n u. No difference occurs, for m < 0 neither. */
+VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
-    vm_real sine = VM_SIN(phi.hi), cosine = VM_COS(phi.hi);
     int n;
-    *s = sine + cosine * phi.lo;
-    *c = cosine - sine * phi.lo;
+    vmi_sin_cos(vmi_two(phase, 0), s, c);
     *d = *q = 1;
     for (n = l->n - 1; n >= 0; n--) {
-        vm_real ra = l->a[n] / l->a[n + 1], rb = l->b[n] / l->a[n + 1];
-        vm_real ss = *s * *s, cc = *c * *c;
+        const vm_real ra = l->a[n] / l->a[n + 1], rb = l->b[n] / l->a[n + 1];
+        const vm_real ss = *s * *s, cc = *c * *c;
         *s *= ra * *q;
         *c *= *d;
         *d = cc + rb * ss;
@@ -321,157 +1607,32 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_two phi, vm_real *s, vm_real *c,
     }
 }
 
-VM_API vm_real vmi_clamp(vm_real x, vm_real low, vm_real high) { return x < low ? low : x > high ? high : x; }
-
-/* tanh v and sech v, v >= 0: by exp(-v), or for v <= 1/2 by Lambert's continued fraction v/(1 + v^2/(3 + ...)), whose
-   ninth convergent is off by 1e-20 there */
-VM_API void vmi_hyperbolic(vm_real v, vm_real *tanh_v, vm_real *sech_v)
+VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vm_real vv = v * v, fraction = 17, e = VM_EXP(-v), sum = 1 + e * e;
-    int odd;
-    *tanh_v = (1 - e * e) / sum;
-    *sech_v = 2 * e / sum;
-    if (v > VM_C(0.5)) return;
-    for (odd = 15; odd > 0; odd -= 2) fraction = (vm_real)odd + vv / fraction;
-    *tanh_v = v / fraction;
-}
-
-/* sn, cn, dn for 1 - m = m1 + m1_lo: u = j K + v with |v| <= K/2, v down the ladder, quarter periods by
-   sn(v + K) = cn/dn, cn(v + K) = -k' sn/dn, dn(v + K) = k'/dn. K and the phase a v in two words where j > 0. */
-VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
-{
-    const vm_real limit = 1; /* of |sn| and |cn|; dn lies between 1 and k' */
-    vm_real s, c, d, q, kp, v = VM_FABS(u);
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real kp = VM_SQRT(1 - m);
+    vm_real s, c, d, q, phase;
     vmi_ladder l;
-    vm_two phi;
-    int quarter = 0;
-    if (!(m1 >= 0) || !VM_IS_FINITE(m1) || !VM_IS_FINITE(u)) {
-        *sn = *cn = *dn = VM_NAN;
-        return;
-    }
-    if (m1 == 0) {
-        vmi_hyperbolic(v, sn, cn);
-        *sn = VM_COPYSIGN(*sn, u);
-        *dn = *cn;
-        return;
-    }
-    kp = VM_SQRT(m1);
-    vmi_agm(&l, kp);
-    phi.hi = l.a[l.n] * v;
-    phi.lo = 0;
-    if (phi.hi > VM_PI / 4) {
-        vm_two a = vmi_agm_two_words(&l, m1, m1_lo);
-        v = vmi_reduce(v, vmi_K_two_words(a), &quarter);
-        phi = vmi_two_product(a.hi, v);
-        phi.lo += a.lo * v;
-    }
-    vmi_descend(&l, phi, &s, &c, &d, &q);
-    if (quarter & 1) {
-        *sn = c / d;
-        *cn = -kp * s / d;
-        *dn = kp * q / d;
-    } else {
-        *sn = s / q;
-        *cn = c / q;
-        *dn = d / q;
-    }
-    if (quarter & 2) {
-        *sn = -*sn;
-        *cn = -*cn;
-    }
-    *sn = vmi_clamp(*sn, -limit, limit);
-    *cn = vmi_clamp(*cn, -limit, limit);
-    *dn = kp < 1 ? vmi_clamp(*dn, kp, limit) : vmi_clamp(*dn, limit, kp);
-    if (VM_COPYSIGN(limit, u) < 0) *sn = -*sn;
+    int quarter;
+    *sn = *cn = *dn = VM_NAN;
+    if (!(m < 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) return;
+    vmi_agm(&l, kp, steps);
+    phase = vmi_reduce_words(l.a[l.n] * VM_FABS(u), vmi_two(half_pi.w[0], half_pi.w[1]), &quarter).hi;
+    vmi_descend(&l, phase, &s, &c, &d, &q);
+    *sn = quarter & 1 ? c / d : s / q;
+    *cn = quarter & 1 ? -kp * s / d : c / q;
+    *dn = quarter & 1 ? kp * q / d : d / q;
+    if (quarter & 2) *cn = -*cn;
+    if ((quarter & 2 ? -1 : 1) * VM_COPYSIGN((vm_real)1, u) < 0) *sn = -*sn;
 }
 
-VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
+VM_API vm_real jacobi_agm_K(vm_real m)
 {
-    vm_real m1 = 1 - m;
-    vmi_sncndn(u, m1, vmi_two_sum(1, -m).lo, sn, cn, dn);
-}
-
-VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
-{
-    vmi_sncndn(u, m1, 0, sn, cn, dn);
-}
-
-/* ---- The modulus solver ------------------------------------------------------------------------------------- */
-
-VM_API vm_real jacobi_kpK(vm_real m)
-{
-    vm_real kp;
     vmi_ladder l;
     if (!(m <= 1) || !VM_IS_FINITE(m)) return VM_NAN;
-    if (m == 1) return 0;
-    kp = VM_SQRT(1 - m);
-    vmi_agm(&l, kp);
-    return kp * (VM_PI / 2 / l.a[l.n]);
-}
-
-/* sigma = -d ln K1/d ln y for K1(y) = pi/(2 agm(1, y)): (E - m1 K)/(m K) with m = 1 - y^2, written without the 0/0
-   at y = 1; between 0 (y -> 0) and 1 (y -> infinity) */
-VM_API vm_real vmi_K_slope(const vmi_ladder *l)
-{
-    vm_real y = l->b[0], term = (1 - y) / (4 * (1 + y)), sum = term, power = 1; /* 2^(n-1) c_n^2/m */
-    int n;
-    for (n = 1; n < l->n; n++) {
-        vm_real ratio = (l->a[n - 1] - l->b[n - 1]) / (8 * l->a[n + 1]); /* c_(n+1) = c_n^2/(4 a_(n+1)) */
-        power *= 2;
-        term *= ratio * ratio;
-        sum += power * term;
-    }
-    return VM_C(0.5) - sum;
-}
-
-/* Newton's step in ln y for K1(y) = c, or for y K1(y) = c, K1 in two words */
-VM_API vm_real vmi_solve_step(vm_real y, vm_real c, int negative)
-{
-    vmi_ladder l;
-    vm_two K1, p;
-    vm_real sigma;
-    vmi_agm(&l, y);
-    p = vmi_two_product(y, y);
-    K1 = vmi_K_two_words(vmi_agm_two_words(&l, p.hi, p.lo));
-    sigma = vmi_K_slope(&l);
-    if (negative) return ((K1.hi - c) + K1.lo) / (K1.hi * sigma);
-    p = vmi_two_product(y, K1.hi);
-    return (((c - p.hi) - p.lo) - y * K1.lo) / (p.hi * (1 - sigma));
-}
-
-/* k' with k' K = c, c > 0: for c >= pi/2 (m <= 0) the unknown is y = 1/k' and K1(y) = c, else y = k' and
-   y K1(y) = c. Either function is monotone and convex enough in ln y: from these starts one to four steps do. */
-VM_API vm_real vmi_solve_kp(vm_real c)
-{
-    const vm_real ln8 = VM_C(2.079441541679835928252), small = VM_SQRT(VM_EPSILON) / 16;
-    const int negative = c >= VM_PI / 2;
-    int most_steps = 8;
-    vm_real y;
-    if (negative) y = 4 * VM_EXP(-c);                         /* K1 = ln(4/y) + O(y^2 ln y) */
-    else y = c / (VM_LOG(4 * (ln8 - VM_LOG(c))) - VM_LOG(c)); /* y = c/ln(4/y), twice */
-    if (negative && y < small) return 1 / y;
-    while (y > 0 && most_steps-- > 0) { /* a subnormal y may not be able to move by its step */
-        vm_real step = vmi_solve_step(y, c, negative);
-        y *= VM_EXP(step);
-        if (VM_FABS(step) <= small) break;
-    }
-    return negative ? 1 / y : y;
-}
-
-VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
-{
-    vm_real kp;
-    if (!(c >= 0) || !VM_IS_FINITE(c)) return VM_NAN;
-    kp = vmi_solve_kp(c);
-    return kp * kp;
-}
-
-VM_API vm_real jacobi_solve_kpK(vm_real c)
-{
-    vm_real kp;
-    if (!(c >= 0) || !VM_IS_FINITE(c)) return VM_NAN;
-    kp = vmi_solve_kp(c);
-    return (1 - kp) * (1 + kp);
+    if (m == 1) return VM_INFINITY;
+    vmi_agm(&l, VM_SQRT(1 - m), VMI_LADDER);
+    return VM_PI / 2 / l.a[l.n];
 }
 
 #endif

@@ -25,98 +25,6 @@ def words(x):
     return f"{high!r}, {float(x - mpf(high))!r}"
 
 
-# ---- Jacobi ------------------------------------------------------------------------------------------------------
-
-def quarter(m1):
-    return pi / (2 * agm(1, sqrt(m1)))
-
-
-def sncndn(u, m1):
-    """sn, cn, dn of an mpf u for the complementary parameter m1, u reduced first."""
-    if m1 == 0:
-        return mp.tanh(u), mp.sech(u), mp.sech(u)
-    K = quarter(m1)
-    turns = nint(u / (2 * K))
-    sign, u = (-1) ** int(turns % 2), u - 2 * K * turns
-    a, b = [mpf(1)], [sqrt(m1)]
-    while abs(a[-1] - b[-1]) > mpf(10) ** (5 - mp.dps) * a[-1]:
-        a, b = a + [(a[-1] + b[-1]) / 2], b + [sqrt(a[-1] * b[-1])]
-    s, c, d = sin(a[-1] * u), cos(a[-1] * u), mpf(1)
-    for n in range(len(a) - 2, -1, -1):
-        k = a[n] / a[n + 1] - 1
-        s, c, d = (1 + k) * s / (1 + k * s * s), c * d / (1 + k * s * s), (1 - k * s * s) / (1 + k * s * s)
-    return sign * s, sign * c, d
-
-
-def jacobi_row(region, u, m, complement=False):
-    digits = 2 * DIGITS + 2 * int(abs(mp.log10(abs(m) + mpf(10) ** -320))) + (20 if abs(u) > 1 else 0)
-    with mp.workdps(digits):
-        m1 = mpf(m) if complement else 1 - mpf(m)
-        values = sncndn(mpf(u), m1)
-        K = quarter(m1) if m1 else None
-        E = ellipe(1 - m1)
-        text = ", ".join(words(v) for v in values)
-        complete = f"{words(K)}, {words(E)}" if m1 else "HUGE_VAL, 0, 1, 0"
-    return f'    {{"{region}", {int(complement)}, {u!r}, {m!r}, {text}, {complete}}},'
-
-
-def jacobi_regions():
-    def pairs(region, count, draw_u, draw_m, complement=False, singles=True):
-        for k in range(count):
-            u, m = draw_u(), draw_m()
-            if singles and k % 2:
-                u, m = single(u), single(m)
-            yield region, u, m, complement
-
-    uniform, sign = random.uniform, lambda: random.choice((-1, 1))
-    yield from pairs("|u| < K/2", 40, lambda: uniform(-.78, .78), lambda: uniform(0, 1))
-    yield from pairs("|u| < 10", 60, lambda: uniform(-10, 10), lambda: uniform(0, 1))
-    yield from pairs("-1 < m < 0", 40, lambda: uniform(-10, 10), lambda: uniform(-1, 0))
-    yield from pairs("m < -1", 40, lambda: uniform(-10, 10), lambda: -10 ** uniform(0, 6))
-    yield from pairs("m << -1", 20, lambda: 10 ** uniform(-8, 1), lambda: -10 ** uniform(6, 20))
-    yield from pairs("m << -1", 20, lambda: 10 ** uniform(-150, -100), lambda: -10 ** uniform(200, 300), singles=False)
-    yield from pairs("m near 0", 30, lambda: uniform(-10, 10), lambda: sign() * 10 ** uniform(-20, -3))
-    yield from pairs("m near 1", 30, lambda: uniform(-30, 30), lambda: 1 - 10 ** uniform(-7, -2))
-    yield from pairs("m near 1", 30, lambda: uniform(-40, 40), lambda: 1 - 10 ** uniform(-16, -6), singles=False)
-    yield from pairs("m = 1", 20, lambda: sign() * 10 ** uniform(-3, 1.5), lambda: 1.0)
-    yield from pairs("m1 tiny", 20, lambda: uniform(-80, 80), lambda: 10 ** uniform(-37, -16), True)
-    yield from pairs("m1 tiny", 20, lambda: uniform(-700, 700), lambda: 10 ** uniform(-300, -38), True, False)
-    yield from pairs("|u| < 1e4", 40, lambda: uniform(-1e4, 1e4), lambda: uniform(-2, 1))
-    yield from pairs("|u| < 1e9", 40, lambda: uniform(-1e9, 1e9), lambda: uniform(-2, 1), singles=False)
-    for k in range(30):  # the same next to multiples of K
-        m1 = 10 ** uniform(-307 if k % 3 == 0 else -300, -17 if k % 3 else -290)
-        with mp.workdps(40):
-            u = float(random.choice((1, 2, 3, 7, 50)) * quarter(mpf(m1)))
-        yield "m1 tiny", u, m1, True
-    for k in range(80):  # next to multiples of K, to 100 K
-        m = random.choice((uniform(0, 1), -10 ** uniform(-3, 3), 1 - 10 ** uniform(-6, -1)))
-        near = single if k % 2 else float
-        m = near(m)
-        with mp.workdps(40):
-            u = near(random.choice((1, 2, 3, 4, 5, 8, 17, 50, 99)) * quarter(1 - mpf(m)))
-        yield "u near jK", near(u * (1 + random.choice((0, 0, 1e-15, -1e-12, 1e-8)))), m, False
-
-
-def solver_rows():
-    """k'K = c solved for k' by bisection: c, m1 = k'^2"""
-    for c in (0.01, 0.3, 1.0, 1.3, 1.5, 1.578125, 1.7, 2.0, 2.5, 3.0, 4.0, 5.5, 7.0, 9.584875, 12.0, 15.0, 19.7, 25.0, 33.0):
-        c = single(c)
-        low, high = mpf(10) ** -40, mpf(10) ** 40
-        for _ in range(400):
-            middle = sqrt(low * high)
-            low, high = (middle, high) if middle * pi / (2 * agm(1, middle)) < c else (low, middle)
-        yield f"    {{{c!r}, {words(low * low)}, {words(1 - low * low)}}},"
-
-
-def check_jacobi():
-    with mp.workdps(50):
-        for u, m in ((0.7, 0.3), (7.7, 0.8), (2.5, -3.0), (11.0, 0.999)):
-            ours = sncndn(mpf(u), 1 - mpf(m))
-            theirs = [ellipfun(name, mpf(u), m=mpf(m)) for name in ("sn", "cn", "dn")]
-            assert all(abs(a - b) < mpf(10) ** -45 for a, b in zip(ours, theirs)), (u, m)
-            assert abs(quarter(1 - mpf(m)) - ellipk(mpf(m))) < mpf(10) ** -45
-
-
 # ---- Ateb --------------------------------------------------------------------------------------------------------
 
 def saca_first_quarter(r, d, q):
@@ -228,9 +136,5 @@ def write(name, comment, rows):
 
 
 mp.dps = DIGITS
-check_jacobi()
 check_ateb()
-write("jacobi_table.h", "region, form (0: m, 1: m1), u, m or m1, sn, cn, dn, K, E as high and low words",
-      [jacobi_row(region, u, m, c) for region, u, m, c in jacobi_regions()])
-write("solver_table.h", "c, m1 and m of k'K(k^2) = c as high and low words", list(solver_rows()))
 write("ateb_table.h", "region, s, alpha, sa, ca, Pi_alpha as high and low words", [ateb_row(*r) for r in ateb_regions()])
