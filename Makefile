@@ -22,7 +22,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test scan points lint bench measurements figures data clean
+.PHONY: run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -31,23 +31,29 @@ run: $(EXAMPLES:%=build/examples/%)
 	@echo; ./build/examples/example2 build/figures/example2.csv
 	@sh examples/figures.sh build/figures
 
-test: $(TEST_PROGRAMS)
+test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi
 	@if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then \
 	    $(COMPILE) tests/test_gsl.c -o build/tests/gsl -lgsl -lgslcblas -lm && gsl=./build/tests/gsl; \
 	else gsl="echo 'GSL: 0 passed, 0 failed, 9 skipped'"; fi; \
-	CC="$(CC)" sh tests/run.sh build/tests/log "sh tests/test_headers.sh build" $(TEST_PROGRAMS) "$$gsl"
+	CC="$(CC)" sh tests/run.sh build/tests/log "sh tests/test_headers.sh build" "sh tests/test_plans.sh build" \
+	    $(TEST_PROGRAMS) "./build/tests/exhaustive_jacobi 997" "$$gsl"
 
 lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-bench: build/bench/double build/bench/float build/bench/pairs
-	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs
+bench: build/bench/double build/bench/float build/bench/jacobi build/bench/pairs
+	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/jacobi build/bench/jacobi.csv; echo; \
+	./build/bench/pairs
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
 	./build/tests/scan 1000000
 	./build/tests/scan_float 1000000
+
+# a campaign of minutes: the float functions at every float of a period
+exhaustive: build/tests/exhaustive_jacobi
+	./build/tests/exhaustive_jacobi 1
 
 # twenty times as many points as jacobi.h's stored tables have, computed anew by mpmath
 points: build/command
@@ -86,6 +92,9 @@ build/tests/contracted/%: tests/test_%.c $(TEST_FILES)
 build/tests/float/%: tests/test_%.c $(TEST_FILES)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
 
+build/tests/exhaustive_%: tests/exhaustive_%.c tests/exhaustive_double.c tests/exhaustive.h $(TEST_FILES)
+	@$(IN_BUILD) && $(COMPILE) -c tests/exhaustive_double.c -o $@.o && $(COMPILE) $< $@.o -o $@ -lm
+
 build/tests/scan: tests/scan.c $(TEST_FILES)
 	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) $< -o $@ -lquadmath -lm
 
@@ -95,10 +104,14 @@ build/tests/scan_float: tests/scan.c $(TEST_FILES)
 build/examples/%: examples/%.c build/command examples/envelope.h examples/table5_data.h $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
-build/bench/double: bench/bench.c build/command $(HEADERS)
+build/bench/jacobi: bench/bench_jacobi.c bench/timing.h build/command $(HEADERS)
+	@$(IN_BUILD) && if $(GSL_CHECK) >/dev/null 2>&1; then $(COMPILE) -DWITH_GSL $< -o $@ -lgsl -lgslcblas -lm; \
+	else $(COMPILE) $< -o $@ -lm; fi
+
+build/bench/double: bench/bench.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
-build/bench/float: bench/bench.c build/command $(HEADERS)
+build/bench/float: bench/bench.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
 
 build/bench/pairs: bench/pairs.c build/command

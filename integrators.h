@@ -77,6 +77,13 @@
 #ifndef VM_API
 #define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
 #endif
+#ifndef VM_INLINE /* linkage of what must be inlined for speed; VM_API is enough for the results */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define VM_INLINE VM_API __attribute__((always_inline))
+#else
+#define VM_INLINE VM_API
+#endif
+#endif
 #ifndef VM_TABLE
 #define VM_TABLE static const /* storage of every table */
 #endif

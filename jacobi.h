@@ -77,6 +77,13 @@
 #ifndef VM_API
 #define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
 #endif
+#ifndef VM_INLINE /* linkage of what must be inlined for speed; VM_API is enough for the results */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define VM_INLINE VM_API __attribute__((always_inline))
+#else
+#define VM_INLINE VM_API
+#endif
+#endif
 #ifndef VM_TABLE
 #define VM_TABLE static const /* storage of every table */
 #endif
@@ -313,7 +320,7 @@ VM_API vm_two vmi_log(vm_real x)
 #endif
     const int subnormal = x < VMI_MIN;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
-    const vmi_bits above = vmi_to_bits(x * (subnormal ? 4 / VM_EPSILON : 1)) - least_z;
+    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
@@ -341,7 +348,7 @@ VM_API vm_two vmi_log(vm_real x)
 /* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 where |x| < 0.34,
    and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
    r^3 E(r) with the square of the head of r exact. */
-VM_API vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
+VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
 #if VM_MANT_DIG > 24
@@ -415,14 +422,6 @@ VM_API vm_real vmi_pow(vm_two x, vm_two y)
 #endif
 /* ---- End of the elementary kernels -------------------------------------------------------------------------- */
 
-#ifndef VM_INLINE /* linkage of what must be inlined for speed; VM_API is enough for the results */
-#ifdef __GNUC__
-#define VM_INLINE VM_API __attribute__((always_inline))
-#else
-#define VM_INLINE VM_API
-#endif
-#endif
-
 /* ---- Table of contents -------------------------------------------------------------------------------------- */
 
 /* Complete elliptic integrals of the first and second kind, K(m) and E(m), m <= 1. */
@@ -493,7 +492,7 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c);
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6);
 
 /* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
-   less; from VMI_LADDER - 1 on it climbs as far as the type needs. The phase is reduced in two words of pi/2, not
+   less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two words of pi/2, not
    of K, so that the error grows with |u|. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn);
 VM_API vm_real jacobi_agm_K(vm_real m);
@@ -663,12 +662,14 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_add(a, vmi_three_from(-c * c / (4 * a.w[0]), 0, 0)));
 }
 
+#define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
+
 /* K as pieces so short that a product with j < VMI_EXACT_QUARTERS is exact, and a last word */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
     int i;
     for (i = 0; i < 3; i++) {
-        const vm_real large = (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) * K.w[0], sum = K.w[0] + large;
+        const vm_real large = VMI_EXACT_QUARTERS * K.w[0], sum = K.w[0] + large;
         piece[i] = sum - large;
         K = vmi_three_add(K, vmi_three_from(-piece[i], 0, 0));
     }
@@ -689,17 +690,15 @@ VM_API vm_two vmi_reduce_words(vm_real x, vm_two K, int *quarter)
     return vmi_fast_two_sum(s.hi, s.lo - j * K.lo);
 }
 
-#define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
-
 /* The same for x < VMI_EXACT_QUARTERS K and K in pieces, per_K = 1/K, so that loops over it vectorise */
 VM_INLINE vm_two vmi_reduce_pieces(vm_real x, const vm_real *K, vm_real per_K, int *quarter)
 {
     const int count = (int)(x * per_K + VM_C(0.5));
     const vm_real j = (vm_real)count;
     const vm_real rest = (x - j * K[0]) - j * K[1]; /* exactly: a multiple of 2^-p K, below K */
-    const vm_two s = vmi_two_sum(rest, -j * K[2]);
+    const vm_two s = vmi_two_sum(rest, -j * K[2]), t = vmi_two_sum(s.hi, -j * K[3]);
     *quarter = count & 3;
-    return vmi_fast_two_sum(s.hi, s.lo - j * K[3]);
+    return vmi_two(t.hi, s.lo + t.lo);
 }
 
 /* ---- The nome ------------------------------------------------------------------------------------------------- */
@@ -879,20 +878,17 @@ VM_INLINE vm_real vmi_select(vmi_bits odd, vm_real a, vm_real b)
    theta_3, theta_4 become theta_2, -theta_1, theta_4, theta_3. */
 VM_INLINE void vmi_theta_circular(const vmi_theta_form *t, vm_two z, vmi_bits odd, vm_real *theta)
 {
-    vm_real s, c, X, XX, P, Q, E, O, s_new, c_new;
+    const vm_real q = vmi_select(odd, -t->q, t->q); /* X changes its sign there, and with it Q and O */
+    vm_real s, c, X, XX, P, Q, E, O;
     vmi_sin_cos(z, &s, &c);
-    X = t->q * (1 - 2 * s * s);
+    X = q - (2 * q * s) * s;
     XX = X * X;
     P = t->f[0] + t->f[2] * XX;
     Q = X * (t->f[1] + t->f[3] * XX);
     E = t->g[0] + t->g[2] * XX;
     O = X * (t->g[1] + t->g[3] * XX);
-    s_new = vmi_select(odd, c, s);
-    c_new = vmi_select(odd, -s, c);
-    Q = vmi_select(odd, -Q, Q);
-    O = vmi_select(odd, -O, O);
-    theta[0] = t->scale[0] * (s_new * (P - Q));
-    theta[1] = t->scale[1] * (c_new * (P + Q));
+    theta[0] = t->scale[0] * (vmi_select(odd, c, s) * (P - Q));
+    theta[1] = t->scale[1] * (vmi_select(odd, -s, c) * (P + Q));
     theta[2] = t->scale[2] * (E + O);
     theta[3] = E - O;
 }
@@ -1177,11 +1173,14 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     const vm_real x = vmi_plan_size(p, u);
     vm_two v;
     int quarter;
+    if (!VM_IS_FINITE(x)) {
+        *sn = *cn = *dn = VM_NAN;
+        return;
+    }
     if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarter);
-    else { /* many quarters, infinity or NaN */
+    else {
         const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
         v = vmi_reduce_words(x, K, &quarter);
-        v.hi += x - x;
     }
     if (p->theta.form == VMI_CIRCULAR) vmi_plan_point(p, VMI_CIRCULAR, u, v, quarter, sn, cn, dn);
     else vmi_plan_point(p, p->theta.form, u, v, quarter, sn, cn, dn);
@@ -1384,7 +1383,8 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     vm_two p;
     vmi_neville(VM_FABS(u), m1.hi, m1.lo, theta, &kp);
     if (kp != kp) return VM_NAN;
-    K = m1.hi > 0 ? vmi_K(m1.hi, m1.lo) : VM_MAX;
+    if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta[0], theta[1]), u);
+    K = vmi_K(m1.hi, m1.lo);
     turns = VM_FABS(u) / (2 * K);
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(j < 1 / VM_EPSILON)) return u / K * half_pi.w[0];
@@ -1428,17 +1428,20 @@ VM_API vm_real vmi_solve_middle(vm_real c)
     return q;
 }
 
+#define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5)) /* Newton's next step is below an eps */
+
 /* L = -ln q with K = L theta_3(q)^2/2 = c, c >= K(1/2): Newton's method for lambda = 2c - L = 2c (1 - theta_3^-2),
    0 <= lambda < 0.57, from 0, where seven steps do */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
-    vm_real lambda = 0;
+    vm_real lambda = 0, step = 1;
     vm_two L = vmi_two(2 * c, 0);
     int i;
-    for (i = 0; i < 8; i++) {
+    for (i = 0; i < 8 && VM_FABS(step) > VMI_SMALL_STEP; i++) {
         const vm_real q = vmi_exp(-L.hi, -L.lo), q3 = q * q * q, t = 2 * q * (1 + q3 * (1 + q3 * q * q));
         const vm_real over = 1 / (1 + t), value = 2 * c * (t * (2 + t)) * (over * over);
-        lambda -= (lambda - value) / (1 - 8 * c * q * (1 + 4 * q3) * (over * over * over));
+        step = (lambda - value) / (1 - 8 * c * q * (1 + 4 * q3) * (over * over * over));
+        lambda -= step;
         L = vmi_two_sum(2 * c, -lambda);
     }
     s->L = L.hi;
@@ -1459,17 +1462,19 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
     const vm_two w = vmi_two_sum(ln2.hi, -ln_c.hi);
     const vm_real w_lo = w.lo + (ln2.lo - ln_c.lo);
-    vm_real L = 2 * w.hi + 2 * vmi_log(2 * w.hi + 3).hi + 1, step = 0;
+    vm_real L = 2 * w.hi + 2 * vmi_log(2 * w.hi + 3).hi + 1, step = 1;
+    vm_two sum = vmi_two(L, 0);
     int i;
-    for (i = 0; i < 9; i++) {
+    for (i = 0; i < 9 && VM_FABS(step) > VMI_SMALL_STEP; i++) {
         const vm_real q = vmi_exp(-L, 0), q2 = q * q, x = q2 * (1 + q2 * q2);
         const vm_two ln_L = vmi_log(L), r = vmi_two_sum(L / 2 - w.hi, -ln_L.hi);
         step = (r.hi + (r.lo - w_lo - ln_L.lo - 2 * vmi_small_log(x))) /
                (VM_C(0.5) - 1 / L + 4 * q2 * (1 + 3 * q2 * q2) / (1 + x));
-        if (i < 8) L -= step;
+        sum = vmi_two_sum(L, -step);
+        L = sum.hi;
     }
-    s->L = L;
-    s->L_lo = -step;
+    s->L = sum.hi;
+    s->L_lo = sum.lo;
 }
 
 /* The parameter with k'K = c, or with K = c: k'K of m is K of m/(m - 1), whose complement is 1/(1 - m) */

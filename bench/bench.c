@@ -1,62 +1,18 @@
 /* Time of each function as a ratio to the C library's sin in the same run, and of the integrators to hand-written
    loops. Medians of repeats; built for float too, where sinf is the measure. */
-#if !defined(_POSIX_C_SOURCE)
-#define _POSIX_C_SOURCE 199309L
-#endif
+#include "timing.h"
 #include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 #include "../varmass.h"
 
-enum { COUNT = 2048, REPEATS = 15 };
+enum { COUNT = 2048 };
 static vm_real arg[COUNT], parameter[COUNT];
 static volatile vm_real sink;
 
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *x)
-{
-    qsort(x, REPEATS, sizeof *x, ascending);
-    return x[REPEATS / 2];
-}
-
-/* A call of body, from as many runs of it as take a millisecond and more */
-static double call_ns(void (*body)(void), double calls)
-{
-    double start, elapsed;
-    int run, runs = 1;
-    body(); /* warm up */
-    do {
-        for (start = seconds(), run = 0; run < runs; run++) body();
-        elapsed = seconds() - start;
-        runs *= 2;
-    } while (elapsed < 1e-3);
-    return elapsed / (runs / 2) / calls * 1e9;
-}
-
-/* Time of a call of body, and the median ratio to that of a call of the yardstick measured just before. */
 static void print_ratio(const char *what, void (*body)(void), double calls, const char *yardstick_name,
                         void (*yardstick)(void), double yardstick_calls)
 {
-    double time[REPEATS], ratio[REPEATS];
-    int i;
-    for (i = 0; i < REPEATS; i++) {
-        double base = call_ns(yardstick, yardstick_calls);
-        time[i] = call_ns(body, calls);
-        ratio[i] = time[i] / base;
-    }
-    printf("%-58s %8.1f ns %8.2f x %s\n", what, median(time), median(ratio), yardstick_name);
+    const timing t = time_beside(body, calls, yardstick, yardstick_calls);
+    printf("%-58s %8.1f ns %8.2f x %s\n", what, t.ns, t.ratio, yardstick_name);
 }
 
 static void fill(vm_real low, vm_real high, vm_real parameter_low, vm_real parameter_high)

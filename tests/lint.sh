@@ -30,11 +30,11 @@ for compiler in gcc clang; do
             done
         done
         for source in tests/test_jacobi.c tests/test_ateb.c tests/test_integrators.c tests/test_varmass.c \
-            tests/test_dissertation.c bench/bench.c; do
+            tests/test_dissertation.c bench/bench.c bench/bench_jacobi.c examples/jacobi_plan.c; do
             compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done
-    for source in tests/mixed_double.c tests/mixed_float.c examples/*.c bench/pairs.c; do
+    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c bench/pairs.c; do
         compile $compiler c99 $source -Wstrict-prototypes
     done
     if echo '#include <gsl/gsl_sf.h>' | $compiler -E - >/dev/null 2>&1; then
