@@ -1030,7 +1030,7 @@ VM_API vm_two vmi_theta_reduced(vmi_theta_form *t, vmi_roots *roots, vm_real m1,
 {
     vm_two z = vmi_theta_phase(t, vmi_theta_argument(t, vmi_two(u, 0))), H, v;
     *quarter = 0;
-    if ((z.hi <= VM_PI / 4 && t->form != VMI_RECIPROCAL) || m1 == 0) return z;
+    if (z.hi <= VM_PI / 4 || m1 == 0) return z;
     vmi_theta_refine(t, roots, m1, m1_lo);
     H = vmi_theta_quarter(t, roots, m1, m1_lo);
     if (z.hi < H.hi / 2) return vmi_theta_phase(t, vmi_theta_argument(t, vmi_two(u, 0)));

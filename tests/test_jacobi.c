@@ -3,7 +3,7 @@
 #include "check.h"
 
 static const int is_float = PRECISION[0] == 'f';
-#ifdef __FP_FAST_FMA
+#if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)
 enum { CONTRACTED = 1 };
 #else
 enum { CONTRACTED = 0 };
