@@ -453,20 +453,6 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* ---- ln(1 + x) and exp(x) - 1 by Kahan's quotients [5]: the rounding of 1 + x and of exp x cancels ----------- */
-
-VM_API vm_real vmi_log1p(vm_real x)
-{
-    vm_real y = 1 + x;
-    return y == 1 ? x : VM_LOG(y) * x / (y - 1);
-}
-
-VM_API vm_real vmi_expm1(vm_real x) /* x > -80 */
-{
-    vm_real y = VM_EXP(x);
-    return y == 1 ? x : (y - 1) * x / VM_LOG(y);
-}
-
 /* ---- The quarter period ------------------------------------------------------------------------------------- */
 
 /* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
@@ -528,42 +514,259 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     return vmi_two_over(sum, divisor);
 }
 
+/* x without the second half of its digits */
+VM_API vm_real vmi_head(vm_real x)
+{
+    const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
+    return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
+}
+
+/* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h from the middle
+   of one of 32 intervals. Absolute error below 2^-66 (float 2^-36). */
+VM_API vm_two vmi_ateb_g(vm_two q)
+{
+    /* of each interval: the low words of g and of its slope, then g, its slope, and the further coefficients */
+#if VM_MANT_DIG > 24
+    enum { DEGREE = 9 };
+    VM_TABLE vm_real table[32][DEGREE + 3] = {
+        {VM_C(4.7848906349291971644e-17), VM_C(2.5249243967548759101e-9), VM_C(1.3757430536868013871),
+         VM_C(-0.66666467487812042236), VM_C(0.54371290341559919135), VM_C(-0.49826589408290450356),
+         VM_C(0.47562265188112345937), VM_C(-0.46168158316069884961), VM_C(0.45150892641469592137),
+         VM_C(-0.44310203700539807503), VM_C(0.43583684275772549555), VM_C(-0.42878727419539486299)},
+        {VM_C(-3.2593752397665819418e-17), VM_C(1.6044840059131176266e-9), VM_C(1.3554259866775690835),
+         VM_C(-0.63408644497394561768), VM_C(0.49965262578248670344), VM_C(-0.44306018788459122781),
+         VM_C(0.40965306906302895174), VM_C(-0.38541480147837003933), VM_C(0.36547128009141610638),
+         VM_C(-0.34784991581767416013), VM_C(0.33186149940323134144), VM_C(-0.31671508017839344884)},
+        {VM_C(-1.0783541052500672162e-16), VM_C(-4.1592661994203423068e-9), VM_C(1.3360855857356366272),
+         VM_C(-0.60410794615745544434), VM_C(0.46040344359381329964), VM_C(-0.39540538563037269659),
+         VM_C(0.3544350559284563662), VM_C(-0.32349162453108409876), VM_C(0.29769374401203219094),
+         VM_C(-0.27503694096038833194), VM_C(0.25473274469618567561), VM_C(-0.23603397602705306069)},
+        {VM_C(-9.8261727216860998947e-17), VM_C(4.9830245857850354268e-9), VM_C(1.3176450868556539575),
+         VM_C(-0.5764493793249130249), VM_C(0.425316327600230637), VM_C(-0.35408717683813928367),
+         VM_C(0.3079726184148087742), VM_C(-0.27290613095367360907), VM_C(0.243927523122800749),
+         VM_C(-0.21893960132416662168), VM_C(0.19701924518336147441), VM_C(-0.17739365839823964532)},
+        {VM_C(9.4252809553173433248e-17), VM_C(5.2588481102964982883e-9), VM_C(1.3000358717938769182),
+         VM_C(-0.55086813867092132568), VM_C(0.39384525483504534416), VM_C(-0.31811380949745093893),
+         VM_C(0.26868285014868897864), VM_C(-0.23134331804673011201), VM_C(0.20099465960172405166),
+         VM_C(-0.17540004503586717477), VM_C(0.15347798651652447277), VM_C(-0.13438684609210810317)},
+        {VM_C(-1.0937856535865429312e-16), VM_C(-4.1967054006449327253e-9), VM_C(1.2831963985919778715),
+         VM_C(-0.5271530449390411377), VM_C(0.36552856773419856173), VM_C(-0.28667059660210542082),
+         VM_C(0.2353021257940047517), VM_C(-0.19700701861605426912), VM_C(0.1664984866163633781),
+         VM_C(-0.14137030760633575999), VM_C(0.1203731133243702428), VM_C(-0.10257565620433485576)},
+        {VM_C(-6.4255204674512171596e-18), VM_C(6.1123853577923796762e-9), VM_C(1.2670712974874689394),
+         VM_C(-0.50511956214904785156), VM_C(0.33997409726255412021), VM_C(-0.25908463059043851384),
+         VM_C(0.20681538579664970889), VM_C(-0.16849381605742053125), VM_C(0.13861742639346499861),
+         VM_C(-0.11459683206554643897), VM_C(0.095017692426272393202), VM_C(-0.078854993861028316315)},
+        {VM_C(-9.7194929679079693762e-17), VM_C(-8.4157020923156609069e-10), VM_C(1.2516106030190874421),
+         VM_C(-0.48460574448108673096), VM_C(0.31684721542866844946), VM_C(-0.23479722193696028754),
+         VM_C(0.18240241000396584248), VM_C(-0.14469986428801029366), VM_C(0.11595675746450943844),
+         VM_C(-0.093399864060326714954), VM_C(0.075462042022983621958), VM_C(-0.061031373897909808879)},
+        {VM_C(-3.9468875814195095612e-17), VM_C(-3.5356752466732111717e-9), VM_C(1.2367690988894508575),
+         VM_C(-0.46546907722949981689), VM_C(0.29586118332476224468), VM_C(-0.21334222717909898104),
+         VM_C(0.16139669561727276736), VM_C(-0.12475146255530088213), VM_C(0.097441103747735527407),
+         VM_C(-0.076517697748575141947), VM_C(0.060279536321394600051), VM_C(-0.047541152822590207472)},
+        {VM_C(2.7796454234402141015e-17), VM_C(1.442175987577839185e-9), VM_C(1.2225057566548700461),
+         VM_C(-0.44758366048336029053), VM_C(0.27676930970579777247), VM_C(-0.19432889997640220847),
+         VM_C(0.14325376103292788987), VM_C(-0.10795292873759769481), VM_C(0.082235799604157971965),
+         VM_C(-0.062995700824440267751), VM_C(0.048417945363000480796), VM_C(-0.037260028285415539018)},
+        {VM_C(-2.3791219455006010852e-17), VM_C(7.9081998493933643526e-10), VM_C(1.2087832528664379517),
+         VM_C(-0.43083791434764862061), VM_C(0.25935854641076977467), VM_C(-0.17742823966434950744),
+         VM_C(0.12752655189147643622), VM_C(-0.093747173442288680989), VM_C(0.069688914071088098323),
+         VM_C(-0.052106557456804772355), VM_C(0.039095291831331903387), VM_C(-0.029372948908764580367)},
+        {VM_C(6.0527147445070483925e-17), VM_C(-2.3416446267871154595e-9), VM_C(1.1955675521064355049),
+         VM_C(-0.4151326790452003479), VM_C(0.24344423075170837367), VM_C(-0.16236206192088228906),
+         VM_C(0.11384623687221123722), VM_C(-0.081685672219867860866), VM_C(0.059288181083253344017),
+         VM_C(-0.043292474076271264538), VM_C(0.031726244496803092388), VM_C(-0.023284429365396194789)},
+        {VM_C(2.3558744202376768787e-17), VM_C(-6.6516190822092603128e-10), VM_C(1.1828275456145749267),
+         VM_C(-0.40037956833839416504), VM_C(0.22886574858503061503), VM_C(-0.14889420119321780667),
+         VM_C(0.1019071215625452359), VM_C(-0.071405443787659200749), VM_C(0.050628771425698604336),
+         VM_C(-0.036122971157135745635), VM_C(0.025869653908789334851), VM_C(-0.01855615968380888367)},
+        {VM_C(-6.3575938993187556172e-17), VM_C(-3.6576363301787200071e-9), VM_C(1.1705347370046790267),
+         VM_C(-0.3864995613694190979), VM_C(0.21548294034985590595), VM_C(-0.1368233924133982482),
+         VM_C(0.091454729193894329642), VM_C(-0.062611288015259641826), VM_C(0.043389010872862142365),
+         VM_C(-0.030263827189864929423), VM_C(0.021190856054501695793), VM_C(-0.014863226950382097888)},
+        {VM_C(1.1036147044805630651e-16), VM_C(-2.8472262342301733813e-9), VM_C(1.1586629680295632561),
+         VM_C(-0.37342185527086257935), VM_C(0.20317310969772992002), VM_C(-0.1259774830081534791),
+         VM_C(0.08227633181301037546), VM_C(-0.055061999329832030103), VM_C(0.037311964906386767271),
+         VM_C(-0.025454065266941321155), VM_C(0.017434378787099809316), VM_C(-0.011963143762604992043)},
+        {VM_C(-3.796500347472564698e-17), VM_C(3.5671595211175001694e-9), VM_C(1.1471881785335058535),
+         VM_C(-0.36108282953500747681), VM_C(0.19182852322263108102), VM_C(-0.11620870439248486006),
+         VM_C(0.074193388723806277807), VM_C(-0.048559604162463500254), VM_C(0.032191384892899431447),
+         VM_C(-0.021488783381059549382), VM_C(0.014404035244559220894), VM_C(-9.6737646180713645488e-3)},
+        {VM_C(9.7856106813727546403e-17), VM_C(-7.3039846841768061134e-10), VM_C(1.1360881956945132476),
+         VM_C(-0.34942516684532165527), VM_C(0.18135431227612683336), VM_C(-0.10738979159118251794),
+         VM_C(0.067055477801360438561), VM_C(-0.042940912884590135001), VM_C(0.027860918367830455472),
+         VM_C(-0.018206261228266285707), VM_C(0.011948303175793139122), VM_C(-7.8574213018411491471e-3)},
+        {VM_C(-1.0632910902762015283e-18), VM_C(-3.2757837212516488201e-9), VM_C(1.1253425484467758366),
+         VM_C(-0.33839715272188186646), VM_C(0.17166670544080581129), VM_C(-0.099410785123835096466),
+         VM_C(0.060735401615847069146), VM_C(-0.038070853587129541151), VM_C(0.024185777736136161026),
+         VM_C(-0.01547821810392499553), VM_C(9.9495145598682294824e-3), VM_C(-6.409443995100385684e-3)},
+        {VM_C(-6.9187872932920600357e-17), VM_C(-2.6946078415119268838e-9), VM_C(1.1149323036217553273),
+         VM_C(-0.32795199006795883179), VM_C(0.16269153407295142144), VM_C(-0.092176384301551145262),
+         VM_C(0.055125222838324196284), VM_C(-0.03383718535674083705), VM_C(0.021056271863934532956),
+         VM_C(-0.013202407901859546449), VM_C(8.3158111926676017006e-3), VM_C(-5.2497985189825339958e-3)},
+        {VM_C(6.2704758442484929806e-17), VM_C(-5.7095350671616689772e-10), VM_C(1.1048399208814747574),
+         VM_C(-0.31804724782705307007), VM_C(0.15436296426888534983), VM_C(-0.085603748183422104234),
+         VM_C(0.050133038347548862512), VM_C(-0.03014628531280777804), VM_C(0.018382757541944357016),
+         VM_C(-0.011296958406895407298), VM_C(6.9751216967958986834e-3), VM_C(-4.3169536003039750416e-3)},
+        {VM_C(-8.1650202997334220516e-18), VM_C(5.5495073507726042511e-10), VM_C(1.0950491239612174521),
+         VM_C(-0.30864437669515609741), VM_C(0.14662241730679109741), VM_C(-0.079620661529438946369),
+         VM_C(0.045680343325427280599), VM_C(-0.026919775749699972195), VM_C(0.016091679219129160355),
+         VM_C(-9.6960202941276645711e-3), VM_C(5.8706253864342387502e-3), VM_C(-3.5633550452702769315e-3)},
+        {VM_C(8.3060471522200388988e-17), VM_C(-3.6118642269251769294e-9), VM_C(1.085544786108086468),
+         VM_C(-0.29970828443765640259), VM_C(0.13941764756097024813), VM_C(-0.074163999582565434676),
+         VM_C(0.041699868710664236837), VM_C(-0.024091811834694353001), VM_C(0.014122447332025018368),
+         VM_C(-8.3464052190142350163e-3), VM_C(4.9573165765411965344e-3), VM_C(-2.9520654907572063848e-3)},
+        {VM_C(-1.1076161047525696123e-16), VM_C(1.2018664981116926879e-9), VM_C(1.0763128279103499896),
+         VM_C(-0.2912069857120513916), VM_C(0.13270195245670032835), VM_C(-0.069178438480359566443),
+         VM_C(0.03813380009570655621), VM_C(-0.021606891161075700986), VM_C(0.012424966172694357908),
+         VM_C(-7.2049750232357160501e-3), VM_C(4.1993882042353214423e-3), VM_C(-2.4542549921556114714e-3)},
+        {VM_C(-1.0387310183445835086e-16), VM_C(1.7435799512998520312e-12), VM_C(1.0673401259711077227),
+         VM_C(-0.2831112295389175415), VM_C(0.12643349352252786222), VM_C(-0.06461536833929526491),
+         VM_C(0.034932305291183851637), VM_C(-0.019418077468484847004), VM_C(0.010957667357033783542),
+         VM_C(-6.2366043871136308402e-3), VM_C(3.5682289472845794484e-3), VM_C(-2.0473164946511377381e-3)},
+        {VM_C(-3.070920747469803688e-17), VM_C(2.8293186607902450684e-9), VM_C(1.0586144310974030525),
+         VM_C(-0.27539426833391189575), VM_C(0.12057471122852500556), VM_C(-0.060431974182519138106),
+         VM_C(0.032052312676662766955), VM_C(-0.017485554513444235419), VM_C(9.6859387309735679727e-3),
+         VM_C(-5.4125835365694107554e-3), VM_C(3.0408822586668830118e-3), VM_C(-1.7134429398329110647e-3)},
+        {VM_C(8.3059023630803718458e-18), VM_C(-2.0120326091085234387e-9), VM_C(1.0501242948595483906),
+         VM_C(-0.26803155988454818726), VM_C(0.115091819249277999), VM_C(-0.056590456359472636472),
+         VM_C(0.029456494103437109305), VM_C(-0.015775444233341436029), VM_C(8.5808639763477675966e-3),
+         VM_C(-4.7093603131697393815e-3), VM_C(2.598855033832831677e-3), VM_C(-1.4385473383647427812e-3)},
+        {VM_C(1.0370428485442479823e-16), VM_C(2.4852568887506493147e-9), VM_C(1.0418590035309565067),
+         VM_C(-0.26100059598684310913), VM_C(0.1099543661963768848), VM_C(-0.053057367290499750367),
+         VM_C(0.027112415264387953323), VM_C(-0.014258837348975837711), VM_C(7.6182074177500733528e-3),
+         VM_C(-4.1075452036694040311e-3), VM_C(2.2271922741058658435e-3), VM_C(-1.2114390346284940013e-3)},
+        {VM_C(6.8026211664298133729e-17), VM_C(-2.4795097397316331739e-9), VM_C(1.0338085185508643082),
+         VM_C(-0.25428064167499542236), VM_C(0.10513485483471042559), VM_C(-0.049803045536345784405),
+         VM_C(0.024991823665159309392), VM_C(-0.012910995397943970942), VM_C(6.7775931656223102964e-3),
+         VM_C(-3.5911210635753755029e-3), VM_C(1.9137551137519753439e-3), VM_C(-1.0231923501596064136e-3)},
+        {VM_C(1.0291130574914949102e-16), VM_C(-1.7897927770715352242e-9), VM_C(1.0259634227648695148),
+         VM_C(-0.24785263091325759888), VM_C(0.10060841041495542647), VM_C(-0.04680113155440632916),
+         VM_C(0.023070050051546043407), VM_C(-0.011710691633136351142), VM_C(6.0418389166299263718e-3),
+         VM_C(-3.1468128861497956031e-3), VM_C(1.648655064967738176e-3), VM_C(-8.6666042010634868845e-4)},
+        {VM_C(3.3636626739131312336e-17), VM_C(-3.7502042148416335779e-10), VM_C(1.0183148717943517614),
+         VM_C(-0.24169895797967910767), VM_C(0.09635249108864848977), VM_C(-0.044028152226501485189),
+         VM_C(0.02132550369986395758), VM_C(-0.010639664819956434413), VM_C(5.3964133232628323789e-3),
+         VM_C(-2.7635832429045289679e-3), VM_C(1.4238088154120238579e-3), VM_C(-7.3609914683951129487e-4)},
+        {VM_C(9.6951742032611635728e-18), VM_C(-9.8248949390482125455e-10), VM_C(1.0108545499682159985),
+         VM_C(-0.23580336198210716248), VM_C(0.092346634475725830615), VM_C(-0.041463163456410496999),
+         VM_C(0.019739245613389948958), VM_C(-9.6821651468901835658e-3), VM_C(4.8289924728805366447e-3),
+         VM_C(-2.4322268124125786225e-3), VM_C(1.2325864677649239418e-3), VM_C(-6.2687506333311776661e-4)},
+        {VM_C(-8.9136424312559300432e-17), VM_C(-5.1701918843703918189e-10), VM_C(1.0035746303211607877),
+         VM_C(-0.23015080764889717102), VM_C(0.088572235370219493111), VM_C(-0.039087441941118739042),
+         VM_C(0.018294626584055746071), VM_C(-8.8245755484329790191e-3), VM_C(4.3290961531699933412e-3),
+         VM_C(-2.145043349631685272e-3), VM_C(1.0695325177584396291e-3), VM_C(-5.3523742830424302259e-4)}};
+#else
+    enum { DEGREE = 5 };
+    VM_TABLE vm_real table[32][DEGREE + 3] = {
+        {VM_C(2.21852367588e-8), VM_C(8.33745216369e-5), VM_C(1.3757430315), VM_C(-0.666748046875),
+         VM_C(0.54371291399), VM_C(-0.498265892267), VM_C(0.47578805685), VM_C(-0.461843907833)},
+        {VM_C(3.2812682349e-8), VM_C(-5.3240244597e-5), VM_C(1.35542595387), VM_C(-0.634033203125),
+         VM_C(0.49965262413), VM_C(-0.443060189486), VM_C(0.409786939621), VM_C(-0.385542213917)},
+        {VM_C(2.779814956e-8), VM_C(-1.04044069303e-4), VM_C(1.33608555794), VM_C(-0.60400390625),
+         VM_C(0.460403442383), VM_C(-0.395405381918), VM_C(0.354544103146), VM_C(-0.323592364788)},
+        {VM_C(1.39187532611e-8), VM_C(-3.33587158821e-5), VM_C(1.31764507294), VM_C(-0.576416015625),
+         VM_C(0.425316333771), VM_C(-0.354087173939), VM_C(0.308061957359), VM_C(-0.272986322641)},
+        {VM_C(3.7481530768e-8), VM_C(-8.6883410404e-5), VM_C(1.30003583431), VM_C(-0.55078125),
+         VM_C(0.393845260143), VM_C(-0.318113803864), VM_C(0.268756479025), VM_C(-0.231407567859)},
+        {VM_C(-5.06877313455e-8), VM_C(-5.34397622687e-5), VM_C(1.28319644928), VM_C(-0.527099609375),
+         VM_C(0.365528553724), VM_C(-0.286670595407), VM_C(0.2353631109), VM_C(-0.197058796883)},
+        {VM_C(5.03867028101e-8), VM_C(7.39708821129e-6), VM_C(1.2670712471), VM_C(-0.505126953125),
+         VM_C(0.339974105358), VM_C(-0.259084612131), VM_C(0.206866160035), VM_C(-0.168535783887)},
+        {VM_C(-3.36919789845e-8), VM_C(1.33953026307e-5), VM_C(1.25161063671), VM_C(-0.484619140625),
+         VM_C(0.316847205162), VM_C(-0.234797224402), VM_C(0.182444885373), VM_C(-0.144734069705)},
+        {VM_C(1.87274462604e-8), VM_C(-1.49792031152e-5), VM_C(1.23676908016), VM_C(-0.465454101563),
+         VM_C(0.295861184597), VM_C(-0.213342219591), VM_C(0.161432385445), VM_C(-0.124779492617)},
+        {VM_C(-5.12216793425e-8), VM_C(4.81768947793e-5), VM_C(1.22250580788), VM_C(-0.447631835938),
+         VM_C(0.276769310236), VM_C(-0.194328904152), VM_C(0.143283888698), VM_C(-0.107976004481)},
+        {VM_C(-1.606205835e-8), VM_C(-5.17807457072e-5), VM_C(1.20878326893), VM_C(-0.430786132813),
+         VM_C(0.259358555079), VM_C(-0.177428230643), VM_C(0.127552077174), VM_C(-0.0937662571669)},
+        {VM_C(-5.57731745232e-8), VM_C(2.84514262603e-5), VM_C(1.19556760788), VM_C(-0.415161132813),
+         VM_C(0.243444234133), VM_C(-0.16236205399), VM_C(0.11386795342), VM_C(-0.0817015320063)},
+        {VM_C(-4.62814604418e-8), VM_C(1.10559967652e-5), VM_C(1.1828275919), VM_C(-0.400390625),
+         VM_C(0.228865742683), VM_C(-0.148894205689), VM_C(0.10192566365), VM_C(-0.0714186728001)},
+        {VM_C(7.04711800026e-9), VM_C(-2.49556524068e-5), VM_C(1.17053472996), VM_C(-0.386474609375),
+         VM_C(0.215482935309), VM_C(-0.136823385954), VM_C(0.0914706215262), VM_C(-0.0626223757863)},
+        {VM_C(5.27997841004e-8), VM_C(-8.77218099049e-6), VM_C(1.15866291523), VM_C(-0.373413085938),
+         VM_C(0.203173115849), VM_C(-0.125977486372), VM_C(0.0822900012136), VM_C(-0.0550713203847)},
+        {VM_C(-8.11198752615e-9), VM_C(1.15840714443e-6), VM_C(1.14718818665), VM_C(-0.361083984375),
+         VM_C(0.191828519106), VM_C(-0.116208702326), VM_C(0.0742051824927), VM_C(-0.0485674738884)},
+        {VM_C(-5.63730395697e-8), VM_C(-5.99332015554e-5), VM_C(1.13608825207), VM_C(-0.349365234375),
+         VM_C(0.181354314089), VM_C(-0.1073897928), VM_C(0.0670656785369), VM_C(-0.0429475791752)},
+        {VM_C(-5.90513806742e-8), VM_C(-1.82497478818e-5), VM_C(1.1253426075), VM_C(-0.33837890625),
+         VM_C(0.171666711569), VM_C(-0.0994107872248), VM_C(0.0607442595065), VM_C(-0.0380765236914)},
+        {VM_C(4.96148633289e-9), VM_C(5.09369237989e-5), VM_C(1.11493229866), VM_C(-0.328002929688),
+         VM_C(0.162691533566), VM_C(-0.0921763852239), VM_C(0.055132932961), VM_C(-0.0338420197368)},
+        {VM_C(-1.16136447681e-10), VM_C(-5.40843357157e-5), VM_C(1.104839921), VM_C(-0.317993164063),
+         VM_C(0.15436296165), VM_C(-0.0856037512422), VM_C(0.0501397699118), VM_C(-0.0301504228264)},
+        {VM_C(-1.88762996345e-8), VM_C(-5.06261385453e-5), VM_C(1.09504914284), VM_C(-0.30859375),
+         VM_C(0.146622419357), VM_C(-0.0796206593513), VM_C(0.045686237514), VM_C(-0.0269233267754)},
+        {VM_C(-3.84921250429e-8), VM_C(-2.56708626694e-5), VM_C(1.0855448246), VM_C(-0.299682617188),
+         VM_C(0.139417648315), VM_C(-0.0741639956832), VM_C(0.0417050421238), VM_C(-0.0240948684514)},
+        {VM_C(4.75301078495e-8), VM_C(5.27811134816e-5), VM_C(1.07631278038), VM_C(-0.291259765625),
+         VM_C(0.132701948285), VM_C(-0.0691784396768), VM_C(0.0381383523345), VM_C(-0.0216095298529)},
+        {VM_C(-9.60322843468e-9), VM_C(-3.01748495986e-5), VM_C(1.06734013557), VM_C(-0.283081054688),
+         VM_C(0.126433491707), VM_C(-0.0646153688431), VM_C(0.0349363200366), VM_C(-0.0194203611463)},
+        {VM_C(5.78903147641e-8), VM_C(-3.64050470125e-6), VM_C(1.05861437321), VM_C(-0.275390625),
+         VM_C(0.120574712753), VM_C(-0.060431972146), VM_C(0.0320558585227), VM_C(-0.0174875371158)},
+        {VM_C(7.25426652082e-9), VM_C(3.48443536495e-5), VM_C(1.05012428761), VM_C(-0.26806640625),
+         VM_C(0.115091815591), VM_C(-0.0565904565156), VM_C(0.0294596366584), VM_C(-0.0157771687955)},
+        {VM_C(-2.71926108297e-8), VM_C(-1.42653761941e-5), VM_C(1.04185903072), VM_C(-0.260986328125),
+         VM_C(0.109954364598), VM_C(-0.0530573688447), VM_C(0.0271152053028), VM_C(-0.0142603414133)},
+        {VM_C(4.87785278835e-8), VM_C(-8.18321677798e-6), VM_C(1.03380846977), VM_C(-0.254272460938),
+         VM_C(0.105134852231), VM_C(-0.049803044647), VM_C(0.0249943062663), VM_C(-0.0129123106599)},
+        {VM_C(-2.87141910249e-9), VM_C(1.11368281068e-5), VM_C(1.02596342564), VM_C(-0.247863769531),
+         VM_C(0.100608408451), VM_C(-0.0468011312187), VM_C(0.0230722632259), VM_C(-0.0117118442431)},
+        {VM_C(3.33849321521e-8), VM_C(2.60395296436e-7), VM_C(1.01831483841), VM_C(-0.24169921875),
+         VM_C(0.0963524878025), VM_C(-0.0440281517804), VM_C(0.0213274806738), VM_C(-0.0106406770647)},
+        {VM_C(-5.18918277237e-8), VM_C(-2.45543706114e-5), VM_C(1.01085460186), VM_C(-0.235778808594),
+         VM_C(0.0923466309905), VM_C(-0.04146316275), VM_C(0.0197410136461), VM_C(-9.68305580318e-3)},
+        {VM_C(2.05646930596e-8), VM_C(1.27660532598e-5), VM_C(1.00357460976), VM_C(-0.230163574219),
+         VM_C(0.0885722339153), VM_C(-0.0390874408185), VM_C(0.0182962119579), VM_C(-8.82536079735e-3)}};
+#endif
+    const int i = q.hi < 1 ? (int)(32 * q.hi) : 31;
+    const vm_real *row = table[i];
+    const vm_two h = vmi_fast_two_sum(-((vm_real)i + VM_C(0.5)) / 32, q.hi);
+    const vm_real h_head = vmi_head(h.hi);
+    const vm_two sum = vmi_fast_two_sum(row[2], row[3] * h_head); /* half of the digits each: exact */
+    const vm_real hh = h.hi * h.hi;
+    vm_real even = row[DEGREE + 1], odd = row[DEGREE + 2];
+    int j;
+    for (j = DEGREE - 1; j >= 4; j -= 2) {
+        even = row[j] + hh * even;
+        odd = row[j + 1] + hh * odd;
+    }
+    return vmi_fast_two_sum(sum.hi, sum.lo + (row[3] * ((h.hi - h_head) + (h.lo + q.lo)) + row[1] * h.hi + row[0]) +
+                                        hh * (even + h.hi * odd));
+}
+
 typedef struct VM_TAG(vmi_ateb) {
-    vm_real n, q;   /* alpha + 1 and 1/(alpha + 1) */
-    vm_real g;      /* (q Pi - 1)/q, from 1 (alpha = 0) to 2 ln 2 */
+    vm_two n, q;    /* alpha + 1, 1/(alpha + 1) */
+    vm_two g;       /* Pi - (alpha + 1) */
     vm_two quarter; /* Pi/2 */
 } vmi_ateb;
 
-/* g(q) = (f(q) - 1)/q for small q, by its Taylor series; off by q^3/2 */
-VM_API vm_two vmi_ateb_g(vm_real q)
+VM_API vm_two vmi_half(vm_two x)
 {
-    const vm_real two_ln2 = VM_C(1.386294361119890618835);
-#if VM_MANT_DIG > 24
-    const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
-#else
-    const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
-#endif
-    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
+    x.hi /= 2;
+    x.lo /= 2;
+    return x;
 }
 
-/* Pi = (alpha + 1) f(q) = (alpha + 1) + g exactly. Where q is small g is known better than f, and so, as an error
-   of Pi is one of phase however large Pi is, Pi. */
+/* An error of Pi is one of phase however large Pi is: the sum with g keeps it small for large alpha too. */
 VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 {
-    vm_two n = vmi_two_sum(alpha, 1), one = {1, 0}, x;
-    c->n = n.hi;
-    c->q = 1 / n.hi;
-    if (8 * c->q < VM_SQRT(VM_EPSILON)) {
-        x = vmi_ateb_g(c->q);
-        c->g = x.hi;
-        c->quarter = vmi_two_plus(n, x);
-    } else {
-        x = vmi_ateb_gamma_ratio(vmi_two_over(one, n));
-        c->g = ((x.hi - 1) + x.lo) / c->q;
-        c->quarter = vmi_two_times(n, x);
-    }
-    c->quarter.hi /= 2;
-    c->quarter.lo /= 2;
+    vm_real n_head, n_tail, q_head;
+    vm_two sum;
+    c->n = vmi_two_sum(alpha, 1);
+    c->q.hi = 1 / c->n.hi;
+    n_head = vmi_head(c->n.hi), q_head = vmi_head(c->q.hi);
+    n_tail = (c->n.hi - n_head) + c->n.lo;
+    c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
+    c->g = vmi_ateb_g(c->q);
+    sum = vmi_two_sum(c->n.hi, c->g.hi);
+    c->quarter = vmi_half(vmi_fast_two_sum(sum.hi, sum.lo + (c->n.lo + c->g.lo)));
 }
 
 VM_API vm_real ateb_pi(vm_real alpha)
@@ -574,106 +777,117 @@ VM_API vm_real ateb_pi(vm_real alpha)
     return 2 * c.quarter.hi;
 }
 
+/* Pi/2 to a relative error of 2^-102 (float 2^-44): Pi = (alpha + 1) f(q) */
+VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+{
+    if (8 * c->q.hi < VM_SQRT(VM_EPSILON)) {
+        const vm_real two_ln2 = VM_C(1.386294361119890618835);
+#if VM_MANT_DIG > 24
+        const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
+#else
+        const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
+#endif
+        const vm_real q = c->q.hi;
+        return vmi_half(vmi_two_plus(
+            c->n, vmi_two_sum(two_ln2,
+                              two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)))));
+    } else {
+        vm_two one = {1, 0};
+        return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+    }
+}
+
 /* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
 
    With w = sa^2, x = 1 - w = |ca|^(alpha+1), r the distance of s from the zero of sa and d from that of ca,
-     r = B_w(1/2, q)/2 = sa (1 + sum_(n>=1) (1-q)_n/n! w^n/(2n+1))                    dr/dsa = (1-w)^(q-1)
+     r = B_w(1/2, q)/2 = sa |ca| 2F1(1, q + 1/2; 3/2; w)
      2 q d = q B_x(q, 1/2) = |ca| (1 + q T),  1 + q T = 2F1(1, 2q; 1+q; p),           p = (1 - sa)/2
-   the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w <= 0.3 and
-   p <= 0.24, so that either series gains two bits or so a term. */
+   the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w < 0.303
+   and p < 0.251.
+   From a guess, a point of the curve is computed, exact but for rounding, and Taylor's series in the small rest
+   h = r - r(point) leads from there to s. */
 
-VM_API vm_real vmi_ateb_tail_w(vm_real w, vm_real kappa)
+typedef struct VM_TAG(vmi_ateb_point) {
+    vm_real v, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
+    vm_real h;       /* what is left of r */
+} vmi_ateb_point;
+
+/* (F - 1)/(z b) for F = 2F1(1, b; c; z), b <= c, k = c - b: Gauss's continued fraction [3, 15.7],
+   F = 1/(1 - b z/X_1), X_j = c + j - 1 - a_j z/X_(j+1), a_2m = m (k + m - 1), a_2m+1 = (b + m)(c + m - 1), m times two
+   levels, which gain 7 bits or more for z < 0.303; X = P/Q. */
+VM_API vm_real vmi_hypergeometric(vm_real b, vm_real c, vm_real k, vm_real z, int m)
 {
-    vm_real power = 1, term, sum = 0;
-    int n = 0;
-    do {
-        power *= w * ((kappa + (vm_real)n) / (vm_real)(n + 1));
-        n++;
-        term = power / (vm_real)(2 * n + 1);
-        sum += term;
-    } while (term > VM_EPSILON / 8);
-    return sum;
+    vm_real P = (c + (vm_real)(2 * m)) * (1 - z / 4), Q = 1;
+    for (; m > 0; m--) {
+        const vm_real n = (vm_real)m, c1 = c + (2 * n - 2), c2 = c + (2 * n - 1);
+        const vm_real a1 = n * (k + (n - 1)) * z, a2 = (b + n) * (c + (n - 1)) * z;
+        const vm_real next = c2 * P - a2 * Q;
+        P = (c1 * c2 - a1) * P - c1 * a2 * Q;
+        Q = next;
+    }
+    return Q / (P - b * z * Q);
 }
 
-VM_API vm_real vmi_ateb_tail_p(vm_real p, vm_real q)
+/* (1 - (1 - z)^q)/q */
+VM_API vm_real vmi_power_rest(vm_real z, vm_real q, int m)
 {
-    vm_real term = 2 * p / (1 + q), sum = term;
-    int n = 1;
-    do {
-        term *= p * ((2 * q + (vm_real)n) / (1 + q + (vm_real)n));
-        sum += term;
-        n++;
-    } while (term > VM_EPSILON / 8);
-    return sum;
+    return z * (1 + z * (1 - q) * vmi_hypergeometric(1 - q, 2, 1 + q, z, m));
 }
 
-/* Halley's step leaves 0.3 step^3 or less: after a step of 2^-18 (float 2^-8.3) that is below eps/4 */
-#if VM_MANT_DIG > 24
-#define VMI_ATEB_LAST_STEP VM_C(3.8e-6)
-#else
-#define VMI_ATEB_LAST_STEP VM_C(3.1e-3)
-#endif
-
-/* sa, ca for 0 <= r <= 0.55: start from the Taylor series of the inverse to r^9 (1e-5), one step, at times two */
-VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
+/* The point for 0 <= r <= 0.55; guess: the Taylor series of the inverse to r^9, within 1e-5. */
+VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
 {
+    const int m = VM_MANT_DIG > 24 ? 7 : 3; /* w < 0.303 */
     const vm_real k = 1 - q, rr = r * r;
     const vm_real c1 = -1 / VM_C(3.0);
-    const vm_real c2 = (7 * k - 3) / 30;
-    const vm_real c3 = ((-127 * k + 123) * k - 30) / 630;
-    const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) / 22680;
-    vm_real v = r * (1 + k * rr * (c1 + rr * (c2 + rr * (c3 + rr * c4)))), w, step;
-    do {
-        w = v * v;
-        step = ((r - v) - v * vmi_ateb_tail_w(w, k)) * VM_EXP(k * VM_LOG(1 - w));
-        step /= 1 + step * k * v / (1 - w);
-        v += step;
-    } while (VM_FABS(step) > VMI_ATEB_LAST_STEP);
-    *sa = v;
-    *ca = VM_EXP(q * VM_LOG(1 - v * v));
+    const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
+    const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
+    const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
+    const vm_real v = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4))), w = v * v, b = q + VM_C(0.5);
+    const vm_real one_minus_u = q * vmi_power_rest(w, q, m),
+                  F_minus_1 = w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m);
+    at->v = v;
+    at->x = 1 - w;
+    at->u = 1 - one_minus_u;
+    at->h = (r - v) - v * (F_minus_1 * at->u - one_minus_u);
 }
 
-/* First guess of x from X = (2 q d)^(1/q), the value for T = 0: the (1, 1) Pade approximant of x/X = 1 - e1 X +
-   e2 X^2 - ..., 1 to 2 % off at the change-over */
-VM_API vm_real vmi_ateb_guess_x(vm_real X, vm_real q)
-{
-    vm_real e1 = 1 / (2 * (1 + q));
-    vm_real e2 = VM_C(1.5) * e1 * e1 - 3 / (8 * (2 + q)) + q * e1 * e1 / 2;
-    vm_real b = e2 / e1;
-    return X * (1 + (b - e1) * X) / (1 + b * X);
-}
-
-/* sa, ca for r >= 0.55: Halley's steps for ln x, which neither underflows nor loses digits for large alpha. The
-   residual E = (2 q d - ca (1 + q T))/q, whose slope is that of 2 d, ca/sa, is taken from r or from d, whichever is
-   smaller. ca follows from d, with T moved along to the last x. */
-VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
+/* The point for r >= 0.55, or s itself where x < eps/8. In terms of y = 2 q d, d taken from r or from d, whichever is
+   smaller, and of X = y^(alpha+1): u = y (x/X)^q, and (alpha + 1) (y - u) - u T = 2 h is free from cancellation.
+   Guess: (1, 1) Pade approximant, within 5e-5, of p as a function of X. */
+VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_ateb_point *at)
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
-    const vm_real q = c->q;
-    const vm_real z = 2 * r - c->g; /* 2 q d = 1 - q z */
+    const int m = VM_MANT_DIG > 24 ? 6 : 3;                                            /* p < 0.251 */
+    const vm_real q = c->q.hi;
+    const vm_real z = (2 * r - c->g.hi) - c->g.lo; /* 2 q d = 1 - q z */
     const int from_r = r < d;
-    const vm_real y = from_r ? 1 - q * z : 2 * q * d;
-    const vm_real ln_X = (from_r ? vmi_log1p(-q * z) : VM_LOG(y)) * c->n;
-    vm_real x, T, T1, T2, step;
-    if (ln_X < negligible) {
-        *sa = 1;
-        *ca = y;
-        return;
-    }
-    x = vmi_ateb_guess_x(VM_EXP(ln_X), q);
-    do {
-        vm_real ln_x = VM_LOG(x), u = VM_EXP(q * ln_x), v = VM_SQRT(1 - x), E;
-        T = vmi_ateb_tail_p(x / (2 * (1 + v)), q);
-        E = from_r ? (-vmi_expm1(q * ln_x) * c->n - z) - u * T : 2 * d - u * (c->n + T);
-        step = v * E / u;
-        step /= 1 + step * (q + x / (2 * v * v)) / 2;
-        T1 = 1 / v - 1 - q * T; /* dT/dlnx and its derivative */
-        T2 = x / (2 * v * v * v) - q * T1;
-        T += step * (T1 + step * T2 / 2);
-        x *= VM_EXP(step);
-    } while (VM_FABS(step) > VMI_ATEB_LAST_STEP);
-    *sa = VM_SQRT(1 - x);
-    *ca = y / (1 + q * T);
+    const vm_real y = from_r ? 1 - q * z : 2 * d / c->n.hi;
+    const vm_two ln_y = vmi_log(y);
+    const vm_real ln_X = c->n.hi * (from_r ? ln_y.hi + ((1 - y) - q * z) : ln_y.hi);
+    vm_real p, p_lo, X4, ratio, u_rest;
+    int k;
+    at->v = 1;
+    at->u = y;
+    at->x = at->h = 0;
+    if (!(ln_X > negligible)) return;
+    X4 = vmi_exp_core(ln_X, 0, &k, &p_lo);
+    X4 = vmi_ldexp((1 + X4) / 4, k);
+    ratio = (1 + q) * (2 + q - q * X4) / ((1 + q) * (2 + q) + 2 * (1 - q - q * q) * X4);
+    p = X4 * ratio;
+    u_rest = 2 * vmi_power_rest(1 - VM_SQRT(ratio * (1 - p)), 2 * q, m); /* (1 - u/y)/q */
+    at->v = 1 - 2 * p;
+    at->x = 4 * p * (1 - p);
+    at->u = y - y * (q * u_rest);
+    at->h = at->u * (p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, m)) - y * u_rest / 2;
+}
+
+/* Taylor's series from the point to s, for rests that are 1e-4 of u or less */
+VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_real *ca)
+{
+    const vm_real v = at->v, x = at->x, k = 1 - q, e = at->h == 0 ? 0 : at->h / at->u;
+    *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * v * v) * (e / 3)));
+    *ca = at->u - at->u * (q * e) * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667)));
 }
 
 /* ---- sa, ca ------------------------------------------------------------------------------------------------- */
@@ -681,23 +895,29 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     const vm_real change_over = VM_C(0.55);
-    vm_real r, d, rest, sa1, ca1;
+    vm_real size = VM_FABS(s), r, d, rest, sa1, ca1;
     int quarter;
     vmi_ateb c;
+    vmi_ateb_point at;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(s)) {
         *sa = *ca = VM_NAN;
         return;
     }
     vmi_ateb_constants(&c, alpha);
-    rest = vmi_reduce(VM_FABS(s), c.quarter, &quarter);
+    rest = vmi_reduce(size, c.quarter, &quarter);
+    if (rest != size && (size > 256 * c.quarter.hi || VM_FABS(rest) * c.quarter.hi * 256 < size)) {
+        c.quarter = vmi_ateb_fine_quarter(&c);
+        rest = vmi_reduce(size, c.quarter, &quarter);
+    }
     r = VM_FABS(rest);
     d = c.quarter.hi - r;
     if (quarter & 1) {
         d = r;
         r = c.quarter.hi - d;
     }
-    if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q, &sa1, &ca1);
-    else vmi_ateb_near_ca_zero(r, d, &c, &sa1, &ca1);
+    if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q.hi, &at);
+    else vmi_ateb_near_ca_zero(r, d, &c, &at);
+    vmi_ateb_move(&at, c.q.hi, &sa1, &ca1);
     if (quarter & 1) ca1 = VM_COPYSIGN(ca1, -rest);
     else sa1 = VM_COPYSIGN(sa1, rest);
     if (quarter & 2) {
