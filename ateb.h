@@ -318,7 +318,7 @@ VM_API vm_two vmi_log(vm_real x)
 #endif
     const int subnormal = x < VMI_MIN;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
-    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
+    const vmi_bits above = vmi_to_bits(x * (subnormal ? 4 / VM_EPSILON : 1)) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
@@ -431,6 +431,29 @@ VM_API vm_real ateb_pi(vm_real alpha);
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca);
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha);
 VM_API vm_real ateb_ca(vm_real s, vm_real alpha);
+
+/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan_print.c prints it).
+   ateb_plan_init returns 0, or -1 for alpha < 0, NaN or infinite, and then leaves the plan as it was. A plan for less
+   accuracy, 1e-4 or 1e-8 of the largest value, is shorter and quicker; 0 means full. Arrays may overlap exactly. */
+#if VM_MANT_DIG > 24
+#define ATEB_PLAN_LENGTH 14
+#else
+#define ATEB_PLAN_LENGTH 8
+#endif
+typedef struct VM_TAG(vmi_ateb_part) {
+    vm_real first, first_lo, odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
+} vmi_ateb_part;
+typedef struct VM_TAG(ateb_plan) {
+    vm_two quarter;           /* Pi/2 */
+    vm_real quarter_parts[3]; /* the same, two with half of the digits or less */
+    vm_real per_quarter, longest, change_over, n, q, g;
+    int length, twice_alpha;
+    vmi_ateb_part part[2];
+} ateb_plan;
+VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha);
+VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy);
+VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca);
+VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca);
 
 /* ---- Two words ---------------------------------------------------------------------------------------------- */
 
@@ -941,5 +964,259 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
     ateb_saca(s, alpha, &sa, &ca);
     return ca;
 }
+
+/* ---- One alpha prepared ---------------------------------------------------------------------------------------
+
+   Two parts of a quarter. Up to the change-over, with tau = r^2,
+     sa = r (1 + tau A(tau)),   ca = 1 + tau C(tau);
+   beyond it, with tau = X = (2 q d)^(alpha+1) up to a factor,
+     ca = d (2 q + tau A(tau)), sa = 1 + tau C(tau).
+   The polynomials are Taylor series from (275), economised: their last terms are taken off by Chebyshev
+   polynomials. For alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is made of products and a square root; d^alpha takes the
+   rounding of d = Pi/2 - r along. Else tau = X is an exponential. */
+
+/* Compilers make branches of conditions, which do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
+VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
+VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
+
+/* d d^alpha, twice_alpha = 0 .. 14; d_lo is what d lost by rounding */
+VM_API vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
+{
+    const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
+    const vm_real two = (vm_real)(p->twice_alpha >> 2 & 1), four = (vm_real)(p->twice_alpha >> 3 & 1), d2 = d * d;
+    const vm_real low = VM_SQRT(vmi_choose(half, d, 1)) * vmi_choose(one, d, 1);
+    const vm_real power = low * (vmi_choose(two, d2, 1) * vmi_choose(four, d2 * d2, 1));
+    return power * d + power * (p->n * d_lo);
+}
+
+/* X = (2 q d)^(alpha+1) from r or d, whichever is smaller, since for large alpha its error is that of ln(2 q d) times
+   alpha + 1 */
+VM_API vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d)
+{
+    const vm_real least = VM_C(-0.69) * VMI_BIAS, qz = p->q * (2 * r - p->g);
+    const vm_real y = r < d ? 1 - qz : 2 * p->q * d, y_lo = r < d ? (1 - y) - qz : 0;
+    const vm_real ln_X = p->n * (vmi_log(y).hi + y_lo);
+    vm_real X, X_lo;
+    int k;
+    X = vmi_exp_core(ln_X > least ? ln_X : least, 0, &k, &X_lo);
+    return vmi_ldexp(1 + X, k);
+}
+
+/* base (first + tau odd(tau)) and 1 + tau even(tau) */
+VM_API void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_real base, vm_real tau, vm_real *odd,
+                             vm_real *even)
+{
+    const vm_real square = tau * tau;
+    vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0;
+    int j;
+    for (j = length - 2; j >= 0; j -= 2) {
+        odd0 = part->odd[j] + square * odd0;
+        odd1 = part->odd[j + 1] + square * odd1;
+        even0 = part->even[j] + square * even0;
+        even1 = part->even[j + 1] + square * even1;
+    }
+    *odd = base * (part->first + (part->first_lo + tau * (odd0 + tau * odd1)));
+    *even = 1 + tau * (even0 + tau * even1);
+}
+
+/* |s| from the nearest multiple of Pi/2, for |s| < p->longest: 2^26 quarters (float 2^12), whose products with the
+   first parts are exact */
+VM_API vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, int *quarter)
+{
+    const vm_real x = VM_FABS(s);
+    const int count = (int)(x * p->per_quarter + VM_C(0.5));
+    const vm_real j = (vm_real)count;
+    *quarter = count;
+    return ((x - j * p->quarter_parts[0]) - j * p->quarter_parts[1]) - j * p->quarter_parts[2];
+}
+
+/* From the first quarter to that of s = +-(quarter Pi/2 + rest) */
+VM_API void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
+{
+    const vm_real odd = (vm_real)(quarter & 1), half = (vm_real)(1 - (quarter & 2));
+    *ca *= half * VM_COPYSIGN(1, vmi_choose(odd, -rest, 1));
+    *sa *= half * VM_COPYSIGN(VM_COPYSIGN(1, s), VM_COPYSIGN(1, s) * vmi_choose(odd, 1, rest));
+}
+
+VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
+{
+    vm_real rest, near_zero, far_zero, r, d, odd, even, tau;
+    int quarter, beyond;
+    if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
+    else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter);
+    else {
+        *sa = *ca = VM_NAN;
+        return;
+    }
+    near_zero = VM_FABS(rest), far_zero = (p->quarter.hi - near_zero) + p->quarter.lo;
+    r = quarter & 1 ? far_zero : near_zero;
+    d = quarter & 1 ? near_zero : far_zero;
+    beyond = r > p->change_over;
+    tau = r * r;
+    if (p->twice_alpha >= 0) { /* quick, so that no branch depends on s */
+        const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+        const vm_real product = vmi_ateb_product(p, d, quarter & 1 ? 0 : lost);
+        tau = beyond ? product : tau;
+    } else if (beyond) tau = vmi_ateb_exponential(p, r, d);
+    vmi_ateb_part_at(p->part + beyond, p->length, beyond ? d : r, tau, &odd, &even);
+    *sa = beyond ? even : odd;
+    *ca = beyond ? odd : even;
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
+}
+
+/* The same for twice_alpha >= 0 and |s| < p->longest, both parts and no branch */
+VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
+{
+    int quarter;
+    const vm_real rest = vmi_ateb_plan_reduce(p, s, &quarter), near_zero = VM_FABS(rest);
+    const vm_real far_zero = (p->quarter.hi - near_zero) + p->quarter.lo, odd = (vm_real)(quarter & 1);
+    const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+    const vm_real r = vmi_choose(odd, far_zero, near_zero), d = vmi_choose(odd, near_zero, far_zero);
+    const vm_real beyond = vmi_weight(r - p->change_over);
+    vm_real sa0, ca0, sa1, ca1;
+    vmi_ateb_part_at(p->part, length, r, r * r, &sa0, &ca0);
+    vmi_ateb_part_at(p->part + 1, length, d, vmi_ateb_product(p, d, (1 - odd) * lost), &ca1, &sa1);
+    *sa = vmi_choose(beyond, sa1, sa0);
+    *ca = vmi_choose(beyond, ca1, ca0);
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
+}
+
+#define VMI_ATEB_LOOP(name, length) /* with a constant length it vectorises */              \
+    VM_API void name(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca) \
+    {                                                                                       \
+        int i;                                                                              \
+        for (i = 0; i < n; i++) {                                                           \
+            vm_real v, u;                                                                   \
+            vmi_ateb_plan_both(p, length, s[i], &v, &u);                                    \
+            sa[i] = v;                                                                      \
+            ca[i] = u;                                                                      \
+        }                                                                                   \
+    }
+VMI_ATEB_LOOP(vmi_ateb_loop_short, 4)
+VMI_ATEB_LOOP(vmi_ateb_loop_middle, 8)
+VMI_ATEB_LOOP(vmi_ateb_loop_long, ATEB_PLAN_LENGTH)
+#undef VMI_ATEB_LOOP
+
+VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
+{
+    enum { BLOCK = 64 };
+    vm_real x[BLOCK], inside[BLOCK];
+    int i, j, count;
+    for (i = 0; i < n; i += BLOCK) {
+        count = n - i < BLOCK ? n - i : BLOCK;
+        for (j = 0; j < count; j++) {
+            x[j] = s[i + j];
+            inside[j] = VM_FABS(x[j]) < p->longest ? x[j] : 0;
+        }
+        if (p->twice_alpha < 0) {
+            for (j = 0; j < count; j++) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
+            continue;
+        }
+        if (p->length <= 4) vmi_ateb_loop_short(p, count, inside, sa + i, ca + i);
+        else if (p->length <= 8) vmi_ateb_loop_middle(p, count, inside, sa + i, ca + i);
+        else vmi_ateb_loop_long(p, count, inside, sa + i, ca + i);
+        for (j = 0; j < count; j++)
+            if (inside[j] != x[j]) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
+    }
+}
+
+/* w_j of w = b^alpha, b_0 = 1, from w_0 .. w_(j-1) and b_1 .. b_j (Euler) */
+VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 1; i <= j; i++) sum += (alpha * (vm_real)i - (vm_real)(j - i)) * b[i] * w[j - i];
+    return sum / (vm_real)j;
+}
+
+enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
+
+/* Taylor coefficients in r^2 of sa/r and ca, in X of ca/(2 q d) and sa */
+VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
+{
+    vm_real w[VMI_ATEB_TERMS];
+    int j;
+    odd[0] = even[0] = w[0] = 1;
+    for (j = 1; j < VMI_ATEB_TERMS; j++) {
+        const vm_real i = (vm_real)j;
+        even[j] = beyond ? -w[j - 1] / (2 * i) : -q * odd[j - 1] / i;
+        if (beyond) odd[j] = even[j] * (q / (q + i));
+        w[j] = vmi_ateb_series_power(alpha, j, beyond ? odd : even, w);
+        if (!beyond) odd[j] = w[j] / (2 * i + 1);
+    }
+}
+
+/* The polynomial c_1 + c_2 tau + ..., 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go with
+   Chebyshev polynomials that end in them. result is for tau/unit, times factor; returns how many terms it has. */
+VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real factor, vm_real tolerance,
+                              vm_real *result)
+{
+    vm_real power = limit, quarter = 2;
+    int i, k;
+    for (k = 1; k < VMI_ATEB_TERMS; k++, power *= limit, quarter /= 4) c[k - 1] = c[k] * power;
+    for (k = VMI_ATEB_TERMS - 2, quarter *= 4; k > 0; k--, quarter *= 4) { /* quarter = 2^(1-2k) */
+        vm_real term = c[k];
+        tolerance -= VM_FABS(term) * quarter;
+        if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
+        for (i = k; i > 0; i--) {
+            term *= -((vm_real)i * (vm_real)(2 * i - 1)) / (2 * (vm_real)(k - i + 1) * (vm_real)(k + i - 1));
+            c[i - 1] -= term;
+        }
+    }
+    power = factor * (unit / limit);
+    for (i = 0; i < ATEB_PLAN_LENGTH; i++, power *= unit / limit) result[i] = i <= k ? c[i] * power : 0;
+    return k + 1;
+}
+
+/* One part, whose tau is X/unit there, r^2 here; returns the length of its polynomials */
+VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_two twice_q,
+                              vm_real unit, vm_real tolerance)
+{
+    vm_real odd[VMI_ATEB_TERMS], even[VMI_ATEB_TERMS], limit = p->change_over * p->change_over;
+    int length, even_length;
+    part->first = beyond ? twice_q.hi : 1;
+    part->first_lo = beyond ? twice_q.lo : 0;
+    if (beyond) {
+        vm_two y = {0, 0}, n = {0, 0};
+        y.hi = twice_q.hi * (p->quarter.hi - p->change_over);
+        n.hi = p->n;
+        limit = vmi_pow(y, n);
+    }
+    vmi_ateb_series(beyond, alpha, p->q, odd, even);
+    length = vmi_ateb_economise(odd, limit, unit, part->first, tolerance, part->odd);
+    even_length = vmi_ateb_economise(even, limit, unit, 1, tolerance, part->even);
+    return length > even_length ? length : even_length;
+}
+
+VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
+{
+    const vm_real share = VM_C(0.6), most = VM_C(0.7);
+    const vm_real tolerance = accuracy > VM_EPSILON ? accuracy / 2 : VM_EPSILON / 16;
+    int length, length_beyond;
+    vm_two twice_q, n;
+    vmi_ateb c;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return -1;
+    vmi_ateb_constants(&c, alpha);
+    twice_q.hi = 2 * c.q.hi, twice_q.lo = 2 * c.q.lo;
+    n = c.n;
+    p->quarter = vmi_ateb_fine_quarter(&c);
+    p->quarter_parts[0] = vmi_head(p->quarter.hi);
+    p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
+    p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;
+    p->per_quarter = 1 / p->quarter.hi;
+    p->longest = p->quarter.hi * (vm_real)((1L << VM_MANT_DIG / 2) - 1);
+    p->change_over = share * p->quarter.hi < most ? share * p->quarter.hi : most;
+    p->n = c.n.hi;
+    p->q = c.q.hi;
+    p->g = c.g.hi;
+    p->twice_alpha = alpha <= 7 && 2 * alpha == VM_FLOOR(2 * alpha) ? (int)(2 * alpha) : -1;
+    length = vmi_ateb_part_init(p->part, 0, p, alpha, twice_q, 1, tolerance);
+    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, twice_q,
+                                       p->twice_alpha < 0 ? 1 : vmi_pow(twice_q, n), tolerance);
+    p->length = (length > length_beyond ? length + 1 : length_beyond + 1) / 2 * 2;
+    return 0;
+}
+
+VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
 #endif
