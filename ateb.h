@@ -432,6 +432,34 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca);
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha);
 VM_API vm_real ateb_ca(vm_real s, vm_real alpha);
 
+/* s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca. The pair need not be on the
+   curve: sa lambda^((alpha+1)/2) and ca lambda have the same phase for any lambda > 0, such as the amplitude: x and
+   x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN and infinite arguments give NaN. */
+VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha);
+
+/* Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s. That of sa is
+   (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa. */
+VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha);
+VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha);
+
+/* Mean of |sa|^p |ca|^q over a period, p, q > -1 (316) */
+VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q);
+
+/* sa(n, m, s) and ca(m, n, s), |sa|^(n+1) + |ca|^(m+1) = 1, for real n, m = 0 or 1e-3 to 1e3, of period 2 Pi(n, m);
+   the functions above are those of n = 1, m = alpha, and ateb_saca_nm(s, alpha, 1, ...) gives the swapped pair
+   sa(alpha, 1, s), ca(1, alpha, s) that (278) and (280) need. Slow, by inversion of the incomplete beta function. */
+VM_API vm_real ateb_pi_nm(vm_real n, vm_real m);
+VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca);
+
+/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4. The forms with both take and return
+   complements too, y = 1 - x and q = 1 - p, where these carry the information; ln x tells x where it underflows. */
+VM_API vm_real ateb_beta(vm_real a, vm_real b);
+VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b);
+VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q);
+VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b);
+VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
+                                   vm_real *ln_x);
+
 /* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan_print.c prints it).
    ateb_plan_init returns 0, or -1 for alpha < 0, NaN or infinite, and then leaves the plan as it was. A plan for less
    accuracy, 1e-4 or 1e-8 of the largest value, is shorter and quicker; 0 means full. Arrays may overlap exactly. */
@@ -1218,5 +1246,379 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 }
 
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
+
+/* ---- The phase from the pair --------------------------------------------------------------------------------- */
+
+VM_API vm_two vmi_two_log(vm_two x)
+{
+    const vm_two l = vmi_log(x.hi);
+    const vm_real t = x.lo / x.hi;
+    return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
+}
+
+VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
+{
+    vm_two p = vmi_two_product(x.hi, factor);
+    return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
+}
+
+/* r in the first quarter, where h = ln(w/x) */
+VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
+{
+    const vm_real q = c->q.hi, k = (1 - q) - c->q.lo;
+    const vm_real e = h.hi < 0 ? vmi_exp(h.hi, h.lo) : vmi_exp(-h.hi, -h.lo), sum = 1 + e;
+    if (h.hi < VM_C(-0.84)) { /* w < 0.302 */
+        const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
+        const int m = VM_MANT_DIG > 24 ? 7 : 3;
+        const vm_real one_minus_u = q * vmi_power_rest(w, q, m);
+        return v + v * (w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m) * (1 - one_minus_u) - one_minus_u);
+    } else {
+        const vm_real x = h.hi > 0 ? e / sum : 1 / sum, v = VM_SQRT(h.hi > 0 ? 1 / sum : e / sum),
+                      p = x / (2 + 2 * v);
+        const vm_real T = 2 * p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, VM_MANT_DIG > 24 ? 6 : 3);
+        vm_two ln_x = vmi_log(sum); /* ln x = -(h + ln(1 + e^-h)) or -ln(1 + e^h) */
+        vm_real one_minus_u, p_lo;
+        int i;
+        if (h.hi > 0) ln_x = vmi_two_plus(ln_x, h);
+        ln_x.lo += (1 - sum + e) / sum;
+        ln_x = vmi_two_times(ln_x, c->q);
+        if (ln_x.hi > VM_C(0.69) * VMI_BIAS) return c->quarter.hi;
+        one_minus_u = -vmi_exp_core(-ln_x.hi, -ln_x.lo, &i, &p_lo);
+        if (i != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, i) * (c->n.hi + T) / 2;
+        return (c->n.hi * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
+    }
+}
+
+VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
+{
+    vm_real r;
+    vmi_ateb c;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    vmi_ateb_constants(&c, alpha);
+    if (sa == 0) r = 0;
+    else if (ca == 0) r = c.quarter.hi;
+    else {
+        const vm_two w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2), x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
+        const vm_two minus_x = {-x.hi, -x.lo};
+        r = vmi_ateb_phase_r(vmi_two_plus(w, minus_x), &c);
+    }
+    if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+/* ---- Beta functions -------------------------------------------------------------------------------------------
+
+   All in logarithms of two words. With A = a + i, B = b + j >= 10, S = A + B, by Stirling's formula
+     ln(x^a y^b/B(a, b)) = a (ln x + ln S/A) + b (ln y + ln S/B) + i ln S/A + j ln S/B + ln(A B/S)/2 - ln(2 pi)/2
+                           + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_(i+j))
+   in which nothing large cancels where the whole is not large. */
+
+/* delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2, z >= 10 */
+VM_API vm_real vmi_stirling(vm_real z)
+{
+    VM_TABLE vm_real c[9] = {
+        VM_C(0.083333333333333333333),  VM_C(-0.0027777777777777777778), VM_C(7.9365079365079365079e-4),
+        VM_C(-5.952380952380952381e-4), VM_C(8.4175084175084175084e-4),  VM_C(-0.0019175269175269175269),
+        VM_C(0.0064102564102564102564), VM_C(-0.029550653594771241830),  VM_C(0.17964437236883057316)};
+    const vm_real square = 1 / (z * z);
+    vm_real sum = c[8];
+    int i;
+    for (i = 7; i >= 0; i--) sum = c[i] + square * sum;
+    return sum / z;
+}
+
+/* (z)_i with the least i for which z + i >= 10, z becomes z + i */
+VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
+{
+    vm_two product = {1, 0}, one = {1, 0};
+    for (*count = 0; z->hi < 10; ++*count) {
+        product = vmi_two_times(product, *z);
+        *z = vmi_two_plus(*z, one);
+    }
+    return product;
+}
+
+/* ln(x^a y^b/B(a, b)) */
+VM_API vm_two vmi_beta_ln_density(vm_real a, vm_real b, vm_two ln_x, vm_two ln_y)
+{
+#if VM_MANT_DIG > 24
+    const vm_two ln_2pi = {VM_C(-1.8378770664093455611), VM_C(7.7565883161344831645e-17)};
+#else
+    const vm_two ln_2pi = {VM_C(-1.83787703514), VM_C(-3.12683542726e-8)};
+#endif
+    const vm_two one = {1, 0};
+    vm_two A = {0, 0}, B = {0, 0}, S = vmi_two_sum(a, b), rise, ln_SA, ln_SB, sum;
+    int i, j, k;
+    A.hi = a, B.hi = b;
+    rise = vmi_beta_rise(&A, &i);
+    rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
+    for (k = i + j; k > 0; k--) {
+        rise = vmi_two_over(rise, S);
+        S = vmi_two_plus(S, one);
+    }
+    ln_SA = vmi_two_log(vmi_two_over(S, A));
+    ln_SB = vmi_two_log(vmi_two_over(S, B));
+    sum = vmi_two_plus(vmi_two_log(vmi_two_over(vmi_two_times(A, B), S)), ln_2pi);
+    sum = vmi_two_plus(vmi_two_scaled(sum, VM_C(0.5)), vmi_two_log(rise));
+    sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_scaled(ln_SA, (vm_real)i), vmi_two_scaled(ln_SB, (vm_real)j)));
+    sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_scaled(vmi_two_plus(ln_x, ln_SA), a),
+                                         vmi_two_scaled(vmi_two_plus(ln_y, ln_SB), b)));
+    return vmi_two_sum(sum.hi, sum.lo + (vmi_stirling(S.hi) - vmi_stirling(A.hi) - vmi_stirling(B.hi)));
+}
+
+VM_API vm_two vmi_beta_ln(vm_real a, vm_real b)
+{
+    const vm_two none = {0, 0};
+    vm_two l = vmi_beta_ln_density(a, b, none, none);
+    l.hi = -l.hi, l.lo = -l.lo;
+    return l;
+}
+
+VM_API int vmi_beta_domain(vm_real a, vm_real b) { return a > 0 && b > 0 && VM_IS_FINITE(a) && VM_IS_FINITE(b); }
+
+VM_API vm_real ateb_beta(vm_real a, vm_real b)
+{
+    vm_two l;
+    if (!vmi_beta_domain(a, b)) return VM_NAN;
+    l = vmi_beta_ln(a, b);
+    return vmi_exp(l.hi, l.lo);
+}
+
+/* I_x(a, b) B(a, b)/(x^a y^b), a > 1, x <= (a + 1)/(a + b + 2), by the continued fraction of Didonato and Morris [6],
+   from its end. Its terms are positive but for the last; a y - b x is where the digits of large a and b could go. */
+VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
+{
+    const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
+    const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), x <= y ? x : y);
+    const vm_real excess = x <= y ? (a - product.hi) - product.lo : (product.hi - b) + product.lo;
+    long m = (long)(20 + digits / VM_SQRT(y) + 4 * VM_SQRT(a > b ? a : b));
+    vm_real f = (a + (vm_real)m) / 2;
+    for (; m >= 0; m--) {
+        const vm_real n = (vm_real)m, c = a + 2 * n, top = n + 1, ratio = (a + n) / (c + 1) * x;
+        f = n * (1 + (b - n) * x / (c - 1)) + (a + n) * (excess + 1 + n * (1 + y)) / (c + 1) +
+            ratio * ((a + b + n) / (c + 1) * x) * top * (b - top) / f;
+    }
+    return 1 / f;
+}
+
+/* ln(1 - e^l), l < 0 */
+VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
+{
+    vm_two rest = {0, 0};
+    vm_real p, p_lo;
+    int k;
+    if (l.hi < -2 * VM_C(0.6931471805599453) * VM_MANT_DIG) { /* -e^l, which no longer matters beside 1 */
+        rest.hi = -vmi_exp(l.hi, 0);
+        return rest;
+    }
+    p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
+    if (k == 0) rest.hi = -p, rest.lo = -p_lo;
+    else {
+        vm_two e = vmi_fast_two_sum(1, p);
+        e.lo += p_lo;
+        rest = vmi_two_sum(1, -vmi_ldexp(e.hi, k));
+        rest.lo -= vmi_ldexp(e.lo, k);
+    }
+    return vmi_two_log(rest);
+}
+
+typedef struct VM_TAG(vmi_beta_point) {
+    vm_real x, y;
+    vm_two ln_x, ln_y;
+} vmi_beta_point;
+
+/* ln I_x(a, b) for x <= (a + 1)/(a + b + 2). For small a I_x is near to 1, and what it lacks counts: there
+   I_x a B/x^a = 2F1(a, 1-b; a+1; x) = 1 + a sum_(n>=1) (1-b)_n/n! x^n/(a+n), terms of (b x)^n/n!, b x < 2, or x^n. */
+VM_API vm_two vmi_beta_ln_tail(vm_real x, vm_real y, vm_two ln_x, vm_two ln_y, vm_real a, vm_real b)
+{
+    vm_two f;
+    if (a <= 1) {
+        vm_real power = 1, term, sum = 0, n = 0;
+        do {
+            n += 1;
+            power *= x * (n - b) / n;
+            term = power / (a + n);
+            sum += term;
+        } while (VM_FABS(term) > VM_EPSILON / 8 * VM_FABS(sum));
+        f = vmi_log(a);
+        f.hi = -f.hi, f.lo = -f.lo;
+        f = vmi_two_plus(vmi_two_log(vmi_two_sum(1, a * sum)), f);
+        ln_y.hi = ln_y.lo = 0;
+    } else f = vmi_log(vmi_beta_fraction(x, y, a, b));
+    return vmi_two_plus(vmi_beta_ln_density(a, b, ln_x, ln_y), f);
+}
+
+/* ln I_x(a, b) and ln I_y(b, a) */
+VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two *ln_p, vm_two *ln_q)
+{
+    if (at->x * (a + b + 2) <= a + 1) {
+        *ln_p = vmi_beta_ln_tail(at->x, at->y, at->ln_x, at->ln_y, a, b);
+        *ln_q = vmi_ln_one_minus_exp(*ln_p);
+    } else {
+        *ln_q = vmi_beta_ln_tail(at->y, at->x, at->ln_y, at->ln_x, b, a);
+        *ln_p = vmi_ln_one_minus_exp(*ln_q);
+    }
+}
+
+VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
+{
+    vmi_beta_point at;
+    vm_two ln_p, ln_q;
+    if (!vmi_beta_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
+        *p = *q = VM_NAN;
+        return;
+    }
+    if (x == 0 || y == 0) {
+        *p = x == 0 ? 0 : 1;
+        *q = x == 0 ? 1 : 0;
+        return;
+    }
+    at.x = x, at.y = y;
+    at.ln_x = x <= y ? vmi_log(x) : vmi_two_log(vmi_two_sum(1, -y));
+    at.ln_y = x <= y ? vmi_two_log(vmi_two_sum(1, -x)) : vmi_log(y);
+    vmi_beta_tails(&at, a, b, &ln_p, &ln_q);
+    *p = vmi_exp(ln_p.hi, ln_p.lo);
+    *q = vmi_exp(ln_q.hi, ln_q.lo);
+}
+
+VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
+{
+    vm_real p, q;
+    ateb_beta_inc_both(x, 1 - x, a, b, &p, &q);
+    return p;
+}
+
+/* The point x/y = e^t */
+VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
+{
+    const vm_real size = VM_FABS(t);
+    const vm_two minus_size = {-size, 0};
+    const vm_real e = vmi_exp(-size, 0);
+    vm_two l = vmi_two_log(vmi_two_sum(1, e)), small;
+    l.hi = -l.hi, l.lo = -l.lo;
+    small = vmi_two_plus(minus_size, l);
+    at->ln_x = t < 0 ? small : l;
+    at->ln_y = t < 0 ? l : small;
+    at->x = vmi_exp(at->ln_x.hi, at->ln_x.lo);
+    at->y = vmi_exp(at->ln_y.hi, at->ln_y.lo);
+}
+
+/* I_x(a, b) = p <= q = 1 - p, by Newton's method for ln I as a function of t = ln(x/y), which is concave: from the
+   asymptote at its left, whose zero lies left, it goes one way. The last step is taken in ln x and ln y. */
+VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_real *y, vm_real *ln_x)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
+    vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a, b))), tail, other, density, rest;
+    vm_real t = start.hi / a, step;
+    vmi_beta_point at;
+    int i;
+    for (i = 0;; i++) {
+        vmi_beta_point_at(t, &at);
+        density = vmi_beta_ln_density(a, b, at.ln_x, at.ln_y);
+        vmi_beta_tails(&at, a, b, &tail, &other);
+        rest.hi = -tail.hi, rest.lo = -tail.lo;
+        rest = vmi_two_plus(ln_p, rest);
+        step = rest.hi * vmi_exp(tail.hi - density.hi, tail.lo - density.lo);
+        if (VM_FABS(step) <= enough || VM_FABS(step) <= VM_EPSILON * VM_FABS(t) || i > 60) break;
+        t += step;
+    }
+    *x = at.x + at.x * (at.y * step);
+    *y = at.y - at.y * (at.x * step);
+    *ln_x = at.ln_x.hi + (at.ln_x.lo + at.y * step);
+}
+
+VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
+                                   vm_real *ln_x)
+{
+    vm_real ignored;
+    if (!vmi_beta_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
+        *x = *y = *ln_x = VM_NAN;
+        return;
+    }
+    if (p == 0 || q == 0) {
+        *x = p == 0 ? 0 : 1;
+        *y = p == 0 ? 1 : 0;
+        *ln_x = p == 0 ? -VM_INFINITY : 0;
+        return;
+    }
+    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, x, y, ln_x);
+    else {
+        vmi_beta_invert(vmi_log(q), b, a, y, x, &ignored);
+        *ln_x = *x > VM_C(0.5) ? vmi_two_log(vmi_two_sum(1, -*y)).hi : vmi_log(*x).hi;
+    }
+}
+
+VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
+{
+    vm_real x, y, ln_x;
+    ateb_beta_inc_inv_both(p, 1 - p, a, b, &x, &y, &ln_x);
+    return x;
+}
+
+VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
+{
+    vm_two above, below;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !(p > -1) || !(q > -1) || !VM_IS_FINITE(p) || !VM_IS_FINITE(q))
+        return VM_NAN;
+    above = vmi_beta_ln((p + 1) / 2, (q + 1) / (alpha + 1));
+    below = vmi_beta_ln(VM_C(0.5), 1 / (alpha + 1));
+    below.hi = -below.hi, below.lo = -below.lo;
+    above = vmi_two_plus(above, below);
+    return vmi_exp(above.hi, above.lo);
+}
+
+/* ---- Two indices ---------------------------------------------------------------------------------------------- */
+
+VM_API int vmi_ateb_index(vm_real n) { return n >= 0 && VM_IS_FINITE(n); }
+
+VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
+{
+    if (!vmi_ateb_index(n) || !vmi_ateb_index(m)) return VM_NAN;
+    return ateb_beta(1 / (n + 1), 1 / (m + 1));
+}
+
+VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
+{
+    vm_real a, b, p, p_lo, rest, r, d, x, y, ln_x, ln_y, ignored;
+    vm_two l, pi;
+    int quarter, k;
+    if (!vmi_ateb_index(n) || !vmi_ateb_index(m) || !VM_IS_FINITE(s)) {
+        *sa = *ca = VM_NAN;
+        return;
+    }
+    a = 1 / (n + 1), b = 1 / (m + 1);
+    l = vmi_beta_ln(a, b);
+    p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
+    pi = vmi_fast_two_sum(1, p);
+    pi.hi = vmi_ldexp(pi.hi, k - 1), pi.lo = vmi_ldexp(pi.lo + p_lo, k - 1);
+    rest = vmi_reduce(VM_FABS(s), pi, &quarter);
+    d = VM_FABS(rest), r = (pi.hi - d) + pi.lo;
+    if (!(quarter & 1)) x = r, r = d, d = x;
+    ateb_beta_inc_inv_both(r / pi.hi, d / pi.hi, a, b, &x, &y, &ln_x);
+    ateb_beta_inc_inv_both(d / pi.hi, r / pi.hi, b, a, &ignored, &x, &ln_y);
+    *sa = vmi_exp(a * ln_x, 0);
+    *ca = vmi_exp(b * ln_y, 0);
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
+}
+
+/* ---- Integrals ------------------------------------------------------------------------------------------------ */
+
+VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
+{
+    const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
+    vm_real sa, ca, w, rest;
+    ateb_saca(s, alpha, &sa, &ca);
+    w = sa * sa;
+    if (VM_FABS(s) <= VM_C(0.55)) rest = sa * ca * (w * b * vmi_hypergeometric(b, VM_C(1.5), 1 - q, w, 7));
+    else rest = s - sa * ca;
+    return rest / (1 + 2 * q);
+}
+
+VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
+{
+    vm_real sa, ca;
+    ateb_saca(s, alpha, &sa, &ca);
+    return (2 * s / (alpha + 1) + sa * ca) / (1 + 2 / (alpha + 1));
+}
 
 #endif
