@@ -485,6 +485,21 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
 
 /* ---- Two words ---------------------------------------------------------------------------------------------- */
 
+VM_API vm_two vmi_one_word(vm_real x)
+{
+    vm_two y;
+    y.hi = x;
+    y.lo = 0;
+    return y;
+}
+
+VM_API vm_two vmi_minus(vm_two x)
+{
+    x.hi = -x.hi;
+    x.lo = -x.lo;
+    return x;
+}
+
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
@@ -1299,8 +1314,7 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
     else if (ca == 0) r = c.quarter.hi;
     else {
         const vm_two w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2), x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
-        const vm_two minus_x = {-x.hi, -x.lo};
-        r = vmi_ateb_phase_r(vmi_two_plus(w, minus_x), &c);
+        r = vmi_ateb_phase_r(vmi_two_plus(w, vmi_minus(x)), &c);
     }
     if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
     return VM_COPYSIGN(r, sa);
@@ -1339,7 +1353,7 @@ VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 }
 
 /* ln(x^a y^b/B(a, b)) */
-VM_API vm_two vmi_beta_ln_density(vm_real a, vm_real b, vm_two ln_x, vm_two ln_y)
+VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
 {
 #if VM_MANT_DIG > 24
     const vm_two ln_2pi = {VM_C(-1.8378770664093455611), VM_C(7.7565883161344831645e-17)};
@@ -1347,9 +1361,8 @@ VM_API vm_two vmi_beta_ln_density(vm_real a, vm_real b, vm_two ln_x, vm_two ln_y
     const vm_two ln_2pi = {VM_C(-1.83787703514), VM_C(-3.12683542726e-8)};
 #endif
     const vm_two one = {1, 0};
-    vm_two A = {0, 0}, B = {0, 0}, S = vmi_two_sum(a, b), rise, ln_SA, ln_SB, sum;
+    vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, ln_SA, ln_SB, sum;
     int i, j, k;
-    A.hi = a, B.hi = b;
     rise = vmi_beta_rise(&A, &i);
     rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
     for (k = i + j; k > 0; k--) {
@@ -1361,17 +1374,15 @@ VM_API vm_two vmi_beta_ln_density(vm_real a, vm_real b, vm_two ln_x, vm_two ln_y
     sum = vmi_two_plus(vmi_two_log(vmi_two_over(vmi_two_times(A, B), S)), ln_2pi);
     sum = vmi_two_plus(vmi_two_scaled(sum, VM_C(0.5)), vmi_two_log(rise));
     sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_scaled(ln_SA, (vm_real)i), vmi_two_scaled(ln_SB, (vm_real)j)));
-    sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_scaled(vmi_two_plus(ln_x, ln_SA), a),
-                                         vmi_two_scaled(vmi_two_plus(ln_y, ln_SB), b)));
+    sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_times(vmi_two_plus(ln_x, ln_SA), a),
+                                         vmi_two_times(vmi_two_plus(ln_y, ln_SB), b)));
     return vmi_two_sum(sum.hi, sum.lo + (vmi_stirling(S.hi) - vmi_stirling(A.hi) - vmi_stirling(B.hi)));
 }
 
-VM_API vm_two vmi_beta_ln(vm_real a, vm_real b)
+VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 {
     const vm_two none = {0, 0};
-    vm_two l = vmi_beta_ln_density(a, b, none, none);
-    l.hi = -l.hi, l.lo = -l.lo;
-    return l;
+    return vmi_minus(vmi_beta_ln_density(a, b, none, none));
 }
 
 VM_API int vmi_beta_domain(vm_real a, vm_real b) { return a > 0 && b > 0 && VM_IS_FINITE(a) && VM_IS_FINITE(b); }
@@ -1380,7 +1391,7 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
     if (!vmi_beta_domain(a, b)) return VM_NAN;
-    l = vmi_beta_ln(a, b);
+    l = vmi_beta_ln(vmi_one_word(a), vmi_one_word(b));
     return vmi_exp(l.hi, l.lo);
 }
 
@@ -1440,12 +1451,10 @@ VM_API vm_two vmi_beta_ln_tail(vm_real x, vm_real y, vm_two ln_x, vm_two ln_y, v
             term = power / (a + n);
             sum += term;
         } while (VM_FABS(term) > VM_EPSILON / 8 * VM_FABS(sum));
-        f = vmi_log(a);
-        f.hi = -f.hi, f.lo = -f.lo;
-        f = vmi_two_plus(vmi_two_log(vmi_two_sum(1, a * sum)), f);
+        f = vmi_two_plus(vmi_two_log(vmi_two_sum(1, a * sum)), vmi_minus(vmi_log(a)));
         ln_y.hi = ln_y.lo = 0;
     } else f = vmi_log(vmi_beta_fraction(x, y, a, b));
-    return vmi_two_plus(vmi_beta_ln_density(a, b, ln_x, ln_y), f);
+    return vmi_two_plus(vmi_beta_ln_density(vmi_one_word(a), vmi_one_word(b), ln_x, ln_y), f);
 }
 
 /* ln I_x(a, b) and ln I_y(b, a) */
@@ -1492,11 +1501,9 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
 VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
 {
     const vm_real size = VM_FABS(t);
-    const vm_two minus_size = {-size, 0};
+    const vm_two minus_size = vmi_one_word(-size);
     const vm_real e = vmi_exp(-size, 0);
-    vm_two l = vmi_two_log(vmi_two_sum(1, e)), small;
-    l.hi = -l.hi, l.lo = -l.lo;
-    small = vmi_two_plus(minus_size, l);
+    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(minus_size, l);
     at->ln_x = t < 0 ? small : l;
     at->ln_y = t < 0 ? l : small;
     at->x = vmi_exp(at->ln_x.hi, at->ln_x.lo);
@@ -1505,32 +1512,32 @@ VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
 
 /* I_x(a, b) = p <= q = 1 - p, by Newton's method for ln I as a function of t = ln(x/y), which is concave: from the
    asymptote at its left, whose zero lies left, it goes one way. The last step is taken in ln x and ln y. */
-VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_real *y, vm_real *ln_x)
+VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_real *y, vm_two *ln_x)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
-    vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a, b))), tail, other, density, rest;
+    const vm_two a2 = vmi_one_word(a), b2 = vmi_one_word(b);
+    vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2))), tail, other, density, rest;
     vm_real t = start.hi / a, step;
     vmi_beta_point at;
     int i;
     for (i = 0;; i++) {
         vmi_beta_point_at(t, &at);
-        density = vmi_beta_ln_density(a, b, at.ln_x, at.ln_y);
+        density = vmi_beta_ln_density(a2, b2, at.ln_x, at.ln_y);
         vmi_beta_tails(&at, a, b, &tail, &other);
-        rest.hi = -tail.hi, rest.lo = -tail.lo;
-        rest = vmi_two_plus(ln_p, rest);
+        rest = vmi_two_plus(ln_p, vmi_minus(tail));
         step = rest.hi * vmi_exp(tail.hi - density.hi, tail.lo - density.lo);
         if (VM_FABS(step) <= enough || VM_FABS(step) <= VM_EPSILON * VM_FABS(t) || i > 60) break;
         t += step;
     }
     *x = at.x + at.x * (at.y * step);
     *y = at.y - at.y * (at.x * step);
-    *ln_x = at.ln_x.hi + (at.ln_x.lo + at.y * step);
+    *ln_x = vmi_two_sum(at.ln_x.hi, at.ln_x.lo + at.y * step);
 }
 
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
-    vm_real ignored;
+    vm_two l;
     if (!vmi_beta_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
         *x = *y = *ln_x = VM_NAN;
         return;
@@ -1541,11 +1548,12 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
         *ln_x = p == 0 ? -VM_INFINITY : 0;
         return;
     }
-    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, x, y, ln_x);
+    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, x, y, &l);
     else {
-        vmi_beta_invert(vmi_log(q), b, a, y, x, &ignored);
-        *ln_x = *x > VM_C(0.5) ? vmi_two_log(vmi_two_sum(1, -*y)).hi : vmi_log(*x).hi;
+        vmi_beta_invert(vmi_log(q), b, a, y, x, &l);
+        l = *x > VM_C(0.5) ? vmi_two_log(vmi_two_sum(1, -*y)) : vmi_log(*x);
     }
+    *ln_x = l.hi;
 }
 
 VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
@@ -1557,13 +1565,13 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 {
-    vm_two above, below;
+    const vm_two half = {VM_C(0.5), 0};
+    vm_two above, n;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !(p > -1) || !(q > -1) || !VM_IS_FINITE(p) || !VM_IS_FINITE(q))
         return VM_NAN;
-    above = vmi_beta_ln((p + 1) / 2, (q + 1) / (alpha + 1));
-    below = vmi_beta_ln(VM_C(0.5), 1 / (alpha + 1));
-    below.hi = -below.hi, below.lo = -below.lo;
-    above = vmi_two_plus(above, below);
+    n = vmi_two_sum(alpha, 1);
+    above = vmi_beta_ln(vmi_half(vmi_two_sum(p, 1)), vmi_two_over(vmi_two_sum(q, 1), n));
+    above = vmi_two_plus(above, vmi_minus(vmi_beta_ln(half, vmi_two_over(vmi_one_word(1), n))));
     return vmi_exp(above.hi, above.lo);
 }
 
@@ -1571,33 +1579,53 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 
 VM_API int vmi_ateb_index(vm_real n) { return n >= 0 && VM_IS_FINITE(n); }
 
+VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_one_word(1), vmi_two_sum(n, 1)); }
+
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
+    vm_two l;
     if (!vmi_ateb_index(n) || !vmi_ateb_index(m)) return VM_NAN;
-    return ateb_beta(1 / (n + 1), 1 / (m + 1));
+    l = vmi_beta_ln(vmi_ateb_exponent(n), vmi_ateb_exponent(m));
+    return vmi_exp(l.hi, l.lo);
+}
+
+/* x^a with I_x(a, b) = p, q = 1 - p */
+VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
+{
+    vm_real x, y;
+    vm_two ln_x, power;
+    if (p == 0 || q == 0) return p == 0 ? 0 : 1;
+    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, &x, &y, &ln_x);
+    else {
+        vmi_beta_invert(vmi_log(q), b, a, &y, &x, &ln_x);
+        ln_x = x > VM_C(0.5) ? vmi_two_log(vmi_two_sum(1, -y)) : vmi_log(x);
+    }
+    power = vmi_two_scaled(ln_x, a);
+    return vmi_exp(power.hi, power.lo);
 }
 
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
-    vm_real a, b, p, p_lo, rest, r, d, x, y, ln_x, ln_y, ignored;
-    vm_two l, pi;
+    vm_real a, b, p, p_lo, rest, r, d;
+    vm_two l, pi, ln_pi;
     int quarter, k;
     if (!vmi_ateb_index(n) || !vmi_ateb_index(m) || !VM_IS_FINITE(s)) {
         *sa = *ca = VM_NAN;
         return;
     }
     a = 1 / (n + 1), b = 1 / (m + 1);
-    l = vmi_beta_ln(a, b);
+    l = vmi_beta_ln(vmi_ateb_exponent(n), vmi_ateb_exponent(m));
     p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
     pi = vmi_fast_two_sum(1, p);
-    pi.hi = vmi_ldexp(pi.hi, k - 1), pi.lo = vmi_ldexp(pi.lo + p_lo, k - 1);
+    pi.hi = vmi_ldexp(pi.hi, k), pi.lo = vmi_ldexp(pi.lo + p_lo, k);
+    ln_pi = vmi_two_log(pi); /* a step of Newton's method for its low word */
+    pi.lo += pi.hi * ((l.hi - ln_pi.hi) + (l.lo - ln_pi.lo));
+    pi = vmi_half(pi);
     rest = vmi_reduce(VM_FABS(s), pi, &quarter);
     d = VM_FABS(rest), r = (pi.hi - d) + pi.lo;
-    if (!(quarter & 1)) x = r, r = d, d = x;
-    ateb_beta_inc_inv_both(r / pi.hi, d / pi.hi, a, b, &x, &y, &ln_x);
-    ateb_beta_inc_inv_both(d / pi.hi, r / pi.hi, b, a, &ignored, &x, &ln_y);
-    *sa = vmi_exp(a * ln_x, 0);
-    *ca = vmi_exp(b * ln_y, 0);
+    if (!(quarter & 1)) p = r, r = d, d = p;
+    *sa = vmi_ateb_nm_first(r / pi.hi, d / pi.hi, a, b);
+    *ca = vmi_ateb_nm_first(d / pi.hi, r / pi.hi, b, a);
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
@@ -1609,7 +1637,8 @@ VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
     vm_real sa, ca, w, rest;
     ateb_saca(s, alpha, &sa, &ca);
     w = sa * sa;
-    if (VM_FABS(s) <= VM_C(0.55)) rest = sa * ca * (w * b * vmi_hypergeometric(b, VM_C(1.5), 1 - q, w, 7));
+    if (VM_FABS(s) < 1 && w < VM_C(0.5))
+        rest = sa * ca * (w * b * vmi_hypergeometric(b, VM_C(1.5), 1 - q, w, VM_MANT_DIG > 24 ? 12 : 6));
     else rest = s - sa * ca;
     return rest / (1 + 2 * q);
 }
