@@ -1501,9 +1501,9 @@ VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
 VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
 {
     const vm_real size = VM_FABS(t);
-    const vm_two minus_size = vmi_one_word(-size);
-    const vm_real e = vmi_exp(-size, 0);
-    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(minus_size, l);
+    const vm_real e = vmi_exp(-size, 0); /* rounded; y = 1 - x holds in two words if its own logarithm is taken */
+    const vm_two ln_e = e > VMI_MIN ? vmi_log(e) : vmi_one_word(-size);
+    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(ln_e, l);
     at->ln_x = t < 0 ? small : l;
     at->ln_y = t < 0 ? l : small;
     at->x = vmi_exp(at->ln_x.hi, at->ln_x.lo);
@@ -1512,7 +1512,7 @@ VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
 
 /* I_x(a, b) = p <= q = 1 - p, by Newton's method for ln I as a function of t = ln(x/y), which is concave: from the
    asymptote at its left, whose zero lies left, it goes one way. The last step is taken in ln x and ln y. */
-VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_real *y, vm_two *ln_x)
+VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_real *y, vm_two *ln_x, vm_two *ln_y)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
     const vm_two a2 = vmi_one_word(a), b2 = vmi_one_word(b);
@@ -1532,12 +1532,13 @@ VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_re
     *x = at.x + at.x * (at.y * step);
     *y = at.y - at.y * (at.x * step);
     *ln_x = vmi_two_sum(at.ln_x.hi, at.ln_x.lo + at.y * step);
+    *ln_y = vmi_two_sum(at.ln_y.hi, at.ln_y.lo - at.x * step);
 }
 
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
-    vm_two l;
+    vm_two l, ignored;
     if (!vmi_beta_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
         *x = *y = *ln_x = VM_NAN;
         return;
@@ -1548,11 +1549,8 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
         *ln_x = p == 0 ? -VM_INFINITY : 0;
         return;
     }
-    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, x, y, &l);
-    else {
-        vmi_beta_invert(vmi_log(q), b, a, y, x, &l);
-        l = *x > VM_C(0.5) ? vmi_two_log(vmi_two_sum(1, -*y)) : vmi_log(*x);
-    }
+    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, x, y, &l, &ignored);
+    else vmi_beta_invert(vmi_log(q), b, a, y, x, &ignored, &l);
     *ln_x = l.hi;
 }
 
@@ -1593,13 +1591,10 @@ VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 {
     vm_real x, y;
-    vm_two ln_x, power;
+    vm_two ln_x, ignored, power;
     if (p == 0 || q == 0) return p == 0 ? 0 : 1;
-    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, &x, &y, &ln_x);
-    else {
-        vmi_beta_invert(vmi_log(q), b, a, &y, &x, &ln_x);
-        ln_x = x > VM_C(0.5) ? vmi_two_log(vmi_two_sum(1, -y)) : vmi_log(x);
-    }
+    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, &x, &y, &ln_x, &ignored);
+    else vmi_beta_invert(vmi_log(q), b, a, &y, &x, &ignored, &ln_x);
     power = vmi_two_scaled(ln_x, a);
     return vmi_exp(power.hi, power.lo);
 }
