@@ -5,23 +5,24 @@
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
 #   make scan     millions of random arguments (minutes)                make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
-#   make clean    remove build/
+#   make clean    remove build/                              make test-points SEED=n    20 000 fresh points of ateb.h
 
 CC = cc
 CFLAGS = -O2
+SEED = 1
 STRICT = -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wfloat-conversion -Wshadow -Wundef
 COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators varmass dissertation
-EXAMPLES = table5 example1 example2
+EXAMPLES = table5 example1 example2 ateb_plan_print
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test scan lint bench measurements figures data clean
+.PHONY: run test test-points scan lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -40,13 +41,22 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-bench: build/bench/double build/bench/float build/bench/pairs
-	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs
+bench: build/bench/double build/bench/float build/bench/pairs build/bench/ateb build/bench/ateb_float build/bench/ateb_wide
+	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs; echo; ./build/bench/ateb; \
+	echo; ./build/bench/ateb_float; echo; ./build/bench/ateb_wide
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
 	./build/tests/scan 1000000
 	./build/tests/scan_float 1000000
+
+# sa and ca at 20 000 points of a new seed (minutes), in all builds of the test
+test-points:
+	@mkdir -p build/points && sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
+	python3 tests/gen/reference.py 23 $(SEED) build/points/ateb_table.h
+	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do \
+	    $(COMPILE) $$flags -DATEB_TABLE='"../build/points/ateb_table.h"' tests/test_ateb.c -o build/points/test -lm && \
+	    ./build/points/test || exit 1; done
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float build/bench/double build/bench/float build/bench/pairs
 	sh bench/measurements.sh build
@@ -57,6 +67,7 @@ figures: run
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/reference.py
+	python3 tests/gen/beta_reference.py
 	python3 tests/gen/table5.py
 
 clean:
@@ -91,6 +102,16 @@ build/bench/double: bench/bench.c build/command $(HEADERS)
 
 build/bench/float: bench/bench.c build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+
+build/bench/ateb: bench/bench_ateb.c build/command ateb.h
+	@$(IN_BUILD) && if $(GSL_CHECK) >/dev/null 2>&1; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
+	$(COMPILE) $< -o $@ $$gsl -lm
+
+build/bench/ateb_float: bench/bench_ateb.c build/command ateb.h
+	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+
+build/bench/ateb_wide: bench/bench_ateb.c build/command ateb.h
+	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -fno-math-errno $< -o $@ -lm
 
 build/bench/pairs: bench/pairs.c build/command
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

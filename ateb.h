@@ -27,32 +27,50 @@
      oscillator, x = A ca, x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa. All arguments are pure numbers.
 
    ERRORS
-     alpha < 0, NaN and infinite arguments give NaN. Nothing else can fail. No allocation, no state; errno says
-     nothing.
+     alpha < 0, NaN and infinite arguments give NaN, as do parameters of beta functions that are not positive and
+     probabilities outside [0, 1]. Making a plan for such an alpha returns -1 and leaves the plan as it was. Nothing
+     else can fail. No allocation, no state; errno says nothing.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
      VM_TABLE             storage of the tables, default static const
-     VM_SQRT, VM_EXP ...  the functions of the C library that are used (all of them, if any)
+     VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN   the functions of the C library that are used; they are exact, so that
+                          results are the same everywhere where products and sums are not contracted
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
 
    METHOD
-     Pi_alpha from a polynomial in two words, so that phases of any size reduce accurately. Below s = 0.55, and at
-     the same distance from every zero of sa, sa is found from the series of B_w in w = sa^2; beyond it
-     ln |ca|^(alpha+1) from that of the complement, whose argument (1 - sa)/2 is at most 0.24. A step of Halley's
-     method needs one series, a logarithm and an exponential; one or two do.
+     Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
+     zero, from one polynomial in two words. Below s = 0.55, and at the same distance from every zero of sa, an
+     approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of (1 - sa)/2. From
+     there Taylor's series leads to s. So one inversion of the incomplete beta function takes two continued fractions
+     of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
+     A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
 
-   ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
+   ACCURACY, measured (make test, test-points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 4 ulp.
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3 ulp.
      the zeros    lie where Pi_alpha in two words puts them, to a relative error of 2^-102 (float 2^-44). This times
                   |s| and the slope comes on top of the relative error; it is felt where s is within an ulp of the
                   zero.
-     Pi_alpha     <= 1 ulp.
-     Time         in units of the C library's sin (float: sinf), which vary by up to 2 on one machine: Pi_alpha 21 (29),
-                  sa+ca 40 to 50 (45 to 62), Pi_alpha included.
+     Pi_alpha     <= 1 ulp, 0.5 found.
+     plan         <= 3 ulp, 2.5 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
+     phase        within 4 ulp and what an ulp of sa and of ca moves it
+     beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
+     beta_inc     <= 30 ulp, typically 2, of p and of q
+     beta_inc_inv <= 16 ulp of x and of y, and what an ulp of the smaller of p and q moves them, 3 found typically
+     sa(n, m), ca(m, n)     <= 8 ulp in the first quarter; farther on, an error of phase of 2^-62 |s| (float 2^-30)
+     integrals    some 10 ulp
+
+   COST, in units of the C library's sin (float: sinf), which vary by up to 2 on one machine; make bench
+                            -O2       -O3 -march=native    float, -O2
+     Pi_alpha               2.3            2                   3
+     sa+ca                  22            16 to 20            20 to 30
+     plan, alpha = 0, 1/2, 1, ..., 7:  2 to 3.5, in arrays 0.8 to 1.3 (with -march=native -fno-math-errno)
+     plan, any other alpha: 5 to 10
+     ateb_plan is 576 bytes (float 196); stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while a plan is made. The beta
+     functions take microseconds, up to 100 where a or b is 1e4.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
@@ -60,7 +78,8 @@
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.8(iii) (quadratic transformations).
      [4] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
-     [5] N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., SIAM 2002, 1.14.1. */
+     [5] C. Lanczos, Applied Analysis, Prentice-Hall 1956: economisation of power series.
+     [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373. */
 #ifndef VARMASS_ATEB_H
 #define VARMASS_ATEB_H
 
@@ -343,9 +362,9 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 where |x| < 0.34,
-   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
-   r^3 E(r) with the square of the head of r exact. */
+/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 where |x| <
+   0.34, and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r +
+   r^2/2 + r^3 E(r) with the square of the head of r exact. */
 VM_API vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -432,9 +451,9 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca);
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha);
 VM_API vm_real ateb_ca(vm_real s, vm_real alpha);
 
-/* s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca. The pair need not be on the
-   curve: sa lambda^((alpha+1)/2) and ca lambda have the same phase for any lambda > 0, such as the amplitude: x and
-   x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN and infinite arguments give NaN. */
+/* s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca. The pair need not be on
+   the curve: sa lambda^((alpha+1)/2) and ca lambda have the same phase for any lambda > 0, such as the amplitude: x
+   and x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN and infinite arguments give NaN. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha);
 
 /* Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s. That of sa is
@@ -587,8 +606,8 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h from the middle
-   of one of 32 intervals. Absolute error below 2^-66 (float 2^-36). */
+/* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h from the
+   middle of one of 32 intervals. Absolute error below 2^-66 (float 2^-36). */
 VM_API vm_two vmi_ateb_g(vm_two q)
 {
     /* of each interval: the low words of g and of its slope, then g, its slope, and the further coefficients */
@@ -878,9 +897,9 @@ typedef struct VM_TAG(vmi_ateb_point) {
     vm_real h;       /* what is left of r */
 } vmi_ateb_point;
 
-/* (F - 1)/(z b) for F = 2F1(1, b; c; z), b <= c, k = c - b: Gauss's continued fraction [3, 15.7],
-   F = 1/(1 - b z/X_1), X_j = c + j - 1 - a_j z/X_(j+1), a_2m = m (k + m - 1), a_2m+1 = (b + m)(c + m - 1), m times two
-   levels, which gain 7 bits or more for z < 0.303; X = P/Q. */
+/* (F - 1)/(z b) for F = 2F1(1, b; c; z), b <= c, k = c - b: Gauss's continued fraction [3, 15.7], F = 1/(1 - b
+   z/X_1), X_j = c + j - 1 - a_j z/X_(j+1), a_2m = m (k + m - 1), a_2m+1 = (b + m)(c + m - 1), m times two levels,
+   which gain 7 bits or more for z < 0.303; X = P/Q. */
 VM_API vm_real vmi_hypergeometric(vm_real b, vm_real c, vm_real k, vm_real z, int m)
 {
     vm_real P = (c + (vm_real)(2 * m)) * (1 - z / 4), Q = 1;
@@ -1140,6 +1159,12 @@ VMI_ATEB_LOOP(vmi_ateb_loop_middle, 8)
 VMI_ATEB_LOOP(vmi_ateb_loop_long, ATEB_PLAN_LENGTH)
 #undef VMI_ATEB_LOOP
 
+#if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
+#define VMI_ATEB_WIDE 1 /* without wide registers both parts take longer than one */
+#else
+#define VMI_ATEB_WIDE 0
+#endif
+
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -1151,7 +1176,7 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
             x[j] = s[i + j];
             inside[j] = VM_FABS(x[j]) < p->longest ? x[j] : 0;
         }
-        if (p->twice_alpha < 0) {
+        if (p->twice_alpha < 0 || !VMI_ATEB_WIDE) {
             for (j = 0; j < count; j++) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
             continue;
         }
@@ -1189,8 +1214,9 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* The polynomial c_1 + c_2 tau + ..., 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go with
-   Chebyshev polynomials that end in them. result is for tau/unit, times factor; returns how many terms it has. */
+/* The polynomial c_1 + c_2 tau + ... [5], 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go
+   with Chebyshev polynomials that end in them. result is for tau/unit, times factor; returns how many terms it has.
+   */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real factor, vm_real tolerance,
                               vm_real *result)
 {

@@ -30,7 +30,7 @@ for compiler in gcc clang; do
             done
         done
         for source in tests/test_jacobi.c tests/test_ateb.c tests/test_integrators.c tests/test_varmass.c \
-            tests/test_dissertation.c bench/bench.c; do
+            tests/test_dissertation.c bench/bench.c bench/bench_ateb.c examples/ateb_plan_print.c; do
             compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done

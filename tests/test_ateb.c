@@ -214,8 +214,8 @@ static void test_domain(void)
     CHECK(VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1);
 }
 
-/* The prepared alpha against the same table, to the last digits and to those that were asked for; its array form; s so
-   large that it is reduced otherwise; refusals. */
+/* The prepared alpha against the same table, to the last digits and to those that were asked for; its array form; s
+   so large that it is reduced otherwise; refusals. */
 static void test_plan(void)
 {
     static const double accuracies[] = {0, 1e-8, 1e-4};
