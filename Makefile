@@ -68,6 +68,7 @@ data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/reference.py
 	python3 tests/gen/beta_reference.py
+	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 
 clean:

@@ -337,7 +337,7 @@ VM_API vm_two vmi_log(vm_real x)
 #endif
     const int subnormal = x < VMI_MIN;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
-    const vmi_bits above = vmi_to_bits(x * (subnormal ? 4 / VM_EPSILON : 1)) - least_z;
+    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
@@ -362,9 +362,9 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 where |x| <
-   0.34, and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r +
-   r^2/2 + r^3 E(r) with the square of the head of r exact. */
+/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 where |x| < 0.34,
+   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
+   r^3 E(r) with the square of the head of r exact. */
 VM_API vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);

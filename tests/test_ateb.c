@@ -2,6 +2,7 @@
 #include "../ateb.h"
 #include "../jacobi.h"
 #include "check.h"
+#include <stdlib.h>
 
 typedef struct ateb_row {
     const char *region;
@@ -57,6 +58,48 @@ static void test_table(void)
         check_error("ca", row->region, "ulp", ERROR_ULP(ca, row->ca, row->ca_low) - ca_moved, 8, row->s,
                     row->alpha);
     }
+}
+
+typedef struct elementary_row {
+    double x, y, log, log_low, exp, exp_low, pow, pow_low;
+} elementary_row;
+
+static const elementary_row elementary_table[] = {
+#include "data/elementary_table.h"
+};
+
+/* The kernels: ln x in two words, e^y, x^y; underflow, overflow, NaN. */
+static void test_elementary(void)
+{
+    const double log_unit = PRECISION[0] == 'f' ? 2.4e-10 : 3.2e-20; /* 2^-32, 2^-64.8 */
+    size_t i;
+    int k;
+    for (i = 0; i < sizeof elementary_table / sizeof *elementary_table; i++) {
+        const elementary_row *row = elementary_table + i;
+        const vm_real x = (vm_real)row->x, y = (vm_real)row->y;
+        vm_two l;
+        if (!representable(row->x) || !representable(row->y)) continue;
+        l = vmi_log(x);
+        check_error("ln", "", "bound",
+                    fabs(((double)l.hi - row->log) + ((double)l.lo - row->log_low)) / fabs(row->log) / log_unit, 1,
+                    row->x, 0);
+        check_error("exp", "", "ulp", ERROR_ULP(vmi_exp(y, 0), row->exp, row->exp_low), 0.53, row->y, 0);
+        if (row->pow != 0)
+            check_error("pow", "", "ulp",
+                        ERROR_ULP(vmi_pow(vmi_one_word(x), vmi_one_word(y)), row->pow, row->pow_low), 0.6, row->x,
+                        row->y);
+    }
+    for (k = -(VMI_BIAS + VM_MANT_DIG - 2); k <= VMI_BIAS; k++) { /* exact, subnormal numbers too */
+        vm_two l = vmi_log(vmi_ldexp(1, k));
+        CHECK((double)vmi_ldexp(1, k) == ldexp(1, k));
+        check_error("ln", "2^k", "eps*",
+                    fabs((double)l.hi - k * 0.69314718055994530942) / (1 + abs(k)) / (double)VM_EPSILON, 1, k, 0);
+        CHECK(vmi_exp(l.hi, l.lo) == vmi_ldexp(1, k));
+    }
+    CHECK(vmi_exp(VM_INFINITY, 0) == VM_INFINITY && vmi_exp(VM_MAX, 0) == VM_INFINITY);
+    CHECK(vmi_exp(-VM_INFINITY, 0) == 0 && vmi_exp(-VM_MAX, 0) == 0 && vmi_exp(0, 0) == 1);
+    CHECK(vmi_exp(VM_NAN, 0) != vmi_exp(VM_NAN, 0));
+    CHECK(vmi_log(1).hi == 0 && vmi_log(1).lo == 0);
 }
 
 static double signed_power(double x, double p) { return copysign(pow(fabs(x), p), x); }
@@ -484,6 +527,7 @@ static void test_monotone(void)
 
 int main(void)
 {
+    test_elementary();
     test_table();
     test_identities();
     test_derivative_of_ca();

@@ -6,6 +6,9 @@ close to the reciprocal of its middle and short, and ln c in two words, the firs
 that k ln 2 + ln c is exact in the high words. Then ln(1 + r) = r - r^2/2 + r^3 L(r).
 Exponential: e^r = 1 + r + r^2/2 + r^3 E(r), |r| <= ln(2)/2. L and E by interpolation in the Chebyshev points.
 """
+import random
+import struct
+import sys
 from mpmath import mp, mpf, cos, pi, log, exp, factorial, floor, polyval, nstr
 
 mp.dps = 60
@@ -15,6 +18,10 @@ N = 32
 def nearest(x, bits):
     """The multiple of 2^-bits next to x."""
     return floor(mpf(x) * mpf(2)**bits + mpf(1) / 2) / mpf(2)**bits
+
+
+def single(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
 
 
 def rounded(x, bits):
@@ -75,5 +82,31 @@ def tables(bits, short, grid, log_degree, exp_degree):
               f" = 2^{nstr(log(error * bound**3, 2), 4)}")
 
 
-tables(53, 10, 42, 7, 9)
-tables(24, 8, 16, 3, 5)
+def words(x):
+    high = float(x)
+    return f"{high!r}, {float(x - mpf(high))!r}"
+
+
+def reference():
+    """tests/data/elementary_table.h: x, y; ln x, e^y, x^y"""
+    random.seed(40)
+    with open("tests/data/elementary_table.h", "w") as file:
+        file.write("/* Written by tests/gen/elementary.py: x, y, ln x, e^y, x^y as high and low words */\n")
+        for count in range(400):
+            near = single if count % 2 else float
+            large = 40 if count % 2 else 350
+            x = near(random.choice((1 + random.uniform(-1, 1) * 2.0 ** random.uniform(-20, -1),
+                                    2.0 ** random.uniform(-large, large), 1 + random.choice((-1, 1)) / 88)))
+            y = near(random.choice((-1, 1)) * random.choice((2.0 ** random.uniform(-20, 6), random.uniform(0, 2 * large))))
+            if abs(y) > 2 * large or x == 1:
+                continue
+            power = abs(y * log(mpf(x))) < 2 * large
+            file.write(f"    {{{x!r}, {y!r}, {words(log(mpf(x)))}, {words(exp(mpf(y)))}, "
+                       f"{words(mpf(x)**mpf(y)) if power else '0, 0'}}},\n")
+
+
+if len(sys.argv) > 1:  # any argument: the table of the tests
+    reference()
+else:
+    tables(53, 10, 42, 7, 9)
+    tables(24, 8, 16, 3, 5)
