@@ -6,6 +6,7 @@
 #   make scan     millions of random arguments (minutes)                make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make clean    remove build/                              make test-points SEED=n    20 000 fresh points of ateb.h
+#   make exhaustive   every float of a period of ateb.h
 
 CC = cc
 CFLAGS = -O2
@@ -22,7 +23,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test test-points scan lint bench measurements figures data clean
+.PHONY: run test test-points exhaustive scan lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -57,6 +58,13 @@ test-points:
 	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do \
 	    $(COMPILE) $$flags -DATEB_TABLE='"../build/points/ateb_table.h"' tests/test_ateb.c -o build/points/test -lm && \
 	    ./build/points/test || exit 1; done
+
+# every float of a period (minutes)
+exhaustive: build/tests/exhaustive
+	for alpha in 0 0.5 1.5 3 33.3; do ./build/tests/exhaustive $$alpha || exit 1; done
+
+build/tests/exhaustive: tests/exhaustive_float.c tests/exhaustive_double.c $(TEST_FILES)
+	@$(IN_BUILD) && $(COMPILE) tests/exhaustive_float.c tests/exhaustive_double.c -o $@ -lm
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float build/bench/double build/bench/float build/bench/pairs
 	sh bench/measurements.sh build

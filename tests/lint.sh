@@ -34,7 +34,7 @@ for compiler in gcc clang; do
             compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done
-    for source in tests/mixed_double.c tests/mixed_float.c examples/*.c bench/pairs.c; do
+    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_double.c tests/exhaustive_float.c examples/*.c bench/pairs.c; do
         compile $compiler c99 $source -Wstrict-prototypes
     done
     if echo '#include <gsl/gsl_sf.h>' | $compiler -E - >/dev/null 2>&1; then
