@@ -42,7 +42,7 @@
 
    METHOD
      Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
-     zero, from one polynomial in two words. Below s = 0.55, and at the same distance from every zero of sa, an
+     zero, from one polynomial in two or three words. Below s = 0.55, and at the same distance from every zero of sa, an
      approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of (1 - sa)/2. From
      there Taylor's series leads to s. So one inversion of the incomplete beta function takes two continued fractions
      of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
@@ -51,9 +51,9 @@
    ACCURACY, measured (make test, test-points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
                   Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.1 ulp.
-     the zeros    lie where Pi_alpha in two words puts them, to a relative error of 2^-102 (float 2^-44). This times
-                  |s| and the slope comes on top of the relative error; it is felt where s is within an ulp of the
-                  zero.
+     the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
+                  beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
+                  comes on top of the relative error; it is felt where s is within an ulp of the zero.
      Pi_alpha     <= 1 ulp, 0.5 found.
      plan         <= 3 ulp, 2.5 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
      phase        within 4 ulp and what an ulp of sa and of ca moves it
@@ -542,61 +542,147 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 
 /* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
    polynomial in t = 2 q - 1 for (1 + q)(2 + q)(3 + q) f, Chebyshev interpolation, whose coefficients fall by 18
-   each (tests/gen/ateb_coefficients.py). Relative error below 2^-102, in float below 2^-44. */
-VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
+   each (tests/gen/ateb_coefficients.py); here the i-th, of three words, of which the last may be absent. */
+VM_API vm_real vmi_ateb_coefficient(int word, int i)
 {
 #if VM_MANT_DIG > 24
-    enum { DEGREE = 25, TWO_WORDS = 17 };
-    VM_TABLE vm_real high[DEGREE + 1] = {
+    VM_TABLE vm_real high[34] = {
         VM_C(2.0616701789183018434e+1),   VM_C(2.0267110471870335431e+1),   VM_C(6.3635705553078754093),
         VM_C(7.3329082227506181546e-1),   VM_C(1.9708227491367229928e-2),   VM_C(-4.0000651288112700496e-4),
         VM_C(1.9327295440373642315e-5),   VM_C(-1.2789187658911751561e-6),  VM_C(9.9916872651209047445e-8),
-        VM_C(-8.6358235237752655812e-9),  VM_C(7.9763568164635870373e-10),  VM_C(-7.7130262679616766506e-11),
-        VM_C(7.7070743924402230205e-12),  VM_C(-7.8886573293379077004e-13), VM_C(8.2211271034895712443e-14),
-        VM_C(-8.6854809710180107013e-15), VM_C(9.27294616281023221e-16),    VM_C(-9.9811924519810123905e-17),
-        VM_C(1.0812291934654296984e-17),  VM_C(-1.1771628647553698434e-18), VM_C(1.2868008689981210128e-19),
-        VM_C(-1.4110321016644041613e-20), VM_C(1.5465183583149213185e-21),  VM_C(-1.7035575068015575255e-22),
-        VM_C(2.0418335586878164583e-23),  VM_C(-2.2561930898876324744e-24)};
-    VM_TABLE vm_real low[TWO_WORDS] = {
-        VM_C(-3.0654856268470599668e-16), VM_C(1.210856509558633265e-15),   VM_C(3.0240525334513689539e-16),
-        VM_C(-2.7717839450231262886e-19), VM_C(5.466600190677016022e-19),   VM_C(-9.4064218124938560387e-21),
-        VM_C(-1.1974095141559232778e-21), VM_C(-6.1448694947683434448e-23), VM_C(9.143761539069345421e-25),
-        VM_C(-6.345488103238373782e-26),  VM_C(3.8720113087801535445e-26),  VM_C(-3.525313710286337803e-27),
-        VM_C(5.4289120049674930893e-28),  VM_C(4.4446375097164756405e-29),  VM_C(-2.9053450205411567762e-31),
-        VM_C(-2.8420161922516542678e-31), VM_C(-7.4733218002958145216e-32)};
+        VM_C(-8.6358235237752655812e-9),  VM_C(7.9763568164635901392e-10),  VM_C(-7.7130262679616792355e-11),
+        VM_C(7.7070743924391761201e-12),  VM_C(-7.8886573293367475069e-13), VM_C(8.2211271037952946036e-14),
+        VM_C(-8.6854809713564620063e-15), VM_C(9.2729461017836547871e-16),  VM_C(-9.9811923844216788706e-17),
+        VM_C(1.081230028747049329e-17),   VM_C(-1.1771637894488280204e-18), VM_C(1.2867238266427922807e-19),
+        VM_C(-1.4109468128426003026e-20), VM_C(1.5510876021633897508e-21),  VM_C(-1.7086157884284126588e-22),
+        VM_C(1.8852205416028078608e-23),  VM_C(-2.0828212289555137945e-24), VM_C(2.3035767011988879034e-25),
+        VM_C(-2.5499329020418479467e-26), VM_C(2.8250575586442172435e-27),  VM_C(-3.1311422081625854324e-28),
+        VM_C(3.4527226049922925084e-29),  VM_C(-3.8299883133411974758e-30), VM_C(4.7469491485808577813e-31),
+        VM_C(-5.2687713493837014328e-32)};
+    VM_TABLE vm_real low[22] = {
+        VM_C(-3.0654856268470599668e-16), VM_C(1.210856509558633265e-15),   VM_C(3.0240525334513940988e-16),
+        VM_C(-2.7717839450259092574e-19), VM_C(5.4666001892695387149e-19),  VM_C(-9.4064217969122898471e-21),
+        VM_C(-1.1974064187521360439e-21), VM_C(-6.1449037626015888544e-23), VM_C(8.7901834551117892935e-25),
+        VM_C(-5.9540578421884869214e-26), VM_C(-3.1215006189736638565e-26), VM_C(-4.2737260635061168349e-27),
+        VM_C(1.0083140101962316162e-28),  VM_C(-2.861198322244910502e-29),  VM_C(-2.8146374107301775257e-30),
+        VM_C(1.3516503830597232673e-31),  VM_C(9.335454088442542743e-32),   VM_C(-1.6623091458375181777e-33),
+        VM_C(4.8535695583016722406e-34),  VM_C(4.2966913431290166353e-35),  VM_C(6.443494554591900988e-36),
+        VM_C(1.4556914938291642103e-36)};
+    VM_TABLE vm_real lowest[10] = {VM_C(-2.1193920831105467827e-32), VM_C(-7.808521102450774183e-32),
+                                   VM_C(-1.2473656445091337713e-32), VM_C(-9.1883466313042762769e-36),
+                                   VM_C(-4.7367768879157581675e-35), VM_C(6.8348014068649053378e-37),
+                                   VM_C(-8.2912063937409743857e-38), VM_C(3.4431687262560826523e-39),
+                                   VM_C(-3.7393247709997878888e-41), VM_C(1.2854247930563996123e-42)};
 #else
-    enum { DEGREE = 14, TWO_WORDS = 8 };
-    VM_TABLE vm_real high[DEGREE + 1] = {
-        VM_C(2.06167011261e+1),  VM_C(2.02671108246e+1),   VM_C(6.36357069016),     VM_C(7.33290851116e-1),
-        VM_C(1.97082273662e-2),  VM_C(-4.00006509153e-4),  VM_C(1.93272953766e-5),  VM_C(-1.27891871671e-6),
-        VM_C(9.99168676685e-8),  VM_C(-8.63586269162e-9),  VM_C(7.97639843064e-10), VM_C(-7.7079689853e-11),
-        VM_C(7.70167263298e-12), VM_C(-8.22296224168e-13), VM_C(8.57817980602e-14)};
-    VM_TABLE vm_real low[TWO_WORDS] = {VM_C(6.63084392727e-7),  VM_C(-3.52714636165e-7), VM_C(-1.34847155664e-7),
-                                       VM_C(-2.88411179383e-8), VM_C(1.25158161612e-10), VM_C(-3.73129912384e-12),
-                                       VM_C(6.41609703735e-14), VM_C(-3.32791655561e-14)};
+    VM_TABLE vm_real high[18] = {VM_C(2.06167011261e+1),  VM_C(2.02671108246e+1),   VM_C(6.36357069016),
+                                 VM_C(7.33290851116e-1),  VM_C(1.97082273662e-2),   VM_C(-4.00006509153e-4),
+                                 VM_C(1.93272953766e-5),  VM_C(-1.27891871671e-6),  VM_C(9.9916874774e-8),
+                                 VM_C(-8.63582361177e-9), VM_C(7.97635624217e-10),  VM_C(-7.71302535729e-11),
+                                 VM_C(7.70717083903e-12), VM_C(-7.88876234302e-13), VM_C(8.21161511727e-14),
+                                 VM_C(-8.6751217104e-15), VM_C(9.7750746723e-16),   VM_C(-1.05279968328e-16)};
+    VM_TABLE vm_real low[11] = {VM_C(6.63084392727e-7),  VM_C(-3.52714636165e-7),  VM_C(-1.34847155664e-7),
+                                VM_C(-2.88411179383e-8), VM_C(1.25158203246e-10),  VM_C(-3.72795457698e-12),
+                                VM_C(6.37998226298e-14), VM_C(-4.91834898546e-14), VM_C(-2.10293378035e-15),
+                                VM_C(8.58360954133e-17), VM_C(3.02997111408e-19)};
+    VM_TABLE vm_real lowest[5] = {VM_C(-7.41197620451e-15), VM_C(1.18689975044e-14), VM_C(2.07874802509e-15),
+                                  VM_C(-6.6640947106e-16), VM_C(-2.54688931285e-18)};
 #endif
+    if (word == 0) return high[i];
+    if (word == 1) return i < (int)(sizeof low / sizeof *low) ? low[i] : 0;
+    return i < (int)(sizeof lowest / sizeof *lowest) ? lowest[i] : 0;
+}
+
+enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
+
+/* f(q) to a relative error of 2^-102 (float 2^-44) */
+VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
+{
+    enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
     vm_two t, sum, c, divisor;
-    vm_real tail = high[DEGREE];
+    vm_real tail = vmi_ateb_coefficient(0, VMI_ATEB_DEGREE);
     int i;
     t.hi = 2 * q.hi, t.lo = 2 * q.lo;
-    c.hi = -1, c.lo = 0;
+    c = vmi_one_word(-1);
     t = vmi_two_plus(c, t);
-    for (i = DEGREE - 1; i >= TWO_WORDS; i--) tail = high[i] + tail * t.hi;
-    sum.hi = tail, sum.lo = 0;
+    for (i = VMI_ATEB_DEGREE - 1; i >= TWO_WORDS; i--) tail = vmi_ateb_coefficient(0, i) + tail * t.hi;
+    sum = vmi_one_word(tail);
     /* each coefficient exceeds what follows, so that the high words take two operations a step */
     for (i = TWO_WORDS - 1; i >= 0; i--) {
-        vm_two p = vmi_two_product(sum.hi, t.hi);
-        vm_real hi = high[i] + p.hi;
-        sum.lo = (p.hi - (hi - high[i])) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low[i]);
+        const vm_real high = vmi_ateb_coefficient(0, i), low = vmi_ateb_coefficient(1, i);
+        const vm_two p = vmi_two_product(sum.hi, t.hi);
+        const vm_real hi = high + p.hi;
+        sum.lo = (p.hi - (hi - high)) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low);
         sum.hi = hi;
     }
-    c.hi = 1, c.lo = 0;
+    c = vmi_one_word(1);
     divisor = q = vmi_two_plus(c, q);
     for (i = 2; i <= 3; i++) {
         q = vmi_two_plus(c, q);
         divisor = vmi_two_times(divisor, q);
     }
     return vmi_two_over(sum, divisor);
+}
+
+/* ---- Three words, for phases that fall onto a zero ----------------------------------------------------------- */
+
+typedef struct VM_TAG(vmi_three) {
+    vm_real hi, mid, lo;
+} vmi_three;
+
+VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
+{
+    const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
+    vmi_three x;
+    x.hi = high.hi;
+    x.mid = rest.hi;
+    x.lo = rest.lo;
+    return x;
+}
+
+VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
+{
+    const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid),
+                 sum = vmi_two_sum(high.lo, mid.hi);
+    return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
+}
+
+VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
+{
+    const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid),
+                 b = vmi_two_product(x.mid, y.hi);
+    const vm_two sum = vmi_two_sum(a.hi, b.hi), mid = vmi_two_sum(p.lo, sum.hi);
+    return vmi_three_words(p.hi, mid.hi,
+                           mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
+}
+
+VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
+{
+    vm_real quotient[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        quotient[i] = x.hi / y.hi;
+        x = vmi_three_plus(x, vmi_three_times(y, vmi_three_words(-quotient[i], 0, 0)));
+    }
+    return vmi_three_words(quotient[0], quotient[1], quotient[2]);
+}
+
+/* Pi/2 to a relative error of 2^-125 (float 2^-58), n = alpha + 1 < 1e9 (float 3e4) */
+VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
+{
+    const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
+    const vmi_three t = vmi_three_over(vmi_three_plus(vmi_three_words(2, 0, 0), vmi_three_words(-n.hi, -n.mid, 0)),
+                                       n);
+    vmi_three sum = vmi_three_words(vmi_ateb_coefficient(0, VMI_ATEB_DEGREE), 0, 0), above = one;
+    int i;
+    for (i = VMI_ATEB_DEGREE - 1; i >= 0; i--)
+        sum = vmi_three_plus(
+            vmi_three_times(sum, t),
+            vmi_three_words(vmi_ateb_coefficient(0, i), vmi_ateb_coefficient(1, i), vmi_ateb_coefficient(2, i)));
+    for (i = 1; i <= 3; i++) { /* i + q = (i n + 1)/n */
+        above = vmi_three_plus(above, n);
+        sum = vmi_three_times(sum, vmi_three_over(n, above));
+    }
+    return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
 /* x without the second half of its digits */
@@ -977,6 +1063,24 @@ VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_r
 
 /* ---- sa, ca ------------------------------------------------------------------------------------------------- */
 
+/* As vmi_reduce, with as many words of the quarter as s needs, which are left in c: so that an error of the quarter is
+   felt neither in a large s nor near to a zero. */
+VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
+{
+    const vm_real near_zero = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
+    vm_real rest = vmi_reduce(s, c->quarter, quarter), j;
+    if (rest == s || (s <= 256 * c->quarter.hi && VM_FABS(rest) * c->quarter.hi * 256 >= s)) return rest;
+    c->quarter = vmi_ateb_fine_quarter(c);
+    rest = vmi_reduce(s, c->quarter, quarter);
+    j = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
+    if (VM_FABS(rest) < near_zero * s && j > 0 && 8 * c->q.hi >= VM_SQRT(VM_EPSILON)) {
+        const vmi_three q = vmi_ateb_finest_quarter(c->n);
+        const vm_two high = vmi_two_product(j, q.hi), mid = vmi_two_product(j, q.mid);
+        if (j * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + j * q.lo);
+    }
+    return rest;
+}
+
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     const vm_real change_over = VM_C(0.55);
@@ -989,11 +1093,7 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
         return;
     }
     vmi_ateb_constants(&c, alpha);
-    rest = vmi_reduce(size, c.quarter, &quarter);
-    if (rest != size && (size > 256 * c.quarter.hi || VM_FABS(rest) * c.quarter.hi * 256 < size)) {
-        c.quarter = vmi_ateb_fine_quarter(&c);
-        rest = vmi_reduce(size, c.quarter, &quarter);
-    }
+    rest = vmi_ateb_reduce(size, &c, &quarter);
     r = VM_FABS(rest);
     d = c.quarter.hi - r;
     if (quarter & 1) {

@@ -3,7 +3,7 @@
 
 F(t) = sqrt(pi) Gamma(4 + q)/Gamma(q + 1/2), q = (1 + t)/2, -1 <= t <= 1: interpolation in the Chebyshev points,
 turned into powers of t. F is analytic up to q = -4, so a coefficient is about 1/18 of the one before it. The leading
-ones are given in two words: what a coefficient's rounding adds to F stays below the truncation error.
+ones are given in two or three words.
 
 g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), for the quick route: in 32 intervals, powers of the distance to the middle,
 the constant term and the slope in two words, the first of the slope's with half of the digits.
@@ -41,14 +41,16 @@ def rounded(x, bits):
     return y
 
 
-def table(bits, degree, two_words):
+def table(bits, degree, two_words, three_words):
     c = powers(F, degree)
     high = [rounded(x, bits) for x in c]
     low = [rounded(x - h, bits) if j < two_words else mpf(0) for j, (x, h) in enumerate(zip(c, high))]
-    stored = [h + l for h, l in zip(high, low)]
-    error = max(abs(polyval(stored[::-1], t) / F(t) - 1) for t in (mpf(k) / 500 - 1 for k in range(1001)))
-    print(f"/* p = {bits}, degree {degree}, {two_words} in two words: relative error 2^{nstr(log(error, 2), 4)} */")
-    for name, values in (("high", high), ("low", low[:two_words])):
+    lowest = [rounded(x - h - l, bits) if j < three_words else mpf(0) for j, (x, h, l) in enumerate(zip(c, high, low))]
+    for text, stored in (("two words", [h + l for h, l in zip(high, low)]),
+                         ("three words", [h + l + m for h, l, m in zip(high, low, lowest)])):
+        error = max(abs(polyval(stored[::-1], t) / F(t) - 1) for t in (mpf(k) / 500 - 1 for k in range(1001)))
+        print(f"/* p = {bits}, degree {degree}, {text}: relative error 2^{nstr(log(error, 2), 4)} */")
+    for name, values in (("high", high), ("low", low[:two_words]), ("lowest", lowest[:three_words])):
         print(f"{name}:")
         text = [f"VM_C({nstr(v, 20 if bits == 53 else 12, min_fixed=0, max_fixed=0)})" for v in values]
         for k in range(0, len(text), 3):
@@ -79,7 +81,7 @@ def quick(bits, degree):
 
 
 if __name__ == "__main__":
-    table(53, 25, 17)
-    table(24, 14, 8)
+    table(53, 33, 22, 10)
+    table(24, 17, 11, 5)
     quick(53, 9)
     quick(24, 5)
