@@ -42,20 +42,20 @@
 
    METHOD
      Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
-     zero, from one polynomial in two or three words. Below s = 0.55, and at the same distance from every zero of sa, an
-     approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of (1 - sa)/2. From
-     there Taylor's series leads to s. So one inversion of the incomplete beta function takes two continued fractions
-     of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
+     zero, Pi_alpha from one polynomial in two or three words. Below s = 0.55, and at the same distance from every
+     zero of sa, an approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of
+     (1 - sa)/2. From there Taylor's series leads to s. So one inversion of the incomplete beta function takes two
+     continued fractions of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
      A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
 
    ACCURACY, measured (make test, test-points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.1 ulp.
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.3 ulp.
      the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.
      Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 3 ulp, 2.5 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
+     plan         <= 3 ulp, 2.6 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
      phase        within 4 ulp and what an ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc     <= 30 ulp, typically 2, of p and of q
@@ -63,14 +63,20 @@
      sa(n, m), ca(m, n)     <= 8 ulp in the first quarter; farther on, an error of phase of 2^-62 |s| (float 2^-30)
      integrals    some 10 ulp
 
-   COST, in units of the C library's sin (float: sinf), which vary by up to 2 on one machine; make bench
-                            -O2       -O3 -march=native    float, -O2
-     Pi_alpha               2.3            2                   3
-     sa+ca                  22            16 to 20            20 to 30
-     plan, alpha = 0, 1/2, 1, ..., 7:  2 to 3.5, in arrays 0.8 to 1.3 (with -march=native -fno-math-errno)
-     plan, any other alpha: 5 to 10
-     ateb_plan is 576 bytes (float 196); stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while a plan is made. The beta
-     functions take microseconds, up to 100 where a or b is 1e4.
+   COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on a Xeon, where sin takes 7 ns and has
+   fused multiply-adds whatever the flags; make bench shows it by alpha
+                                              -O2      -O3 -march=native   float, -O2
+     Pi_alpha                                 2.3      2                   3.5
+     sa+ca, any alpha, Pi_alpha included      22       17 to 21            32
+       the same for |s| > 128 Pi_alpha        50
+       on a zero of sa or ca, to an ulp       250
+     plan, alpha = 0, 1/2, 1, ..., 7          2 to 3.5 1.7 to 3.2          3.5 to 5
+       to 1e-4                                2 to 2.6 1.7 to 2.2
+       in arrays (with -fno-math-errno)       the same 0.8 to 1.4          the same
+     plan, any other alpha                    6 to 10  5 to 10             8 to 16
+     ateb_plan is 576 bytes (float 196), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
+     ateb_phase 21 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
+     ateb_saca_nm 13 us.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
@@ -1063,8 +1069,8 @@ VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_r
 
 /* ---- sa, ca ------------------------------------------------------------------------------------------------- */
 
-/* As vmi_reduce, with as many words of the quarter as s needs, which are left in c: so that an error of the quarter is
-   felt neither in a large s nor near to a zero. */
+/* As vmi_reduce, with as many words of the quarter as s needs, two of them left in c: so that an error of the quarter
+   is felt neither in a large s nor near to a zero. */
 VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real near_zero = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */

@@ -17,8 +17,8 @@ static const ateb_row ateb_table[] = {
 #endif
 };
 
-/* Pi_alpha in two words is known to a relative error of 2^-102 (float 2^-44), in three, for alpha < 5e8 (2e4), to 2^-125
-   (2^-58), which moves the zeros */
+/* Pi_alpha in two words is known to a relative error of 2^-102 (float 2^-44), in three, for alpha < 5e8 (2e4), to
+   2^-125 (2^-58), which moves the zeros */
 #ifdef VM_USE_FLOAT
 static const double pi_error = 5.7e-14, finest_pi_error = 3.5e-18, largest_of_three = 2e4;
 #else
