@@ -11,7 +11,8 @@ void reference_saca(double s, double *sa, double *ca);
 /* Pi_alpha in two words of float is known to 2^-44 */
 static const double pi_error = 5.7e-14;
 
-static void compare(const char *function, float got, double exact, double moved, double bound, float s, double alpha)
+static void compare(const char *function, float got, double exact, double moved, double bound, float s,
+                    double alpha)
 {
     const double error = fabs((double)got - exact);
     check_error(function, "every s", "eps", error / (double)VM_EPSILON, 4, (double)s, alpha);
