@@ -3,13 +3,14 @@
 #
 #   make run      build and run the examples, draw their figures        make bench   time everything
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
-#   make scan     millions of random arguments (minutes)                make points  jacobi.h at 20 000 points more
-#   make data     write the reference tables anew
+#   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
+#   make exhaustive   every float of a period (an hour)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make clean    remove build/
 
 CC = cc
 CFLAGS = -O2
+SEED = 1
 STRICT = -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wfloat-conversion -Wshadow -Wundef
 COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
@@ -42,9 +43,9 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-bench: build/bench/double build/bench/float build/bench/jacobi build/bench/pairs
-	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/jacobi build/bench/jacobi.csv; echo; \
-	./build/bench/pairs
+BENCHES = double float jacobi ateb ateb_float ateb_wide pairs
+bench: $(BENCHES:%=build/bench/%)
+	@for bench in $(BENCHES); do ./build/bench/$$bench || exit 1; echo; done
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
@@ -52,15 +53,20 @@ scan: build/tests/scan build/tests/scan_float
 	./build/tests/scan_float 1000000
 
 # a campaign of minutes: the float functions at every float of a period
-exhaustive: build/tests/exhaustive_jacobi
+EXHAUSTIVE = build/tests/exhaustive_jacobi build/tests/exhaustive_ateb
+exhaustive: $(EXHAUSTIVE)
 	./build/tests/exhaustive_jacobi 1
+	for alpha in 0 0.5 1.5 3 33.3; do ./build/tests/exhaustive_ateb $$alpha || exit 1; done
 
-# twenty times as many points as jacobi.h's stored tables have, computed anew by mpmath
+# a campaign of minutes: 20 000 points of each table and more, drawn anew and computed by mpmath
+SEED = 1
 points: build/command
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
-	mkdir -p build/points && python3 tests/gen/jacobi_reference.py 20 build/points
-	$(COMPILE) -DPOINTS tests/test_jacobi.c -o build/tests/points -lm && ./build/tests/points
-	$(COMPILE) -DPOINTS -DVM_USE_FLOAT tests/test_jacobi.c -o build/tests/points_float -lm && ./build/tests/points_float
+	mkdir -p build/points && python3 tests/gen/jacobi_reference.py 20 build/points $(SEED)
+	python3 tests/gen/ateb_reference.py 23 $(SEED) build/points/ateb_table.h
+	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi ateb; do \
+	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
+	    done; done
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float build/bench/double build/bench/float build/bench/pairs
 	sh bench/measurements.sh build
@@ -70,8 +76,10 @@ figures: run
 
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
-	python3 tests/gen/reference.py
+	python3 tests/gen/ateb_reference.py
 	python3 tests/gen/jacobi_reference.py
+	python3 tests/gen/beta_reference.py
+	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 
 clean:
@@ -113,6 +121,16 @@ build/bench/double: bench/bench.c bench/timing.h build/command $(HEADERS)
 
 build/bench/float: bench/bench.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+
+build/bench/ateb: bench/bench_ateb.c build/command ateb.h
+	@$(IN_BUILD) && if $(GSL_CHECK) >/dev/null 2>&1; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
+	$(COMPILE) $< -o $@ $$gsl -lm
+
+build/bench/ateb_float: bench/bench_ateb.c build/command ateb.h
+	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
+
+build/bench/ateb_wide: bench/bench_ateb.c build/command ateb.h
+	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -fno-math-errno $< -o $@ -lm
 
 build/bench/pairs: bench/pairs.c build/command
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

@@ -27,32 +27,56 @@
      oscillator, x = A ca, x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa. All arguments are pure numbers.
 
    ERRORS
-     alpha < 0, NaN and infinite arguments give NaN. Nothing else can fail. No allocation, no state; errno says
-     nothing.
+     alpha < 0, NaN and infinite arguments give NaN, as do parameters of beta functions that are not positive and
+     probabilities outside [0, 1]. Making a plan for such an alpha returns -1 and leaves the plan as it was. Nothing
+     else can fail. No allocation, no state; errno says nothing.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
      VM_TABLE             storage of the tables, default static const
-     VM_SQRT, VM_EXP ...  the functions of the C library that are used (all of them, if any)
+     VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN   the functions of the C library that are used; they are exact, so that
+                          results are the same everywhere where products and sums are not contracted
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
 
    METHOD
-     Pi_alpha from a polynomial in two words, so that phases of any size reduce accurately. Below s = 0.55, and at
-     the same distance from every zero of sa, sa is found from the series of B_w in w = sa^2; beyond it
-     ln |ca|^(alpha+1) from that of the complement, whose argument (1 - sa)/2 is at most 0.24. A step of Halley's
-     method needs one series, a logarithm and an exponential; one or two do.
+     Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
+     zero, Pi_alpha from one polynomial in two or three words. Below s = 0.55, and at the same distance from every
+     zero of sa, an approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of
+     (1 - sa)/2. From there Taylor's series leads to s. So one inversion of the incomplete beta function takes two
+     continued fractions of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
+     A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
 
-   ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
+   ACCURACY, measured (make test, test-points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 4 ulp.
-     the zeros    lie where Pi_alpha in two words puts them, to a relative error of 2^-102 (float 2^-44). This times
-                  |s| and the slope comes on top of the relative error; it is felt where s is within an ulp of the
-                  zero.
-     Pi_alpha     <= 1 ulp.
-     Time         in units of the C library's sin (float: sinf), which vary by up to 2 on one machine: Pi_alpha 21 (29),
-                  sa+ca 40 to 50 (45 to 62), Pi_alpha included.
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.3 ulp.
+     the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
+                  beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
+                  comes on top of the relative error; it is felt where s is within an ulp of the zero.
+     Pi_alpha     <= 1 ulp, 0.5 found.
+     plan         <= 3 ulp, 2.6 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
+     phase        within 4 ulp and what an ulp of sa and of ca moves it
+     beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
+     beta_inc     <= 30 ulp, typically 2, of p and of q
+     beta_inc_inv <= 16 ulp of x and of y, and what an ulp of the smaller of p and q moves them, 3 found typically
+     sa(n, m), ca(m, n)     <= 8 ulp in the first quarter; farther on, an error of phase of 2^-62 |s| (float 2^-30)
+     integrals    some 10 ulp
+
+   COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on a Xeon, where sin takes 7 ns and has
+   fused multiply-adds whatever the flags; make bench shows it by alpha
+                                              -O2      -O3 -march=native   float, -O2
+     Pi_alpha                                 2.3      2                   3.5
+     sa+ca, any alpha, Pi_alpha included      22       17 to 21            32
+       the same for |s| > 128 Pi_alpha        50
+       on a zero of sa or ca, to an ulp       250
+     plan, alpha = 0, 1/2, 1, ..., 7          2 to 3.5 1.7 to 3.2          3.5 to 5
+       to 1e-4                                2 to 2.6 1.7 to 2.2
+       in arrays (with -fno-math-errno)       the same 0.8 to 1.4          the same
+     plan, any other alpha                    6 to 10  5 to 10             8 to 16
+     ateb_plan is 576 bytes (float 196), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
+     ateb_phase 21 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
+     ateb_saca_nm 13 us.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
@@ -60,7 +84,8 @@
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.8(iii) (quadratic transformations).
      [4] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
-     [5] N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., SIAM 2002, 1.14.1. */
+     [5] C. Lanczos, Applied Analysis, Prentice-Hall 1956: economisation of power series.
+     [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373. */
 #ifndef VARMASS_ATEB_H
 #define VARMASS_ATEB_H
 
@@ -192,6 +217,291 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 #endif
 /* ---- End of the shared block -------------------------------------------------------------------------------- */
 
+/* ---- Elementary kernels: the same, word for word, in jacobi.h and ateb.h ------------------------------------ */
+#ifndef VM_ELEMENTARY
+#define VM_ELEMENTARY
+
+#include <stdint.h>
+#include <string.h>
+
+/* Logarithm, exponential and power with a low word. No branch but where a result is subnormal, no function of the C
+   library, so that they are the same everywhere and loops over them vectorise. Tables: tests/gen/elementary.py. */
+#if VM_MANT_DIG > 24
+typedef uint64_t vmi_bits;
+#define VMI_STORED_DIG 52 /* of the mantissa */
+#define VMI_BIAS 1023     /* of the exponent */
+#define VMI_MIN VM_C(2.2250738585072014e-308)
+#else
+typedef uint32_t vmi_bits;
+#define VMI_STORED_DIG 23
+#define VMI_BIAS 127
+#define VMI_MIN VM_C(1.1754943508e-38)
+#endif
+
+VM_API vmi_bits vmi_to_bits(vm_real x)
+{
+    vmi_bits bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+VM_API vm_real vmi_from_bits(vmi_bits bits)
+{
+    vm_real x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* x 2^k, rounded at most once, for |x| from 2^-2 to 4 or 0; for any x, if x 2^(k/2) is a normal number */
+VM_API vm_real vmi_ldexp(vm_real x, int k)
+{
+    const int limit = 2 * VMI_BIAS - 2;
+    const int bounded = k > limit ? limit : k < -limit ? -limit : k, half = bounded / 2, rest = bounded - half;
+    return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
+           vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
+}
+
+/* a + b exactly, for |a| >= |b| (Dekker) */
+VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
+{
+    vm_two s;
+    s.hi = a + b;
+    s.lo = (a - s.hi) + b;
+    return s;
+}
+
+/* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
+   1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
+VM_API vm_two vmi_log(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+    VM_TABLE vm_real table[32][3] = {
+        /* 1/c, ln c: the high words are multiples of 2^-42, as ln2_hi */
+        {VM_C(1.4189453125), VM_C(-0.34991385797093244037), VM_C(1.0263080618141573753e-13)},
+        {VM_C(1.375), VM_C(-0.31845373111855224124), VM_C(1.7625431312172662057e-14)},
+        {VM_C(1.3330078125), VM_C(-0.28743790201951924246), VM_C(-8.7770524478057945722e-14)},
+        {VM_C(1.2939453125), VM_C(-0.25769593282097957854), VM_C(1.1008936326855972656e-13)},
+        {VM_C(1.2568359375), VM_C(-0.22859740199669431604), VM_C(2.0747306192914545005e-14)},
+        {VM_C(1.22265625), VM_C(-0.20102574606062262319), VM_C(3.1881849375437737022e-14)},
+        {VM_C(1.189453125), VM_C(-0.1734936426703370671), VM_C(-5.2171826698845917966e-14)},
+        {VM_C(1.158203125), VM_C(-0.14686977395831490867), VM_C(9.7240876868206596417e-14)},
+        {VM_C(1.1279296875), VM_C(-0.12038381735646908055), VM_C(2.8259559616440998507e-14)},
+        {VM_C(1.099609375), VM_C(-0.09495500310026727675), VM_C(8.4679504198281513406e-14)},
+        {VM_C(1.0732421875), VM_C(-0.070684148804275537259), VM_C(1.0726890146864022217e-13)},
+        {VM_C(1.0478515625), VM_C(-0.046741937031356428633), VM_C(1.1105125439752240142e-13)},
+        {VM_C(1.0234375), VM_C(-0.023167059281604451826), VM_C(7.0073597043100356586e-14)},
+        {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+        {VM_C(0.9775390625), VM_C(0.022717026284226449206), VM_C(6.0597450660084316691e-15)},
+        {VM_C(0.9560546875), VM_C(0.044940163068986294093), VM_C(-4.3582300048382453133e-14)},
+        {VM_C(0.9365234375), VM_C(0.065580730715964818955), VM_C(5.0054796379247145689e-14)},
+        {VM_C(0.9169921875), VM_C(0.086656326391221227823), VM_C(-3.1041724514644213313e-14)},
+        {VM_C(0.8984375), VM_C(0.1070981355562707904), VM_C(9.6310110335192174531e-14)},
+        {VM_C(0.8798828125), VM_C(0.12796654799103635014), VM_C(7.8829637969380855345e-14)},
+        {VM_C(0.8623046875), VM_C(0.14814660499541787431), VM_C(7.5206341283980230625e-14)},
+        {VM_C(0.845703125), VM_C(0.16758689703692652984), VM_C(9.1408198894914123398e-14)},
+        {VM_C(0.830078125), VM_C(0.18623545611512781761), VM_C(-3.6862307174239401374e-14)},
+        {VM_C(0.814453125), VM_C(0.2052384032406280312), VM_C(7.8304972192271964422e-14)},
+        {VM_C(0.7998046875), VM_C(0.22338772174634868861), VM_C(3.4981611229820216869e-14)},
+        {VM_C(0.7861328125), VM_C(0.24062952818098892749), VM_C(-9.9203828758961551027e-14)},
+        {VM_C(0.771484375), VM_C(0.25943886013828887371), VM_C(9.7042267920673565155e-14)},
+        {VM_C(0.7587890625), VM_C(0.27603145523175953713), VM_C(4.6116175827277368694e-14)},
+        {VM_C(0.74609375), VM_C(0.29290401643288532796), VM_C(4.7274529405144062921e-14)},
+        {VM_C(0.7333984375), VM_C(0.31006615383535063302), VM_C(-3.2283099979657674925e-14)},
+        {VM_C(0.7216796875), VM_C(0.32617388465132535202), VM_C(-7.4032069124645893097e-14)},
+        {VM_C(0.7099609375), VM_C(0.34254532806585302751), VM_C(8.0700749411504883334e-14)}};
+#else
+    const vmi_bits least_z = UINT32_C(0x3f355556), half_tail = UINT32_C(0x4000);
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+    VM_TABLE vm_real table[32][3] = {/* 1/c, ln c: the high words are multiples of 2^-16, as ln2_hi */
+                                     {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
+                                     {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
+                                     {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
+                                     {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
+                                     {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
+                                     {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
+                                     {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
+                                     {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
+                                     {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
+                                     {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
+                                     {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
+                                     {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
+                                     {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
+                                     {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+                                     {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
+                                     {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
+                                     {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
+                                     {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
+                                     {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
+                                     {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
+                                     {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
+                                     {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
+                                     {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
+                                     {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
+                                     {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
+                                     {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
+                                     {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
+                                     {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
+                                     {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
+                                     {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
+                                     {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
+                                     {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
+#endif
+    const int subnormal = x < VMI_MIN;
+    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
+    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
+    const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
+    const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
+    const vmi_bits z_bits = (above & (one - 1)) + least_z;
+    const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
+    const vm_real *row = table[(int)(44 * z - VM_C(30.5))];
+    const vm_real r_head = z_head * row[0] - 1, r_tail = (z - z_head) * row[0]; /* exact, half of the digits each */
+    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                          /* |r| < 0.0162 */
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + row[1], r.hi);
+    const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
+    const vm_real rr = r.hi * r.hi;
+#if VM_MANT_DIG > 24
+    const vm_real L01 = VM_C(0.33333333333333331483) - r.hi * VM_C(0.25);
+    const vm_real L23 = VM_C(0.20000000000035858538) - r.hi * VM_C(0.1666666666669953667);
+    const vm_real L45 = VM_C(0.1428571357080885007) - r.hi * VM_C(0.12499999344666766488);
+    const vm_real L67 = VM_C(0.11115671970945563418) - r.hi * VM_C(0.10004180804025793183);
+    const vm_real L = L01 + rr * (L23 + rr * (L45 + rr * L67)); /* ln(1 + r) = r - r^2/2 + r^3 L(r) */
+#else
+    const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
+    const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
+#endif
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + row[2]) + (r.lo - r_tail * (r.hi + r_head) / 2);
+    return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
+}
+
+/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 for |x| < 0.34,
+   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
+   r^3 E(r) with the square of the head of r exact. */
+VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const vm_real t = x * one_over_ln2;
+    const int n = (int)(t + VM_COPYSIGN(VM_C(0.5), t));
+    const vm_two r = vmi_fast_two_sum(x - (vm_real)n * ln2_hi, x_lo - (vm_real)n * ln2_lo);
+    const vm_real split = VM_SPLIT * r.hi + 0, excess = split - r.hi, head = split - excess, tail = r.hi - head;
+    const vm_two p = vmi_fast_two_sum(r.hi, head * head / 2);
+    const vm_real rr = r.hi * r.hi;
+#if VM_MANT_DIG > 24
+    const vm_real E01 = VM_C(0.16666666666666668517) + r.hi * VM_C(0.041666666666666664354);
+    const vm_real E23 = VM_C(0.0083333333333300649987) + r.hi * VM_C(0.0013888888888886554047);
+    const vm_real E45 = VM_C(1.9841269863040544982e-4) + r.hi * VM_C(2.4801587317135163907e-5);
+    const vm_real E67 = VM_C(2.75572684803100238e-6) + r.hi * VM_C(2.7557282984055877379e-7);
+    const vm_real E89 = VM_C(2.510037583256123403e-8) + r.hi * VM_C(2.091122972975856191e-9);
+    const vm_real E = (E01 + rr * E23) + rr * rr * (E45 + rr * (E67 + rr * E89));
+#else
+    const vm_real E01 = VM_C(0.166666671634) + r.hi * VM_C(0.0416666679084);
+    const vm_real E23 = VM_C(0.00833331048489) + r.hi * VM_C(0.00138888659421);
+    const vm_real E45 = VM_C(1.98909809114e-4) + r.hi * VM_C(2.48512878898e-5);
+    const vm_real E = E01 + rr * (E23 + rr * E45);
+#endif
+    const vm_real low = p.lo + tail * (r.hi + head) / 2 + (r.lo + r.lo * p.hi);
+    const vm_two sum = vmi_fast_two_sum(p.hi, low + r.hi * rr * E);
+    *k = n;
+    *p_lo = sum.lo;
+    return sum.hi;
+}
+
+/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
+{
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
+        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+        const vm_two sum = vmi_fast_two_sum(large, y);
+        y = (sum.hi + (sum.lo + y_lo)) - large;
+        y_lo = 0;
+    }
+    return vmi_ldexp(y + y_lo, k);
+}
+
+/* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
+VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
+{
+    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
+    const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
+    const vm_real inside = x > least ? x < largest ? x : largest : least; /* of NaN too */
+    vm_real p_lo, p;
+    vm_two y;
+    int k;
+    p = vmi_exp_core(inside, x == inside ? x_lo : 0, &k, &p_lo);
+    y = vmi_fast_two_sum(1, p);
+    return x == x ? vmi_ldexp_two(y.hi, y.lo + p_lo, k) : x;
+}
+
+/* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+VM_API vm_real vmi_pow(vm_two x, vm_two y)
+{
+    const vm_real t = x.lo / x.hi;
+    vm_two l = vmi_log(x.hi), p;
+    l = vmi_fast_two_sum(l.hi, l.lo + (t - t * t / 2));
+    p = vmi_two_product(l.hi, y.hi);
+    p = vmi_fast_two_sum(p.hi, p.lo + (l.hi * y.lo + l.lo * y.hi));
+    return vmi_exp(p.hi, p.lo);
+}
+
+/* x without the second half of its digits */
+VM_API vm_real vmi_head(vm_real x)
+{
+    const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
+    return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
+}
+
+/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
+   is below 2^-(3p - 4) */
+typedef struct VM_TAG(vmi_three) {
+    vm_real hi, mid, lo;
+} vmi_three;
+
+VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
+{
+    const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
+    vmi_three x;
+    x.hi = high.hi;
+    x.mid = rest.hi;
+    x.lo = rest.lo;
+    return x;
+}
+
+VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
+{
+    const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
+    const vm_two sum = vmi_two_sum(high.lo, mid.hi);
+    return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
+}
+
+VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
+{
+    const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
+    const vm_two b = vmi_two_product(x.mid, y.hi);
+    const vm_two sum = vmi_two_sum(a.hi, b.hi), mid = vmi_two_sum(p.lo, sum.hi);
+    return vmi_three_words(p.hi, mid.hi,
+                           mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
+}
+
+VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
+{
+    vm_real quotient[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        quotient[i] = x.hi / y.hi;
+        x = vmi_three_plus(x, vmi_three_times(y, vmi_three_words(-quotient[i], 0, 0)));
+    }
+    return vmi_three_words(quotient[0], quotient[1], quotient[2]);
+}
+
+#endif
+/* ---- End of the elementary kernels -------------------------------------------------------------------------- */
+
 /* ---- Table of contents -------------------------------------------------------------------------------------- */
 
 /* Pi_alpha = B(1/(alpha + 1), 1/2) (277), alpha >= 0: 2 at alpha = 0, pi at 1, alpha + 1 + 2 ln 2 for large ones.
@@ -204,7 +514,73 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca);
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha);
 VM_API vm_real ateb_ca(vm_real s, vm_real alpha);
 
+/* s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca. The pair need not be on
+   the curve: sa lambda^((alpha+1)/2) and ca lambda have the same phase for any lambda > 0, such as the amplitude: x
+   and x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN and infinite arguments give NaN. */
+VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha);
+
+/* Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s. That of sa is
+   (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa. */
+VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha);
+VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha);
+
+/* Mean of |sa|^p |ca|^q over a period, p, q > -1 (316) */
+VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q);
+
+/* sa(n, m, s) and ca(m, n, s), |sa|^(n+1) + |ca|^(m+1) = 1, for real n, m = 0 or 1e-3 to 1e3, of period 2 Pi(n, m);
+   the functions above are those of n = 1, m = alpha, and ateb_saca_nm(s, alpha, 1, ...) gives the swapped pair
+   sa(alpha, 1, s), ca(1, alpha, s) that (278) and (280) need. Slow, by inversion of the incomplete beta function. */
+VM_API vm_real ateb_pi_nm(vm_real n, vm_real m);
+VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca);
+
+/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4. The forms with both take and return
+   complements too, y = 1 - x and q = 1 - p, where these carry the information; ln x tells x where it underflows. */
+VM_API vm_real ateb_beta(vm_real a, vm_real b);
+VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b);
+VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q);
+VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b);
+VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
+                                   vm_real *ln_x);
+
+/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan.c prints it).
+   ateb_plan_init returns 0, or -1 for alpha < 0, NaN or infinite, and then leaves the plan as it was. A plan for less
+   accuracy, 1e-4 or 1e-8 of the largest value, is shorter and quicker; 0 means full. Arrays may overlap exactly. */
+#if VM_MANT_DIG > 24
+#define ATEB_PLAN_LENGTH 14
+#else
+#define ATEB_PLAN_LENGTH 8
+#endif
+typedef struct VM_TAG(vmi_ateb_part) {
+    vm_real first, first_lo, odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
+} vmi_ateb_part;
+typedef struct VM_TAG(ateb_plan) {
+    vm_two quarter;           /* Pi/2 */
+    vm_real quarter_parts[3]; /* the same, two with half of the digits or less */
+    vm_real per_quarter, longest, change_over, n, q, g;
+    int length, twice_alpha;
+    vmi_ateb_part part[2];
+} ateb_plan;
+VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha);
+VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy);
+VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca);
+VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca);
+
 /* ---- Two words ---------------------------------------------------------------------------------------------- */
+
+VM_API vm_two vmi_one_word(vm_real x)
+{
+    vm_two y;
+    y.hi = x;
+    y.lo = 0;
+    return y;
+}
+
+VM_API vm_two vmi_minus(vm_two x)
+{
+    x.hi = -x.hi;
+    x.lo = -x.lo;
+    return x;
+}
 
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
@@ -225,73 +601,83 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* ---- ln(1 + x) and exp(x) - 1 by Kahan's quotients [5]: the rounding of 1 + x and of exp x cancels ----------- */
-
-VM_API vm_real vmi_log1p(vm_real x)
-{
-    vm_real y = 1 + x;
-    return y == 1 ? x : VM_LOG(y) * x / (y - 1);
-}
-
-VM_API vm_real vmi_expm1(vm_real x) /* x > -80 */
-{
-    vm_real y = VM_EXP(x);
-    return y == 1 ? x : (y - 1) * x / VM_LOG(y);
-}
-
 /* ---- The quarter period ------------------------------------------------------------------------------------- */
 
 /* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
    polynomial in t = 2 q - 1 for (1 + q)(2 + q)(3 + q) f, Chebyshev interpolation, whose coefficients fall by 18
-   each (tests/gen/ateb_coefficients.py). Relative error below 2^-102, in float below 2^-44. */
-VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
+   each (tests/gen/ateb_coefficients.py); here the i-th, of three words, of which the last may be absent. */
+VM_API vm_real vmi_ateb_coefficient(int word, int i)
 {
 #if VM_MANT_DIG > 24
-    enum { DEGREE = 25, TWO_WORDS = 17 };
-    VM_TABLE vm_real high[DEGREE + 1] = {
+    VM_TABLE vm_real high[34] = {
         VM_C(2.0616701789183018434e+1),   VM_C(2.0267110471870335431e+1),   VM_C(6.3635705553078754093),
         VM_C(7.3329082227506181546e-1),   VM_C(1.9708227491367229928e-2),   VM_C(-4.0000651288112700496e-4),
         VM_C(1.9327295440373642315e-5),   VM_C(-1.2789187658911751561e-6),  VM_C(9.9916872651209047445e-8),
-        VM_C(-8.6358235237752655812e-9),  VM_C(7.9763568164635870373e-10),  VM_C(-7.7130262679616766506e-11),
-        VM_C(7.7070743924402230205e-12),  VM_C(-7.8886573293379077004e-13), VM_C(8.2211271034895712443e-14),
-        VM_C(-8.6854809710180107013e-15), VM_C(9.27294616281023221e-16),    VM_C(-9.9811924519810123905e-17),
-        VM_C(1.0812291934654296984e-17),  VM_C(-1.1771628647553698434e-18), VM_C(1.2868008689981210128e-19),
-        VM_C(-1.4110321016644041613e-20), VM_C(1.5465183583149213185e-21),  VM_C(-1.7035575068015575255e-22),
-        VM_C(2.0418335586878164583e-23),  VM_C(-2.2561930898876324744e-24)};
-    VM_TABLE vm_real low[TWO_WORDS] = {
-        VM_C(-3.0654856268470599668e-16), VM_C(1.210856509558633265e-15),   VM_C(3.0240525334513689539e-16),
-        VM_C(-2.7717839450231262886e-19), VM_C(5.466600190677016022e-19),   VM_C(-9.4064218124938560387e-21),
-        VM_C(-1.1974095141559232778e-21), VM_C(-6.1448694947683434448e-23), VM_C(9.143761539069345421e-25),
-        VM_C(-6.345488103238373782e-26),  VM_C(3.8720113087801535445e-26),  VM_C(-3.525313710286337803e-27),
-        VM_C(5.4289120049674930893e-28),  VM_C(4.4446375097164756405e-29),  VM_C(-2.9053450205411567762e-31),
-        VM_C(-2.8420161922516542678e-31), VM_C(-7.4733218002958145216e-32)};
+        VM_C(-8.6358235237752655812e-9),  VM_C(7.9763568164635901392e-10),  VM_C(-7.7130262679616792355e-11),
+        VM_C(7.7070743924391761201e-12),  VM_C(-7.8886573293367475069e-13), VM_C(8.2211271037952946036e-14),
+        VM_C(-8.6854809713564620063e-15), VM_C(9.2729461017836547871e-16),  VM_C(-9.9811923844216788706e-17),
+        VM_C(1.081230028747049329e-17),   VM_C(-1.1771637894488280204e-18), VM_C(1.2867238266427922807e-19),
+        VM_C(-1.4109468128426003026e-20), VM_C(1.5510876021633897508e-21),  VM_C(-1.7086157884284126588e-22),
+        VM_C(1.8852205416028078608e-23),  VM_C(-2.0828212289555137945e-24), VM_C(2.3035767011988879034e-25),
+        VM_C(-2.5499329020418479467e-26), VM_C(2.8250575586442172435e-27),  VM_C(-3.1311422081625854324e-28),
+        VM_C(3.4527226049922925084e-29),  VM_C(-3.8299883133411974758e-30), VM_C(4.7469491485808577813e-31),
+        VM_C(-5.2687713493837014328e-32)};
+    VM_TABLE vm_real low[22] = {
+        VM_C(-3.0654856268470599668e-16), VM_C(1.210856509558633265e-15),   VM_C(3.0240525334513940988e-16),
+        VM_C(-2.7717839450259092574e-19), VM_C(5.4666001892695387149e-19),  VM_C(-9.4064217969122898471e-21),
+        VM_C(-1.1974064187521360439e-21), VM_C(-6.1449037626015888544e-23), VM_C(8.7901834551117892935e-25),
+        VM_C(-5.9540578421884869214e-26), VM_C(-3.1215006189736638565e-26), VM_C(-4.2737260635061168349e-27),
+        VM_C(1.0083140101962316162e-28),  VM_C(-2.861198322244910502e-29),  VM_C(-2.8146374107301775257e-30),
+        VM_C(1.3516503830597232673e-31),  VM_C(9.335454088442542743e-32),   VM_C(-1.6623091458375181777e-33),
+        VM_C(4.8535695583016722406e-34),  VM_C(4.2966913431290166353e-35),  VM_C(6.443494554591900988e-36),
+        VM_C(1.4556914938291642103e-36)};
+    VM_TABLE vm_real lowest[10] = {VM_C(-2.1193920831105467827e-32), VM_C(-7.808521102450774183e-32),
+                                   VM_C(-1.2473656445091337713e-32), VM_C(-9.1883466313042762769e-36),
+                                   VM_C(-4.7367768879157581675e-35), VM_C(6.8348014068649053378e-37),
+                                   VM_C(-8.2912063937409743857e-38), VM_C(3.4431687262560826523e-39),
+                                   VM_C(-3.7393247709997878888e-41), VM_C(1.2854247930563996123e-42)};
 #else
-    enum { DEGREE = 14, TWO_WORDS = 8 };
-    VM_TABLE vm_real high[DEGREE + 1] = {
-        VM_C(2.06167011261e+1),  VM_C(2.02671108246e+1),   VM_C(6.36357069016),     VM_C(7.33290851116e-1),
-        VM_C(1.97082273662e-2),  VM_C(-4.00006509153e-4),  VM_C(1.93272953766e-5),  VM_C(-1.27891871671e-6),
-        VM_C(9.99168676685e-8),  VM_C(-8.63586269162e-9),  VM_C(7.97639843064e-10), VM_C(-7.7079689853e-11),
-        VM_C(7.70167263298e-12), VM_C(-8.22296224168e-13), VM_C(8.57817980602e-14)};
-    VM_TABLE vm_real low[TWO_WORDS] = {VM_C(6.63084392727e-7),  VM_C(-3.52714636165e-7), VM_C(-1.34847155664e-7),
-                                       VM_C(-2.88411179383e-8), VM_C(1.25158161612e-10), VM_C(-3.73129912384e-12),
-                                       VM_C(6.41609703735e-14), VM_C(-3.32791655561e-14)};
+    VM_TABLE vm_real high[18] = {VM_C(2.06167011261e+1),  VM_C(2.02671108246e+1),   VM_C(6.36357069016),
+                                 VM_C(7.33290851116e-1),  VM_C(1.97082273662e-2),   VM_C(-4.00006509153e-4),
+                                 VM_C(1.93272953766e-5),  VM_C(-1.27891871671e-6),  VM_C(9.9916874774e-8),
+                                 VM_C(-8.63582361177e-9), VM_C(7.97635624217e-10),  VM_C(-7.71302535729e-11),
+                                 VM_C(7.70717083903e-12), VM_C(-7.88876234302e-13), VM_C(8.21161511727e-14),
+                                 VM_C(-8.6751217104e-15), VM_C(9.7750746723e-16),   VM_C(-1.05279968328e-16)};
+    VM_TABLE vm_real low[11] = {VM_C(6.63084392727e-7),  VM_C(-3.52714636165e-7),  VM_C(-1.34847155664e-7),
+                                VM_C(-2.88411179383e-8), VM_C(1.25158203246e-10),  VM_C(-3.72795457698e-12),
+                                VM_C(6.37998226298e-14), VM_C(-4.91834898546e-14), VM_C(-2.10293378035e-15),
+                                VM_C(8.58360954133e-17), VM_C(3.02997111408e-19)};
+    VM_TABLE vm_real lowest[5] = {VM_C(-7.41197620451e-15), VM_C(1.18689975044e-14), VM_C(2.07874802509e-15),
+                                  VM_C(-6.6640947106e-16), VM_C(-2.54688931285e-18)};
 #endif
+    if (word == 0) return high[i];
+    if (word == 1) return i < (int)(sizeof low / sizeof *low) ? low[i] : 0;
+    return i < (int)(sizeof lowest / sizeof *lowest) ? lowest[i] : 0;
+}
+
+enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
+
+/* f(q) to a relative error of 2^-102 (float 2^-44) */
+VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
+{
+    enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
     vm_two t, sum, c, divisor;
-    vm_real tail = high[DEGREE];
+    vm_real tail = vmi_ateb_coefficient(0, VMI_ATEB_DEGREE);
     int i;
     t.hi = 2 * q.hi, t.lo = 2 * q.lo;
-    c.hi = -1, c.lo = 0;
+    c = vmi_one_word(-1);
     t = vmi_two_plus(c, t);
-    for (i = DEGREE - 1; i >= TWO_WORDS; i--) tail = high[i] + tail * t.hi;
-    sum.hi = tail, sum.lo = 0;
+    for (i = VMI_ATEB_DEGREE - 1; i >= TWO_WORDS; i--) tail = vmi_ateb_coefficient(0, i) + tail * t.hi;
+    sum = vmi_one_word(tail);
     /* each coefficient exceeds what follows, so that the high words take two operations a step */
     for (i = TWO_WORDS - 1; i >= 0; i--) {
-        vm_two p = vmi_two_product(sum.hi, t.hi);
-        vm_real hi = high[i] + p.hi;
-        sum.lo = (p.hi - (hi - high[i])) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low[i]);
+        const vm_real high = vmi_ateb_coefficient(0, i), low = vmi_ateb_coefficient(1, i);
+        const vm_two p = vmi_two_product(sum.hi, t.hi);
+        const vm_real hi = high + p.hi;
+        sum.lo = (p.hi - (hi - high)) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low);
         sum.hi = hi;
     }
-    c.hi = 1, c.lo = 0;
+    c = vmi_one_word(1);
     divisor = q = vmi_two_plus(c, q);
     for (i = 2; i <= 3; i++) {
         q = vmi_two_plus(c, q);
@@ -300,42 +686,273 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     return vmi_two_over(sum, divisor);
 }
 
+/* ---- Three words, for phases that fall onto a zero ----------------------------------------------------------- */
+
+/* Pi/2 to a relative error of 2^-125 (float 2^-58), n = alpha + 1 < 1e9 (float 3e4) */
+VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
+{
+    const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
+    const vmi_three t = vmi_three_over(vmi_three_plus(vmi_three_words(2, 0, 0), vmi_three_words(-n.hi, -n.mid, 0)),
+                                       n);
+    vmi_three sum = vmi_three_words(vmi_ateb_coefficient(0, VMI_ATEB_DEGREE), 0, 0), above = one;
+    int i;
+    for (i = VMI_ATEB_DEGREE - 1; i >= 0; i--)
+        sum = vmi_three_plus(
+            vmi_three_times(sum, t),
+            vmi_three_words(vmi_ateb_coefficient(0, i), vmi_ateb_coefficient(1, i), vmi_ateb_coefficient(2, i)));
+    for (i = 1; i <= 3; i++) { /* i + q = (i n + 1)/n */
+        above = vmi_three_plus(above, n);
+        sum = vmi_three_times(sum, vmi_three_over(n, above));
+    }
+    return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
+}
+
+/* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h from the
+   middle of one of 32 intervals. Absolute error below 2^-66 (float 2^-36). */
+VM_API vm_two vmi_ateb_g(vm_two q)
+{
+    /* of each interval: the low words of g and of its slope, then g, its slope, and the further coefficients */
+#if VM_MANT_DIG > 24
+    enum { DEGREE = 9 };
+    VM_TABLE vm_real table[32][DEGREE + 3] = {
+        {VM_C(4.7848906349291971644e-17), VM_C(2.5249243967548759101e-9), VM_C(1.3757430536868013871),
+         VM_C(-0.66666467487812042236), VM_C(0.54371290341559919135), VM_C(-0.49826589408290450356),
+         VM_C(0.47562265188112345937), VM_C(-0.46168158316069884961), VM_C(0.45150892641469592137),
+         VM_C(-0.44310203700539807503), VM_C(0.43583684275772549555), VM_C(-0.42878727419539486299)},
+        {VM_C(-3.2593752397665819418e-17), VM_C(1.6044840059131176266e-9), VM_C(1.3554259866775690835),
+         VM_C(-0.63408644497394561768), VM_C(0.49965262578248670344), VM_C(-0.44306018788459122781),
+         VM_C(0.40965306906302895174), VM_C(-0.38541480147837003933), VM_C(0.36547128009141610638),
+         VM_C(-0.34784991581767416013), VM_C(0.33186149940323134144), VM_C(-0.31671508017839344884)},
+        {VM_C(-1.0783541052500672162e-16), VM_C(-4.1592661994203423068e-9), VM_C(1.3360855857356366272),
+         VM_C(-0.60410794615745544434), VM_C(0.46040344359381329964), VM_C(-0.39540538563037269659),
+         VM_C(0.3544350559284563662), VM_C(-0.32349162453108409876), VM_C(0.29769374401203219094),
+         VM_C(-0.27503694096038833194), VM_C(0.25473274469618567561), VM_C(-0.23603397602705306069)},
+        {VM_C(-9.8261727216860998947e-17), VM_C(4.9830245857850354268e-9), VM_C(1.3176450868556539575),
+         VM_C(-0.5764493793249130249), VM_C(0.425316327600230637), VM_C(-0.35408717683813928367),
+         VM_C(0.3079726184148087742), VM_C(-0.27290613095367360907), VM_C(0.243927523122800749),
+         VM_C(-0.21893960132416662168), VM_C(0.19701924518336147441), VM_C(-0.17739365839823964532)},
+        {VM_C(9.4252809553173433248e-17), VM_C(5.2588481102964982883e-9), VM_C(1.3000358717938769182),
+         VM_C(-0.55086813867092132568), VM_C(0.39384525483504534416), VM_C(-0.31811380949745093893),
+         VM_C(0.26868285014868897864), VM_C(-0.23134331804673011201), VM_C(0.20099465960172405166),
+         VM_C(-0.17540004503586717477), VM_C(0.15347798651652447277), VM_C(-0.13438684609210810317)},
+        {VM_C(-1.0937856535865429312e-16), VM_C(-4.1967054006449327253e-9), VM_C(1.2831963985919778715),
+         VM_C(-0.5271530449390411377), VM_C(0.36552856773419856173), VM_C(-0.28667059660210542082),
+         VM_C(0.2353021257940047517), VM_C(-0.19700701861605426912), VM_C(0.1664984866163633781),
+         VM_C(-0.14137030760633575999), VM_C(0.1203731133243702428), VM_C(-0.10257565620433485576)},
+        {VM_C(-6.4255204674512171596e-18), VM_C(6.1123853577923796762e-9), VM_C(1.2670712974874689394),
+         VM_C(-0.50511956214904785156), VM_C(0.33997409726255412021), VM_C(-0.25908463059043851384),
+         VM_C(0.20681538579664970889), VM_C(-0.16849381605742053125), VM_C(0.13861742639346499861),
+         VM_C(-0.11459683206554643897), VM_C(0.095017692426272393202), VM_C(-0.078854993861028316315)},
+        {VM_C(-9.7194929679079693762e-17), VM_C(-8.4157020923156609069e-10), VM_C(1.2516106030190874421),
+         VM_C(-0.48460574448108673096), VM_C(0.31684721542866844946), VM_C(-0.23479722193696028754),
+         VM_C(0.18240241000396584248), VM_C(-0.14469986428801029366), VM_C(0.11595675746450943844),
+         VM_C(-0.093399864060326714954), VM_C(0.075462042022983621958), VM_C(-0.061031373897909808879)},
+        {VM_C(-3.9468875814195095612e-17), VM_C(-3.5356752466732111717e-9), VM_C(1.2367690988894508575),
+         VM_C(-0.46546907722949981689), VM_C(0.29586118332476224468), VM_C(-0.21334222717909898104),
+         VM_C(0.16139669561727276736), VM_C(-0.12475146255530088213), VM_C(0.097441103747735527407),
+         VM_C(-0.076517697748575141947), VM_C(0.060279536321394600051), VM_C(-0.047541152822590207472)},
+        {VM_C(2.7796454234402141015e-17), VM_C(1.442175987577839185e-9), VM_C(1.2225057566548700461),
+         VM_C(-0.44758366048336029053), VM_C(0.27676930970579777247), VM_C(-0.19432889997640220847),
+         VM_C(0.14325376103292788987), VM_C(-0.10795292873759769481), VM_C(0.082235799604157971965),
+         VM_C(-0.062995700824440267751), VM_C(0.048417945363000480796), VM_C(-0.037260028285415539018)},
+        {VM_C(-2.3791219455006010852e-17), VM_C(7.9081998493933643526e-10), VM_C(1.2087832528664379517),
+         VM_C(-0.43083791434764862061), VM_C(0.25935854641076977467), VM_C(-0.17742823966434950744),
+         VM_C(0.12752655189147643622), VM_C(-0.093747173442288680989), VM_C(0.069688914071088098323),
+         VM_C(-0.052106557456804772355), VM_C(0.039095291831331903387), VM_C(-0.029372948908764580367)},
+        {VM_C(6.0527147445070483925e-17), VM_C(-2.3416446267871154595e-9), VM_C(1.1955675521064355049),
+         VM_C(-0.4151326790452003479), VM_C(0.24344423075170837367), VM_C(-0.16236206192088228906),
+         VM_C(0.11384623687221123722), VM_C(-0.081685672219867860866), VM_C(0.059288181083253344017),
+         VM_C(-0.043292474076271264538), VM_C(0.031726244496803092388), VM_C(-0.023284429365396194789)},
+        {VM_C(2.3558744202376768787e-17), VM_C(-6.6516190822092603128e-10), VM_C(1.1828275456145749267),
+         VM_C(-0.40037956833839416504), VM_C(0.22886574858503061503), VM_C(-0.14889420119321780667),
+         VM_C(0.1019071215625452359), VM_C(-0.071405443787659200749), VM_C(0.050628771425698604336),
+         VM_C(-0.036122971157135745635), VM_C(0.025869653908789334851), VM_C(-0.01855615968380888367)},
+        {VM_C(-6.3575938993187556172e-17), VM_C(-3.6576363301787200071e-9), VM_C(1.1705347370046790267),
+         VM_C(-0.3864995613694190979), VM_C(0.21548294034985590595), VM_C(-0.1368233924133982482),
+         VM_C(0.091454729193894329642), VM_C(-0.062611288015259641826), VM_C(0.043389010872862142365),
+         VM_C(-0.030263827189864929423), VM_C(0.021190856054501695793), VM_C(-0.014863226950382097888)},
+        {VM_C(1.1036147044805630651e-16), VM_C(-2.8472262342301733813e-9), VM_C(1.1586629680295632561),
+         VM_C(-0.37342185527086257935), VM_C(0.20317310969772992002), VM_C(-0.1259774830081534791),
+         VM_C(0.08227633181301037546), VM_C(-0.055061999329832030103), VM_C(0.037311964906386767271),
+         VM_C(-0.025454065266941321155), VM_C(0.017434378787099809316), VM_C(-0.011963143762604992043)},
+        {VM_C(-3.796500347472564698e-17), VM_C(3.5671595211175001694e-9), VM_C(1.1471881785335058535),
+         VM_C(-0.36108282953500747681), VM_C(0.19182852322263108102), VM_C(-0.11620870439248486006),
+         VM_C(0.074193388723806277807), VM_C(-0.048559604162463500254), VM_C(0.032191384892899431447),
+         VM_C(-0.021488783381059549382), VM_C(0.014404035244559220894), VM_C(-9.6737646180713645488e-3)},
+        {VM_C(9.7856106813727546403e-17), VM_C(-7.3039846841768061134e-10), VM_C(1.1360881956945132476),
+         VM_C(-0.34942516684532165527), VM_C(0.18135431227612683336), VM_C(-0.10738979159118251794),
+         VM_C(0.067055477801360438561), VM_C(-0.042940912884590135001), VM_C(0.027860918367830455472),
+         VM_C(-0.018206261228266285707), VM_C(0.011948303175793139122), VM_C(-7.8574213018411491471e-3)},
+        {VM_C(-1.0632910902762015283e-18), VM_C(-3.2757837212516488201e-9), VM_C(1.1253425484467758366),
+         VM_C(-0.33839715272188186646), VM_C(0.17166670544080581129), VM_C(-0.099410785123835096466),
+         VM_C(0.060735401615847069146), VM_C(-0.038070853587129541151), VM_C(0.024185777736136161026),
+         VM_C(-0.01547821810392499553), VM_C(9.9495145598682294824e-3), VM_C(-6.409443995100385684e-3)},
+        {VM_C(-6.9187872932920600357e-17), VM_C(-2.6946078415119268838e-9), VM_C(1.1149323036217553273),
+         VM_C(-0.32795199006795883179), VM_C(0.16269153407295142144), VM_C(-0.092176384301551145262),
+         VM_C(0.055125222838324196284), VM_C(-0.03383718535674083705), VM_C(0.021056271863934532956),
+         VM_C(-0.013202407901859546449), VM_C(8.3158111926676017006e-3), VM_C(-5.2497985189825339958e-3)},
+        {VM_C(6.2704758442484929806e-17), VM_C(-5.7095350671616689772e-10), VM_C(1.1048399208814747574),
+         VM_C(-0.31804724782705307007), VM_C(0.15436296426888534983), VM_C(-0.085603748183422104234),
+         VM_C(0.050133038347548862512), VM_C(-0.03014628531280777804), VM_C(0.018382757541944357016),
+         VM_C(-0.011296958406895407298), VM_C(6.9751216967958986834e-3), VM_C(-4.3169536003039750416e-3)},
+        {VM_C(-8.1650202997334220516e-18), VM_C(5.5495073507726042511e-10), VM_C(1.0950491239612174521),
+         VM_C(-0.30864437669515609741), VM_C(0.14662241730679109741), VM_C(-0.079620661529438946369),
+         VM_C(0.045680343325427280599), VM_C(-0.026919775749699972195), VM_C(0.016091679219129160355),
+         VM_C(-9.6960202941276645711e-3), VM_C(5.8706253864342387502e-3), VM_C(-3.5633550452702769315e-3)},
+        {VM_C(8.3060471522200388988e-17), VM_C(-3.6118642269251769294e-9), VM_C(1.085544786108086468),
+         VM_C(-0.29970828443765640259), VM_C(0.13941764756097024813), VM_C(-0.074163999582565434676),
+         VM_C(0.041699868710664236837), VM_C(-0.024091811834694353001), VM_C(0.014122447332025018368),
+         VM_C(-8.3464052190142350163e-3), VM_C(4.9573165765411965344e-3), VM_C(-2.9520654907572063848e-3)},
+        {VM_C(-1.1076161047525696123e-16), VM_C(1.2018664981116926879e-9), VM_C(1.0763128279103499896),
+         VM_C(-0.2912069857120513916), VM_C(0.13270195245670032835), VM_C(-0.069178438480359566443),
+         VM_C(0.03813380009570655621), VM_C(-0.021606891161075700986), VM_C(0.012424966172694357908),
+         VM_C(-7.2049750232357160501e-3), VM_C(4.1993882042353214423e-3), VM_C(-2.4542549921556114714e-3)},
+        {VM_C(-1.0387310183445835086e-16), VM_C(1.7435799512998520312e-12), VM_C(1.0673401259711077227),
+         VM_C(-0.2831112295389175415), VM_C(0.12643349352252786222), VM_C(-0.06461536833929526491),
+         VM_C(0.034932305291183851637), VM_C(-0.019418077468484847004), VM_C(0.010957667357033783542),
+         VM_C(-6.2366043871136308402e-3), VM_C(3.5682289472845794484e-3), VM_C(-2.0473164946511377381e-3)},
+        {VM_C(-3.070920747469803688e-17), VM_C(2.8293186607902450684e-9), VM_C(1.0586144310974030525),
+         VM_C(-0.27539426833391189575), VM_C(0.12057471122852500556), VM_C(-0.060431974182519138106),
+         VM_C(0.032052312676662766955), VM_C(-0.017485554513444235419), VM_C(9.6859387309735679727e-3),
+         VM_C(-5.4125835365694107554e-3), VM_C(3.0408822586668830118e-3), VM_C(-1.7134429398329110647e-3)},
+        {VM_C(8.3059023630803718458e-18), VM_C(-2.0120326091085234387e-9), VM_C(1.0501242948595483906),
+         VM_C(-0.26803155988454818726), VM_C(0.115091819249277999), VM_C(-0.056590456359472636472),
+         VM_C(0.029456494103437109305), VM_C(-0.015775444233341436029), VM_C(8.5808639763477675966e-3),
+         VM_C(-4.7093603131697393815e-3), VM_C(2.598855033832831677e-3), VM_C(-1.4385473383647427812e-3)},
+        {VM_C(1.0370428485442479823e-16), VM_C(2.4852568887506493147e-9), VM_C(1.0418590035309565067),
+         VM_C(-0.26100059598684310913), VM_C(0.1099543661963768848), VM_C(-0.053057367290499750367),
+         VM_C(0.027112415264387953323), VM_C(-0.014258837348975837711), VM_C(7.6182074177500733528e-3),
+         VM_C(-4.1075452036694040311e-3), VM_C(2.2271922741058658435e-3), VM_C(-1.2114390346284940013e-3)},
+        {VM_C(6.8026211664298133729e-17), VM_C(-2.4795097397316331739e-9), VM_C(1.0338085185508643082),
+         VM_C(-0.25428064167499542236), VM_C(0.10513485483471042559), VM_C(-0.049803045536345784405),
+         VM_C(0.024991823665159309392), VM_C(-0.012910995397943970942), VM_C(6.7775931656223102964e-3),
+         VM_C(-3.5911210635753755029e-3), VM_C(1.9137551137519753439e-3), VM_C(-1.0231923501596064136e-3)},
+        {VM_C(1.0291130574914949102e-16), VM_C(-1.7897927770715352242e-9), VM_C(1.0259634227648695148),
+         VM_C(-0.24785263091325759888), VM_C(0.10060841041495542647), VM_C(-0.04680113155440632916),
+         VM_C(0.023070050051546043407), VM_C(-0.011710691633136351142), VM_C(6.0418389166299263718e-3),
+         VM_C(-3.1468128861497956031e-3), VM_C(1.648655064967738176e-3), VM_C(-8.6666042010634868845e-4)},
+        {VM_C(3.3636626739131312336e-17), VM_C(-3.7502042148416335779e-10), VM_C(1.0183148717943517614),
+         VM_C(-0.24169895797967910767), VM_C(0.09635249108864848977), VM_C(-0.044028152226501485189),
+         VM_C(0.02132550369986395758), VM_C(-0.010639664819956434413), VM_C(5.3964133232628323789e-3),
+         VM_C(-2.7635832429045289679e-3), VM_C(1.4238088154120238579e-3), VM_C(-7.3609914683951129487e-4)},
+        {VM_C(9.6951742032611635728e-18), VM_C(-9.8248949390482125455e-10), VM_C(1.0108545499682159985),
+         VM_C(-0.23580336198210716248), VM_C(0.092346634475725830615), VM_C(-0.041463163456410496999),
+         VM_C(0.019739245613389948958), VM_C(-9.6821651468901835658e-3), VM_C(4.8289924728805366447e-3),
+         VM_C(-2.4322268124125786225e-3), VM_C(1.2325864677649239418e-3), VM_C(-6.2687506333311776661e-4)},
+        {VM_C(-8.9136424312559300432e-17), VM_C(-5.1701918843703918189e-10), VM_C(1.0035746303211607877),
+         VM_C(-0.23015080764889717102), VM_C(0.088572235370219493111), VM_C(-0.039087441941118739042),
+         VM_C(0.018294626584055746071), VM_C(-8.8245755484329790191e-3), VM_C(4.3290961531699933412e-3),
+         VM_C(-2.145043349631685272e-3), VM_C(1.0695325177584396291e-3), VM_C(-5.3523742830424302259e-4)}};
+#else
+    enum { DEGREE = 5 };
+    VM_TABLE vm_real table[32][DEGREE + 3] = {
+        {VM_C(2.21852367588e-8), VM_C(8.33745216369e-5), VM_C(1.3757430315), VM_C(-0.666748046875),
+         VM_C(0.54371291399), VM_C(-0.498265892267), VM_C(0.47578805685), VM_C(-0.461843907833)},
+        {VM_C(3.2812682349e-8), VM_C(-5.3240244597e-5), VM_C(1.35542595387), VM_C(-0.634033203125),
+         VM_C(0.49965262413), VM_C(-0.443060189486), VM_C(0.409786939621), VM_C(-0.385542213917)},
+        {VM_C(2.779814956e-8), VM_C(-1.04044069303e-4), VM_C(1.33608555794), VM_C(-0.60400390625),
+         VM_C(0.460403442383), VM_C(-0.395405381918), VM_C(0.354544103146), VM_C(-0.323592364788)},
+        {VM_C(1.39187532611e-8), VM_C(-3.33587158821e-5), VM_C(1.31764507294), VM_C(-0.576416015625),
+         VM_C(0.425316333771), VM_C(-0.354087173939), VM_C(0.308061957359), VM_C(-0.272986322641)},
+        {VM_C(3.7481530768e-8), VM_C(-8.6883410404e-5), VM_C(1.30003583431), VM_C(-0.55078125),
+         VM_C(0.393845260143), VM_C(-0.318113803864), VM_C(0.268756479025), VM_C(-0.231407567859)},
+        {VM_C(-5.06877313455e-8), VM_C(-5.34397622687e-5), VM_C(1.28319644928), VM_C(-0.527099609375),
+         VM_C(0.365528553724), VM_C(-0.286670595407), VM_C(0.2353631109), VM_C(-0.197058796883)},
+        {VM_C(5.03867028101e-8), VM_C(7.39708821129e-6), VM_C(1.2670712471), VM_C(-0.505126953125),
+         VM_C(0.339974105358), VM_C(-0.259084612131), VM_C(0.206866160035), VM_C(-0.168535783887)},
+        {VM_C(-3.36919789845e-8), VM_C(1.33953026307e-5), VM_C(1.25161063671), VM_C(-0.484619140625),
+         VM_C(0.316847205162), VM_C(-0.234797224402), VM_C(0.182444885373), VM_C(-0.144734069705)},
+        {VM_C(1.87274462604e-8), VM_C(-1.49792031152e-5), VM_C(1.23676908016), VM_C(-0.465454101563),
+         VM_C(0.295861184597), VM_C(-0.213342219591), VM_C(0.161432385445), VM_C(-0.124779492617)},
+        {VM_C(-5.12216793425e-8), VM_C(4.81768947793e-5), VM_C(1.22250580788), VM_C(-0.447631835938),
+         VM_C(0.276769310236), VM_C(-0.194328904152), VM_C(0.143283888698), VM_C(-0.107976004481)},
+        {VM_C(-1.606205835e-8), VM_C(-5.17807457072e-5), VM_C(1.20878326893), VM_C(-0.430786132813),
+         VM_C(0.259358555079), VM_C(-0.177428230643), VM_C(0.127552077174), VM_C(-0.0937662571669)},
+        {VM_C(-5.57731745232e-8), VM_C(2.84514262603e-5), VM_C(1.19556760788), VM_C(-0.415161132813),
+         VM_C(0.243444234133), VM_C(-0.16236205399), VM_C(0.11386795342), VM_C(-0.0817015320063)},
+        {VM_C(-4.62814604418e-8), VM_C(1.10559967652e-5), VM_C(1.1828275919), VM_C(-0.400390625),
+         VM_C(0.228865742683), VM_C(-0.148894205689), VM_C(0.10192566365), VM_C(-0.0714186728001)},
+        {VM_C(7.04711800026e-9), VM_C(-2.49556524068e-5), VM_C(1.17053472996), VM_C(-0.386474609375),
+         VM_C(0.215482935309), VM_C(-0.136823385954), VM_C(0.0914706215262), VM_C(-0.0626223757863)},
+        {VM_C(5.27997841004e-8), VM_C(-8.77218099049e-6), VM_C(1.15866291523), VM_C(-0.373413085938),
+         VM_C(0.203173115849), VM_C(-0.125977486372), VM_C(0.0822900012136), VM_C(-0.0550713203847)},
+        {VM_C(-8.11198752615e-9), VM_C(1.15840714443e-6), VM_C(1.14718818665), VM_C(-0.361083984375),
+         VM_C(0.191828519106), VM_C(-0.116208702326), VM_C(0.0742051824927), VM_C(-0.0485674738884)},
+        {VM_C(-5.63730395697e-8), VM_C(-5.99332015554e-5), VM_C(1.13608825207), VM_C(-0.349365234375),
+         VM_C(0.181354314089), VM_C(-0.1073897928), VM_C(0.0670656785369), VM_C(-0.0429475791752)},
+        {VM_C(-5.90513806742e-8), VM_C(-1.82497478818e-5), VM_C(1.1253426075), VM_C(-0.33837890625),
+         VM_C(0.171666711569), VM_C(-0.0994107872248), VM_C(0.0607442595065), VM_C(-0.0380765236914)},
+        {VM_C(4.96148633289e-9), VM_C(5.09369237989e-5), VM_C(1.11493229866), VM_C(-0.328002929688),
+         VM_C(0.162691533566), VM_C(-0.0921763852239), VM_C(0.055132932961), VM_C(-0.0338420197368)},
+        {VM_C(-1.16136447681e-10), VM_C(-5.40843357157e-5), VM_C(1.104839921), VM_C(-0.317993164063),
+         VM_C(0.15436296165), VM_C(-0.0856037512422), VM_C(0.0501397699118), VM_C(-0.0301504228264)},
+        {VM_C(-1.88762996345e-8), VM_C(-5.06261385453e-5), VM_C(1.09504914284), VM_C(-0.30859375),
+         VM_C(0.146622419357), VM_C(-0.0796206593513), VM_C(0.045686237514), VM_C(-0.0269233267754)},
+        {VM_C(-3.84921250429e-8), VM_C(-2.56708626694e-5), VM_C(1.0855448246), VM_C(-0.299682617188),
+         VM_C(0.139417648315), VM_C(-0.0741639956832), VM_C(0.0417050421238), VM_C(-0.0240948684514)},
+        {VM_C(4.75301078495e-8), VM_C(5.27811134816e-5), VM_C(1.07631278038), VM_C(-0.291259765625),
+         VM_C(0.132701948285), VM_C(-0.0691784396768), VM_C(0.0381383523345), VM_C(-0.0216095298529)},
+        {VM_C(-9.60322843468e-9), VM_C(-3.01748495986e-5), VM_C(1.06734013557), VM_C(-0.283081054688),
+         VM_C(0.126433491707), VM_C(-0.0646153688431), VM_C(0.0349363200366), VM_C(-0.0194203611463)},
+        {VM_C(5.78903147641e-8), VM_C(-3.64050470125e-6), VM_C(1.05861437321), VM_C(-0.275390625),
+         VM_C(0.120574712753), VM_C(-0.060431972146), VM_C(0.0320558585227), VM_C(-0.0174875371158)},
+        {VM_C(7.25426652082e-9), VM_C(3.48443536495e-5), VM_C(1.05012428761), VM_C(-0.26806640625),
+         VM_C(0.115091815591), VM_C(-0.0565904565156), VM_C(0.0294596366584), VM_C(-0.0157771687955)},
+        {VM_C(-2.71926108297e-8), VM_C(-1.42653761941e-5), VM_C(1.04185903072), VM_C(-0.260986328125),
+         VM_C(0.109954364598), VM_C(-0.0530573688447), VM_C(0.0271152053028), VM_C(-0.0142603414133)},
+        {VM_C(4.87785278835e-8), VM_C(-8.18321677798e-6), VM_C(1.03380846977), VM_C(-0.254272460938),
+         VM_C(0.105134852231), VM_C(-0.049803044647), VM_C(0.0249943062663), VM_C(-0.0129123106599)},
+        {VM_C(-2.87141910249e-9), VM_C(1.11368281068e-5), VM_C(1.02596342564), VM_C(-0.247863769531),
+         VM_C(0.100608408451), VM_C(-0.0468011312187), VM_C(0.0230722632259), VM_C(-0.0117118442431)},
+        {VM_C(3.33849321521e-8), VM_C(2.60395296436e-7), VM_C(1.01831483841), VM_C(-0.24169921875),
+         VM_C(0.0963524878025), VM_C(-0.0440281517804), VM_C(0.0213274806738), VM_C(-0.0106406770647)},
+        {VM_C(-5.18918277237e-8), VM_C(-2.45543706114e-5), VM_C(1.01085460186), VM_C(-0.235778808594),
+         VM_C(0.0923466309905), VM_C(-0.04146316275), VM_C(0.0197410136461), VM_C(-9.68305580318e-3)},
+        {VM_C(2.05646930596e-8), VM_C(1.27660532598e-5), VM_C(1.00357460976), VM_C(-0.230163574219),
+         VM_C(0.0885722339153), VM_C(-0.0390874408185), VM_C(0.0182962119579), VM_C(-8.82536079735e-3)}};
+#endif
+    const int i = q.hi < 1 ? (int)(32 * q.hi) : 31;
+    const vm_real *row = table[i];
+    const vm_two h = vmi_fast_two_sum(-((vm_real)i + VM_C(0.5)) / 32, q.hi);
+    const vm_real h_head = vmi_head(h.hi);
+    const vm_two sum = vmi_fast_two_sum(row[2], row[3] * h_head); /* half of the digits each: exact */
+    const vm_real hh = h.hi * h.hi;
+    vm_real even = row[DEGREE + 1], odd = row[DEGREE + 2];
+    int j;
+    for (j = DEGREE - 1; j >= 4; j -= 2) {
+        even = row[j] + hh * even;
+        odd = row[j + 1] + hh * odd;
+    }
+    return vmi_fast_two_sum(sum.hi, sum.lo + (row[3] * ((h.hi - h_head) + (h.lo + q.lo)) + row[1] * h.hi + row[0]) +
+                                        hh * (even + h.hi * odd));
+}
+
 typedef struct VM_TAG(vmi_ateb) {
-    vm_real n, q;   /* alpha + 1 and 1/(alpha + 1) */
-    vm_real g;      /* (q Pi - 1)/q, from 1 (alpha = 0) to 2 ln 2 */
+    vm_two n, q;    /* alpha + 1, 1/(alpha + 1) */
+    vm_two g;       /* Pi - (alpha + 1) */
     vm_two quarter; /* Pi/2 */
 } vmi_ateb;
 
-/* g(q) = (f(q) - 1)/q for small q, by its Taylor series; off by q^3/2 */
-VM_API vm_two vmi_ateb_g(vm_real q)
+VM_API vm_two vmi_half(vm_two x)
 {
-    const vm_real two_ln2 = VM_C(1.386294361119890618835);
-#if VM_MANT_DIG > 24
-    const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
-#else
-    const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
-#endif
-    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
+    x.hi /= 2;
+    x.lo /= 2;
+    return x;
 }
 
-/* Pi = (alpha + 1) f(q) = (alpha + 1) + g exactly. Where q is small g is known better than f, and so, as an error
-   of Pi is one of phase however large Pi is, Pi. */
+/* An error of Pi is one of phase however large Pi is: the sum with g keeps it small for large alpha too. */
 VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 {
-    vm_two n = vmi_two_sum(alpha, 1), one = {1, 0}, x;
-    c->n = n.hi;
-    c->q = 1 / n.hi;
-    if (8 * c->q < VM_SQRT(VM_EPSILON)) {
-        x = vmi_ateb_g(c->q);
-        c->g = x.hi;
-        c->quarter = vmi_two_plus(n, x);
-    } else {
-        x = vmi_ateb_gamma_ratio(vmi_two_over(one, n));
-        c->g = ((x.hi - 1) + x.lo) / c->q;
-        c->quarter = vmi_two_times(n, x);
-    }
-    c->quarter.hi /= 2;
-    c->quarter.lo /= 2;
+    vm_real n_head, n_tail, q_head;
+    vm_two sum;
+    c->n = vmi_two_sum(alpha, 1);
+    c->q.hi = 1 / c->n.hi;
+    n_head = vmi_head(c->n.hi), q_head = vmi_head(c->q.hi);
+    n_tail = (c->n.hi - n_head) + c->n.lo;
+    c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
+    c->g = vmi_ateb_g(c->q);
+    sum = vmi_two_sum(c->n.hi, c->g.hi);
+    c->quarter = vmi_half(vmi_fast_two_sum(sum.hi, sum.lo + (c->n.lo + c->g.lo)));
 }
 
 VM_API vm_real ateb_pi(vm_real alpha)
@@ -346,130 +963,161 @@ VM_API vm_real ateb_pi(vm_real alpha)
     return 2 * c.quarter.hi;
 }
 
+/* Pi/2 to a relative error of 2^-102 (float 2^-44): Pi = (alpha + 1) f(q) */
+VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
+{
+    if (8 * c->q.hi < VM_SQRT(VM_EPSILON)) {
+        const vm_real two_ln2 = VM_C(1.386294361119890618835);
+#if VM_MANT_DIG > 24
+        const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
+#else
+        const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
+#endif
+        const vm_real q = c->q.hi;
+        return vmi_half(vmi_two_plus(
+            c->n, vmi_two_sum(two_ln2,
+                              two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)))));
+    } else {
+        vm_two one = {1, 0};
+        return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+    }
+}
+
 /* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
 
    With w = sa^2, x = 1 - w = |ca|^(alpha+1), r the distance of s from the zero of sa and d from that of ca,
-     r = B_w(1/2, q)/2 = sa (1 + sum_(n>=1) (1-q)_n/n! w^n/(2n+1))                    dr/dsa = (1-w)^(q-1)
+     r = B_w(1/2, q)/2 = sa |ca| 2F1(1, q + 1/2; 3/2; w)
      2 q d = q B_x(q, 1/2) = |ca| (1 + q T),  1 + q T = 2F1(1, 2q; 1+q; p),           p = (1 - sa)/2
-   the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w <= 0.3 and
-   p <= 0.24, so that either series gains two bits or so a term. */
+   the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w < 0.303
+   and p < 0.251.
+   From a guess, a point of the curve is computed, exact but for rounding, and Taylor's series in the small rest
+   h = r - r(point) leads from there to s. */
 
-VM_API vm_real vmi_ateb_tail_w(vm_real w, vm_real kappa)
+typedef struct VM_TAG(vmi_ateb_point) {
+    vm_real v, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
+    vm_real h;       /* what is left of r */
+} vmi_ateb_point;
+
+/* (F - 1)/(z b) for F = 2F1(1, b; c; z), b <= c, k = c - b: Gauss's continued fraction [3, 15.7], F = 1/(1 - b
+   z/X_1), X_j = c + j - 1 - a_j z/X_(j+1), a_2m = m (k + m - 1), a_2m+1 = (b + m)(c + m - 1), m times two levels,
+   which gain 7 bits or more for z < 0.303; X = P/Q. */
+VM_API vm_real vmi_hypergeometric(vm_real b, vm_real c, vm_real k, vm_real z, int m)
 {
-    vm_real power = 1, term, sum = 0;
-    int n = 0;
-    do {
-        power *= w * ((kappa + (vm_real)n) / (vm_real)(n + 1));
-        n++;
-        term = power / (vm_real)(2 * n + 1);
-        sum += term;
-    } while (term > VM_EPSILON / 8);
-    return sum;
+    vm_real n = (vm_real)m, P = (c + 2 * n) * (1 - z / 4), Q = 1;
+    for (; n > 0; n -= 1) {
+        const vm_real zn = z * n, c1 = c + (2 * n - 2), c2 = c1 + 1;
+        const vm_real a1 = zn * (k + (n - 1)), a2 = (b * z + zn) * (c + (n - 1));
+        const vm_real next = c2 * P - a2 * Q;
+        P = (c1 * c2 - a1) * P - c1 * a2 * Q;
+        Q = next;
+    }
+    return Q / (P - b * z * Q);
 }
 
-VM_API vm_real vmi_ateb_tail_p(vm_real p, vm_real q)
+/* (1 - (1 - z)^q)/q */
+VM_API vm_real vmi_power_rest(vm_real z, vm_real q, int m)
 {
-    vm_real term = 2 * p / (1 + q), sum = term;
-    int n = 1;
-    do {
-        term *= p * ((2 * q + (vm_real)n) / (1 + q + (vm_real)n));
-        sum += term;
-        n++;
-    } while (term > VM_EPSILON / 8);
-    return sum;
+    return z * (1 + z * (1 - q) * vmi_hypergeometric(1 - q, 2, 1 + q, z, m));
 }
 
-/* Halley's step leaves 0.3 step^3 or less: after a step of 2^-18 (float 2^-8.3) that is below eps/4 */
-#if VM_MANT_DIG > 24
-#define VMI_ATEB_LAST_STEP VM_C(3.8e-6)
-#else
-#define VMI_ATEB_LAST_STEP VM_C(3.1e-3)
-#endif
-
-/* sa, ca for 0 <= r <= 0.55: start from the Taylor series of the inverse to r^9 (1e-5), one step, at times two */
-VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
+/* The point for 0 <= r <= 0.55; guess: the Taylor series of the inverse to r^9, within 1e-5. */
+VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
 {
+    const int m = VM_MANT_DIG > 24 ? 7 : 3; /* w < 0.303 */
     const vm_real k = 1 - q, rr = r * r;
     const vm_real c1 = -1 / VM_C(3.0);
-    const vm_real c2 = (7 * k - 3) / 30;
-    const vm_real c3 = ((-127 * k + 123) * k - 30) / 630;
-    const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) / 22680;
-    vm_real v = r * (1 + k * rr * (c1 + rr * (c2 + rr * (c3 + rr * c4)))), w, step;
-    do {
-        w = v * v;
-        step = ((r - v) - v * vmi_ateb_tail_w(w, k)) * VM_EXP(k * VM_LOG(1 - w));
-        step /= 1 + step * k * v / (1 - w);
-        v += step;
-    } while (VM_FABS(step) > VMI_ATEB_LAST_STEP);
-    *sa = v;
-    *ca = VM_EXP(q * VM_LOG(1 - v * v));
+    const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
+    const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
+    const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
+    const vm_real v = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4))), w = v * v, b = q + VM_C(0.5);
+    const vm_real one_minus_u = q * vmi_power_rest(w, q, m),
+                  F_minus_1 = w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m);
+    at->v = v;
+    at->x = 1 - w;
+    at->u = 1 - one_minus_u;
+    at->h = (r - v) - v * (F_minus_1 * at->u - one_minus_u);
 }
 
-/* First guess of x from X = (2 q d)^(1/q), the value for T = 0: the (1, 1) Pade approximant of x/X = 1 - e1 X +
-   e2 X^2 - ..., 1 to 2 % off at the change-over */
-VM_API vm_real vmi_ateb_guess_x(vm_real X, vm_real q)
-{
-    vm_real e1 = 1 / (2 * (1 + q));
-    vm_real e2 = VM_C(1.5) * e1 * e1 - 3 / (8 * (2 + q)) + q * e1 * e1 / 2;
-    vm_real b = e2 / e1;
-    return X * (1 + (b - e1) * X) / (1 + b * X);
-}
-
-/* sa, ca for r >= 0.55: Halley's steps for ln x, which neither underflows nor loses digits for large alpha. The
-   residual E = (2 q d - ca (1 + q T))/q, whose slope is that of 2 d, ca/sa, is taken from r or from d, whichever is
-   smaller. ca follows from d, with T moved along to the last x. */
-VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
+/* The point for r >= 0.55, or s itself where x < eps/8. In terms of y = 2 q d, d taken from r or from d, whichever is
+   smaller, and of X = y^(alpha+1): u = y (x/X)^q, and (alpha + 1) (y - u) - u T = 2 h is free from cancellation.
+   Guess: (1, 1) Pade approximant, within 5e-5, of p as a function of X. */
+VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_ateb_point *at)
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
-    const vm_real q = c->q;
-    const vm_real z = 2 * r - c->g; /* 2 q d = 1 - q z */
+    const int m = VM_MANT_DIG > 24 ? 6 : 3;                                            /* p < 0.251 */
+    const vm_real q = c->q.hi;
+    const vm_real z = (2 * r - c->g.hi) - c->g.lo; /* 2 q d = 1 - q z */
     const int from_r = r < d;
-    const vm_real y = from_r ? 1 - q * z : 2 * q * d;
-    const vm_real ln_X = (from_r ? vmi_log1p(-q * z) : VM_LOG(y)) * c->n;
-    vm_real x, T, T1, T2, step;
-    if (ln_X < negligible) {
-        *sa = 1;
-        *ca = y;
-        return;
-    }
-    x = vmi_ateb_guess_x(VM_EXP(ln_X), q);
-    do {
-        vm_real ln_x = VM_LOG(x), u = VM_EXP(q * ln_x), v = VM_SQRT(1 - x), E;
-        T = vmi_ateb_tail_p(x / (2 * (1 + v)), q);
-        E = from_r ? (-vmi_expm1(q * ln_x) * c->n - z) - u * T : 2 * d - u * (c->n + T);
-        step = v * E / u;
-        step /= 1 + step * (q + x / (2 * v * v)) / 2;
-        T1 = 1 / v - 1 - q * T; /* dT/dlnx and its derivative */
-        T2 = x / (2 * v * v * v) - q * T1;
-        T += step * (T1 + step * T2 / 2);
-        x *= VM_EXP(step);
-    } while (VM_FABS(step) > VMI_ATEB_LAST_STEP);
-    *sa = VM_SQRT(1 - x);
-    *ca = y / (1 + q * T);
+    const vm_real y = from_r ? 1 - q * z : 2 * d / c->n.hi;
+    const vm_two ln_y = vmi_log(y);
+    const vm_real ln_X = c->n.hi * (from_r ? ln_y.hi + ((1 - y) - q * z) : ln_y.hi);
+    vm_real p, p_lo, X4, ratio, u_rest;
+    int k;
+    at->v = 1;
+    at->u = y;
+    at->x = at->h = 0;
+    if (!(ln_X > negligible)) return;
+    X4 = vmi_exp_core(ln_X, 0, &k, &p_lo);
+    X4 = vmi_ldexp((1 + X4) / 4, k);
+    ratio = (1 + q) * (2 + q - q * X4) / ((1 + q) * (2 + q) + 2 * (1 - q - q * q) * X4);
+    p = X4 * ratio;
+    u_rest = 2 * vmi_power_rest(1 - VM_SQRT(ratio * (1 - p)), 2 * q, m); /* (1 - u/y)/q */
+    at->v = 1 - 2 * p;
+    at->x = 4 * p * (1 - p);
+    at->u = y - y * (q * u_rest);
+    at->h = at->u * (p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, m)) - y * u_rest / 2;
+}
+
+/* Taylor's series from the point to s, for rests that are 1e-4 of u or less */
+VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_real *ca)
+{
+    const vm_real v = at->v, x = at->x, k = 1 - q, e = at->h == 0 ? 0 : at->h / at->u;
+    *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * v * v) * (e / 3)));
+    *ca = at->u - at->u * (q * e) * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667)));
 }
 
 /* ---- sa, ca ------------------------------------------------------------------------------------------------- */
 
+/* As vmi_reduce, with as many words of the quarter as s needs, two of them left in c: so that an error of the quarter
+   is felt neither in a large s nor near to a zero. */
+VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
+{
+    const vm_real near_zero = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
+    vm_real rest = vmi_reduce(s, c->quarter, quarter), j;
+    if (rest == s || (s <= 256 * c->quarter.hi && VM_FABS(rest) * c->quarter.hi * 256 >= s)) return rest;
+    c->quarter = vmi_ateb_fine_quarter(c);
+    rest = vmi_reduce(s, c->quarter, quarter);
+    j = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
+    if (VM_FABS(rest) < near_zero * s && j > 0 && 8 * c->q.hi >= VM_SQRT(VM_EPSILON)) {
+        const vmi_three q = vmi_ateb_finest_quarter(c->n);
+        const vm_two high = vmi_two_product(j, q.hi), mid = vmi_two_product(j, q.mid);
+        if (j * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + j * q.lo);
+    }
+    return rest;
+}
+
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     const vm_real change_over = VM_C(0.55);
-    vm_real r, d, rest, sa1, ca1;
+    vm_real size = VM_FABS(s), r, d, rest, sa1, ca1;
     int quarter;
     vmi_ateb c;
+    vmi_ateb_point at;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(s)) {
         *sa = *ca = VM_NAN;
         return;
     }
     vmi_ateb_constants(&c, alpha);
-    rest = vmi_reduce(VM_FABS(s), c.quarter, &quarter);
+    rest = vmi_ateb_reduce(size, &c, &quarter);
     r = VM_FABS(rest);
     d = c.quarter.hi - r;
     if (quarter & 1) {
         d = r;
         r = c.quarter.hi - d;
     }
-    if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q, &sa1, &ca1);
-    else vmi_ateb_near_ca_zero(r, d, &c, &sa1, &ca1);
+    if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q.hi, &at);
+    else vmi_ateb_near_ca_zero(r, d, &c, &at);
+    vmi_ateb_move(&at, c.q.hi, &sa1, &ca1);
     if (quarter & 1) ca1 = VM_COPYSIGN(ca1, -rest);
     else sa1 = VM_COPYSIGN(sa1, rest);
     if (quarter & 2) {
@@ -492,6 +1140,650 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
     vm_real sa, ca;
     ateb_saca(s, alpha, &sa, &ca);
     return ca;
+}
+
+/* ---- One alpha prepared ---------------------------------------------------------------------------------------
+
+   Two parts of a quarter. Up to the change-over, with tau = r^2,
+     sa = r (1 + tau A(tau)),   ca = 1 + tau C(tau);
+   beyond it, with tau = X = (2 q d)^(alpha+1) up to a factor,
+     ca = d (2 q + tau A(tau)), sa = 1 + tau C(tau).
+   The polynomials are Taylor series from (275), economised: their last terms are taken off by Chebyshev
+   polynomials. For alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is made of products and a square root; d^alpha takes the
+   rounding of d = Pi/2 - r along. Else tau = X is an exponential. */
+
+/* Compilers make branches of conditions, which do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
+VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
+VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
+
+/* d d^alpha, twice_alpha = 0 .. 14; d_lo is what d lost by rounding */
+VM_API vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
+{
+    const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
+    const vm_real two = (vm_real)(p->twice_alpha >> 2 & 1), four = (vm_real)(p->twice_alpha >> 3 & 1), d2 = d * d;
+    const vm_real low = VM_SQRT(vmi_choose(half, d, 1)) * vmi_choose(one, d, 1);
+    const vm_real power = low * (vmi_choose(two, d2, 1) * vmi_choose(four, d2 * d2, 1));
+    return power * d + power * (p->n * d_lo);
+}
+
+/* X = (2 q d)^(alpha+1) from r or d, whichever is smaller, since for large alpha its error is that of ln(2 q d) times
+   alpha + 1 */
+VM_API vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d)
+{
+    const vm_real least = VM_C(-0.69) * VMI_BIAS, qz = p->q * (2 * r - p->g);
+    const vm_real y = r < d ? 1 - qz : 2 * p->q * d, y_lo = r < d ? (1 - y) - qz : 0;
+    const vm_real ln_X = p->n * (vmi_log(y).hi + y_lo);
+    vm_real X, X_lo;
+    int k;
+    X = vmi_exp_core(ln_X > least ? ln_X : least, 0, &k, &X_lo);
+    return vmi_ldexp(1 + X, k);
+}
+
+/* base (first + tau odd(tau)) and 1 + tau even(tau) */
+VM_API void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_real base, vm_real tau, vm_real *odd,
+                             vm_real *even)
+{
+    const vm_real square = tau * tau;
+    vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0;
+    int j;
+    for (j = length - 2; j >= 0; j -= 2) {
+        odd0 = part->odd[j] + square * odd0;
+        odd1 = part->odd[j + 1] + square * odd1;
+        even0 = part->even[j] + square * even0;
+        even1 = part->even[j + 1] + square * even1;
+    }
+    *odd = base * (part->first + (part->first_lo + tau * (odd0 + tau * odd1)));
+    *even = 1 + tau * (even0 + tau * even1);
+}
+
+/* |s| from the nearest multiple of Pi/2, for |s| < p->longest: 2^26 quarters (float 2^12), whose products with the
+   first parts are exact */
+VM_API vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, int *quarter)
+{
+    const vm_real x = VM_FABS(s);
+    const int count = (int)(x * p->per_quarter + VM_C(0.5));
+    const vm_real j = (vm_real)count;
+    *quarter = count;
+    return ((x - j * p->quarter_parts[0]) - j * p->quarter_parts[1]) - j * p->quarter_parts[2];
+}
+
+/* From the first quarter to that of s = +-(quarter Pi/2 + rest) */
+VM_API void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
+{
+    const vm_real odd = (vm_real)(quarter & 1), half = (vm_real)(1 - (quarter & 2));
+    *ca *= half * VM_COPYSIGN(1, vmi_choose(odd, -rest, 1));
+    *sa *= half * VM_COPYSIGN(VM_COPYSIGN(1, s), VM_COPYSIGN(1, s) * vmi_choose(odd, 1, rest));
+}
+
+VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
+{
+    vm_real rest, near_zero, far_zero, r, d, odd, even, tau;
+    int quarter, beyond;
+    if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
+    else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter);
+    else {
+        *sa = *ca = VM_NAN;
+        return;
+    }
+    near_zero = VM_FABS(rest), far_zero = (p->quarter.hi - near_zero) + p->quarter.lo;
+    r = quarter & 1 ? far_zero : near_zero;
+    d = quarter & 1 ? near_zero : far_zero;
+    beyond = r > p->change_over;
+    tau = r * r;
+    if (p->twice_alpha >= 0) { /* quick, so that no branch depends on s */
+        const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+        const vm_real product = vmi_ateb_product(p, d, quarter & 1 ? 0 : lost);
+        tau = beyond ? product : tau;
+    } else if (beyond) tau = vmi_ateb_exponential(p, r, d);
+    vmi_ateb_part_at(p->part + beyond, p->length, beyond ? d : r, tau, &odd, &even);
+    *sa = beyond ? even : odd;
+    *ca = beyond ? odd : even;
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
+}
+
+/* The same for twice_alpha >= 0 and |s| < p->longest, both parts and no branch */
+VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
+{
+    int quarter;
+    const vm_real rest = vmi_ateb_plan_reduce(p, s, &quarter), near_zero = VM_FABS(rest);
+    const vm_real far_zero = (p->quarter.hi - near_zero) + p->quarter.lo, odd = (vm_real)(quarter & 1);
+    const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+    const vm_real r = vmi_choose(odd, far_zero, near_zero), d = vmi_choose(odd, near_zero, far_zero);
+    const vm_real beyond = vmi_weight(r - p->change_over);
+    vm_real sa0, ca0, sa1, ca1;
+    vmi_ateb_part_at(p->part, length, r, r * r, &sa0, &ca0);
+    vmi_ateb_part_at(p->part + 1, length, d, vmi_ateb_product(p, d, (1 - odd) * lost), &ca1, &sa1);
+    *sa = vmi_choose(beyond, sa1, sa0);
+    *ca = vmi_choose(beyond, ca1, ca0);
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
+}
+
+#define VMI_ATEB_LOOP(name, length) /* with a constant length it vectorises */              \
+    VM_API void name(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca) \
+    {                                                                                       \
+        int i;                                                                              \
+        for (i = 0; i < n; i++) {                                                           \
+            vm_real v, u;                                                                   \
+            vmi_ateb_plan_both(p, length, s[i], &v, &u);                                    \
+            sa[i] = v;                                                                      \
+            ca[i] = u;                                                                      \
+        }                                                                                   \
+    }
+VMI_ATEB_LOOP(vmi_ateb_loop_short, 4)
+VMI_ATEB_LOOP(vmi_ateb_loop_middle, 8)
+VMI_ATEB_LOOP(vmi_ateb_loop_long, ATEB_PLAN_LENGTH)
+#undef VMI_ATEB_LOOP
+
+#if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
+#define VMI_ATEB_WIDE 1 /* without wide registers both parts take longer than one */
+#else
+#define VMI_ATEB_WIDE 0
+#endif
+
+VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
+{
+    enum { BLOCK = 64 };
+    vm_real x[BLOCK], inside[BLOCK];
+    int i, j, count;
+    for (i = 0; i < n; i += BLOCK) {
+        count = n - i < BLOCK ? n - i : BLOCK;
+        for (j = 0; j < count; j++) {
+            x[j] = s[i + j];
+            inside[j] = VM_FABS(x[j]) < p->longest ? x[j] : 0;
+        }
+        if (p->twice_alpha < 0 || !VMI_ATEB_WIDE) {
+            for (j = 0; j < count; j++) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
+            continue;
+        }
+        if (p->length <= 4) vmi_ateb_loop_short(p, count, inside, sa + i, ca + i);
+        else if (p->length <= 8) vmi_ateb_loop_middle(p, count, inside, sa + i, ca + i);
+        else vmi_ateb_loop_long(p, count, inside, sa + i, ca + i);
+        for (j = 0; j < count; j++)
+            if (inside[j] != x[j]) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
+    }
+}
+
+/* w_j of w = b^alpha, b_0 = 1, from w_0 .. w_(j-1) and b_1 .. b_j (Euler) */
+VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 1; i <= j; i++) sum += (alpha * (vm_real)i - (vm_real)(j - i)) * b[i] * w[j - i];
+    return sum / (vm_real)j;
+}
+
+enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
+
+/* Taylor coefficients in r^2 of sa/r and ca, in X of ca/(2 q d) and sa */
+VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
+{
+    vm_real w[VMI_ATEB_TERMS];
+    int j;
+    odd[0] = even[0] = w[0] = 1;
+    for (j = 1; j < VMI_ATEB_TERMS; j++) {
+        const vm_real i = (vm_real)j;
+        even[j] = beyond ? -w[j - 1] / (2 * i) : -q * odd[j - 1] / i;
+        if (beyond) odd[j] = even[j] * (q / (q + i));
+        w[j] = vmi_ateb_series_power(alpha, j, beyond ? odd : even, w);
+        if (!beyond) odd[j] = w[j] / (2 * i + 1);
+    }
+}
+
+/* The polynomial c_1 + c_2 tau + ... [5], 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go
+   with Chebyshev polynomials that end in them. result is for tau/unit, times factor; returns how many terms it has.
+   */
+VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real factor, vm_real tolerance,
+                              vm_real *result)
+{
+    vm_real power = limit, quarter = 2;
+    int i, k;
+    for (k = 1; k < VMI_ATEB_TERMS; k++, power *= limit, quarter /= 4) c[k - 1] = c[k] * power;
+    for (k = VMI_ATEB_TERMS - 2, quarter *= 4; k > 0; k--, quarter *= 4) { /* quarter = 2^(1-2k) */
+        vm_real term = c[k];
+        tolerance -= VM_FABS(term) * quarter;
+        if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
+        for (i = k; i > 0; i--) {
+            term *= -((vm_real)i * (vm_real)(2 * i - 1)) / (2 * (vm_real)(k - i + 1) * (vm_real)(k + i - 1));
+            c[i - 1] -= term;
+        }
+    }
+    power = factor * (unit / limit);
+    for (i = 0; i < ATEB_PLAN_LENGTH; i++, power *= unit / limit) result[i] = i <= k ? c[i] * power : 0;
+    return k + 1;
+}
+
+/* One part, whose tau is X/unit there, r^2 here; returns the length of its polynomials */
+VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_two twice_q,
+                              vm_real unit, vm_real tolerance)
+{
+    vm_real odd[VMI_ATEB_TERMS], even[VMI_ATEB_TERMS], limit = p->change_over * p->change_over;
+    int length, even_length;
+    part->first = beyond ? twice_q.hi : 1;
+    part->first_lo = beyond ? twice_q.lo : 0;
+    if (beyond) {
+        vm_two y = {0, 0}, n = {0, 0};
+        y.hi = twice_q.hi * (p->quarter.hi - p->change_over);
+        n.hi = p->n;
+        limit = vmi_pow(y, n);
+    }
+    vmi_ateb_series(beyond, alpha, p->q, odd, even);
+    length = vmi_ateb_economise(odd, limit, unit, part->first, tolerance, part->odd);
+    even_length = vmi_ateb_economise(even, limit, unit, 1, tolerance, part->even);
+    return length > even_length ? length : even_length;
+}
+
+VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
+{
+    const vm_real share = VM_C(0.6), most = VM_C(0.7);
+    const vm_real tolerance = accuracy > VM_EPSILON ? accuracy / 2 : VM_EPSILON / 16;
+    int length, length_beyond;
+    vm_two twice_q, n;
+    vmi_ateb c;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return -1;
+    vmi_ateb_constants(&c, alpha);
+    twice_q.hi = 2 * c.q.hi, twice_q.lo = 2 * c.q.lo;
+    n = c.n;
+    p->quarter = vmi_ateb_fine_quarter(&c);
+    p->quarter_parts[0] = vmi_head(p->quarter.hi);
+    p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
+    p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;
+    p->per_quarter = 1 / p->quarter.hi;
+    p->longest = p->quarter.hi * (vm_real)((1L << VM_MANT_DIG / 2) - 1);
+    p->change_over = share * p->quarter.hi < most ? share * p->quarter.hi : most;
+    p->n = c.n.hi;
+    p->q = c.q.hi;
+    p->g = c.g.hi;
+    p->twice_alpha = alpha <= 7 && 2 * alpha == VM_FLOOR(2 * alpha) ? (int)(2 * alpha) : -1;
+    length = vmi_ateb_part_init(p->part, 0, p, alpha, twice_q, 1, tolerance);
+    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, twice_q,
+                                       p->twice_alpha < 0 ? 1 : vmi_pow(twice_q, n), tolerance);
+    p->length = (length > length_beyond ? length + 1 : length_beyond + 1) / 2 * 2;
+    return 0;
+}
+
+VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
+
+/* ---- The phase from the pair --------------------------------------------------------------------------------- */
+
+VM_API vm_two vmi_two_log(vm_two x)
+{
+    const vm_two l = vmi_log(x.hi);
+    const vm_real t = x.lo / x.hi;
+    return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
+}
+
+VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
+{
+    vm_two p = vmi_two_product(x.hi, factor);
+    return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
+}
+
+/* r in the first quarter, where h = ln(w/x) */
+VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
+{
+    const vm_real q = c->q.hi, k = (1 - q) - c->q.lo;
+    const vm_real e = h.hi < 0 ? vmi_exp(h.hi, h.lo) : vmi_exp(-h.hi, -h.lo), sum = 1 + e;
+    if (h.hi < VM_C(-0.84)) { /* w < 0.302 */
+        const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
+        const int m = VM_MANT_DIG > 24 ? 7 : 3;
+        const vm_real one_minus_u = q * vmi_power_rest(w, q, m);
+        return v + v * (w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m) * (1 - one_minus_u) - one_minus_u);
+    } else {
+        const vm_real x = h.hi > 0 ? e / sum : 1 / sum, v = VM_SQRT(h.hi > 0 ? 1 / sum : e / sum),
+                      p = x / (2 + 2 * v);
+        const vm_real T = 2 * p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, VM_MANT_DIG > 24 ? 6 : 3);
+        vm_two ln_x = vmi_log(sum); /* ln x = -(h + ln(1 + e^-h)) or -ln(1 + e^h) */
+        vm_real one_minus_u, p_lo;
+        int i;
+        if (h.hi > 0) ln_x = vmi_two_plus(ln_x, h);
+        ln_x.lo += (1 - sum + e) / sum;
+        ln_x = vmi_two_times(ln_x, c->q);
+        if (ln_x.hi > VM_C(0.69) * VMI_BIAS) return c->quarter.hi;
+        one_minus_u = -vmi_exp_core(-ln_x.hi, -ln_x.lo, &i, &p_lo);
+        if (i != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, i) * (c->n.hi + T) / 2;
+        return (c->n.hi * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
+    }
+}
+
+VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
+{
+    vm_real r;
+    vmi_ateb c;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    vmi_ateb_constants(&c, alpha);
+    if (sa == 0) r = 0;
+    else if (ca == 0) r = c.quarter.hi;
+    else {
+        const vm_two w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2), x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
+        r = vmi_ateb_phase_r(vmi_two_plus(w, vmi_minus(x)), &c);
+    }
+    if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+/* ---- Beta functions -------------------------------------------------------------------------------------------
+
+   All in logarithms of two words. With A = a + i, B = b + j >= 10, S = A + B, by Stirling's formula
+     ln(x^a y^b/B(a, b)) = a (ln x + ln S/A) + b (ln y + ln S/B) + i ln S/A + j ln S/B + ln(A B/S)/2 - ln(2 pi)/2
+                           + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_(i+j))
+   in which nothing large cancels where the whole is not large. */
+
+/* delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2, z >= 10 */
+VM_API vm_real vmi_stirling(vm_real z)
+{
+    VM_TABLE vm_real c[9] = {
+        VM_C(0.083333333333333333333),  VM_C(-0.0027777777777777777778), VM_C(7.9365079365079365079e-4),
+        VM_C(-5.952380952380952381e-4), VM_C(8.4175084175084175084e-4),  VM_C(-0.0019175269175269175269),
+        VM_C(0.0064102564102564102564), VM_C(-0.029550653594771241830),  VM_C(0.17964437236883057316)};
+    const vm_real square = 1 / (z * z);
+    vm_real sum = c[8];
+    int i;
+    for (i = 7; i >= 0; i--) sum = c[i] + square * sum;
+    return sum / z;
+}
+
+/* (z)_i with the least i for which z + i >= 10, z becomes z + i */
+VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
+{
+    vm_two product = {1, 0}, one = {1, 0};
+    for (*count = 0; z->hi < 10; ++*count) {
+        product = vmi_two_times(product, *z);
+        *z = vmi_two_plus(*z, one);
+    }
+    return product;
+}
+
+/* ln(x^a y^b/B(a, b)) */
+VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
+{
+#if VM_MANT_DIG > 24
+    const vm_two ln_2pi = {VM_C(-1.8378770664093455611), VM_C(7.7565883161344831645e-17)};
+#else
+    const vm_two ln_2pi = {VM_C(-1.83787703514), VM_C(-3.12683542726e-8)};
+#endif
+    const vm_two one = {1, 0};
+    vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, ln_SA, ln_SB, sum;
+    int i, j, k;
+    rise = vmi_beta_rise(&A, &i);
+    rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
+    for (k = i + j; k > 0; k--) {
+        rise = vmi_two_over(rise, S);
+        S = vmi_two_plus(S, one);
+    }
+    ln_SA = vmi_two_log(vmi_two_over(S, A));
+    ln_SB = vmi_two_log(vmi_two_over(S, B));
+    sum = vmi_two_plus(vmi_two_log(vmi_two_over(vmi_two_times(A, B), S)), ln_2pi);
+    sum = vmi_two_plus(vmi_two_scaled(sum, VM_C(0.5)), vmi_two_log(rise));
+    sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_scaled(ln_SA, (vm_real)i), vmi_two_scaled(ln_SB, (vm_real)j)));
+    sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_times(vmi_two_plus(ln_x, ln_SA), a),
+                                         vmi_two_times(vmi_two_plus(ln_y, ln_SB), b)));
+    return vmi_two_sum(sum.hi, sum.lo + (vmi_stirling(S.hi) - vmi_stirling(A.hi) - vmi_stirling(B.hi)));
+}
+
+VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
+{
+    const vm_two none = {0, 0};
+    return vmi_minus(vmi_beta_ln_density(a, b, none, none));
+}
+
+VM_API int vmi_beta_domain(vm_real a, vm_real b) { return a > 0 && b > 0 && VM_IS_FINITE(a) && VM_IS_FINITE(b); }
+
+VM_API vm_real ateb_beta(vm_real a, vm_real b)
+{
+    vm_two l;
+    if (!vmi_beta_domain(a, b)) return VM_NAN;
+    l = vmi_beta_ln(vmi_one_word(a), vmi_one_word(b));
+    return vmi_exp(l.hi, l.lo);
+}
+
+/* I_x(a, b) B(a, b)/(x^a y^b), a > 1, x <= (a + 1)/(a + b + 2), by the continued fraction of Didonato and Morris [6],
+   from its end. Its terms are positive but for the last; a y - b x is where the digits of large a and b could go. */
+VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
+{
+    const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
+    const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), x <= y ? x : y);
+    const vm_real excess = x <= y ? (a - product.hi) - product.lo : (product.hi - b) + product.lo;
+    long m = (long)(20 + digits / VM_SQRT(y) + 4 * VM_SQRT(a > b ? a : b));
+    vm_real f = (a + (vm_real)m) / 2;
+    for (; m >= 0; m--) {
+        const vm_real n = (vm_real)m, c = a + 2 * n, top = n + 1, ratio = (a + n) / (c + 1) * x;
+        f = n * (1 + (b - n) * x / (c - 1)) + (a + n) * (excess + 1 + n * (1 + y)) / (c + 1) +
+            ratio * ((a + b + n) / (c + 1) * x) * top * (b - top) / f;
+    }
+    return 1 / f;
+}
+
+/* ln(1 - e^l), l < 0 */
+VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
+{
+    vm_two rest = {0, 0};
+    vm_real p, p_lo;
+    int k;
+    if (l.hi < -2 * VM_C(0.6931471805599453) * VM_MANT_DIG) { /* -e^l, which no longer matters beside 1 */
+        rest.hi = -vmi_exp(l.hi, 0);
+        return rest;
+    }
+    p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
+    if (k == 0) rest.hi = -p, rest.lo = -p_lo;
+    else {
+        vm_two e = vmi_fast_two_sum(1, p);
+        e.lo += p_lo;
+        rest = vmi_two_sum(1, -vmi_ldexp(e.hi, k));
+        rest.lo -= vmi_ldexp(e.lo, k);
+    }
+    return vmi_two_log(rest);
+}
+
+typedef struct VM_TAG(vmi_beta_point) {
+    vm_real x, y;
+    vm_two ln_x, ln_y;
+} vmi_beta_point;
+
+/* ln I_x(a, b) for x <= (a + 1)/(a + b + 2). For small a I_x is near to 1, and what it lacks counts: there
+   I_x a B/x^a = 2F1(a, 1-b; a+1; x) = 1 + a sum_(n>=1) (1-b)_n/n! x^n/(a+n), terms of (b x)^n/n!, b x < 2, or x^n. */
+VM_API vm_two vmi_beta_ln_tail(vm_real x, vm_real y, vm_two ln_x, vm_two ln_y, vm_real a, vm_real b)
+{
+    vm_two f;
+    if (a <= 1) {
+        vm_real power = 1, term, sum = 0, n = 0;
+        do {
+            n += 1;
+            power *= x * (n - b) / n;
+            term = power / (a + n);
+            sum += term;
+        } while (VM_FABS(term) > VM_EPSILON / 8 * VM_FABS(sum));
+        f = vmi_two_plus(vmi_two_log(vmi_two_sum(1, a * sum)), vmi_minus(vmi_log(a)));
+        ln_y.hi = ln_y.lo = 0;
+    } else f = vmi_log(vmi_beta_fraction(x, y, a, b));
+    return vmi_two_plus(vmi_beta_ln_density(vmi_one_word(a), vmi_one_word(b), ln_x, ln_y), f);
+}
+
+/* ln I_x(a, b) and ln I_y(b, a) */
+VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two *ln_p, vm_two *ln_q)
+{
+    if (at->x * (a + b + 2) <= a + 1) {
+        *ln_p = vmi_beta_ln_tail(at->x, at->y, at->ln_x, at->ln_y, a, b);
+        *ln_q = vmi_ln_one_minus_exp(*ln_p);
+    } else {
+        *ln_q = vmi_beta_ln_tail(at->y, at->x, at->ln_y, at->ln_x, b, a);
+        *ln_p = vmi_ln_one_minus_exp(*ln_q);
+    }
+}
+
+VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
+{
+    vmi_beta_point at;
+    vm_two ln_p, ln_q;
+    if (!vmi_beta_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
+        *p = *q = VM_NAN;
+        return;
+    }
+    if (x == 0 || y == 0) {
+        *p = x == 0 ? 0 : 1;
+        *q = x == 0 ? 1 : 0;
+        return;
+    }
+    at.x = x, at.y = y;
+    at.ln_x = x <= y ? vmi_log(x) : vmi_two_log(vmi_two_sum(1, -y));
+    at.ln_y = x <= y ? vmi_two_log(vmi_two_sum(1, -x)) : vmi_log(y);
+    vmi_beta_tails(&at, a, b, &ln_p, &ln_q);
+    *p = vmi_exp(ln_p.hi, ln_p.lo);
+    *q = vmi_exp(ln_q.hi, ln_q.lo);
+}
+
+VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
+{
+    vm_real p, q;
+    ateb_beta_inc_both(x, 1 - x, a, b, &p, &q);
+    return p;
+}
+
+/* The point x/y = e^t */
+VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
+{
+    const vm_real size = VM_FABS(t);
+    const vm_real e = vmi_exp(-size, 0); /* rounded; y = 1 - x holds in two words if its own logarithm is taken */
+    const vm_two ln_e = e > VMI_MIN ? vmi_log(e) : vmi_one_word(-size);
+    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(ln_e, l);
+    at->ln_x = t < 0 ? small : l;
+    at->ln_y = t < 0 ? l : small;
+    at->x = vmi_exp(at->ln_x.hi, at->ln_x.lo);
+    at->y = vmi_exp(at->ln_y.hi, at->ln_y.lo);
+}
+
+/* I_x(a, b) = p <= q = 1 - p, by Newton's method for ln I as a function of t = ln(x/y), which is concave: from the
+   asymptote at its left, whose zero lies left, it goes one way. The last step is taken in ln x and ln y. */
+VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_real *y, vm_two *ln_x, vm_two *ln_y)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
+    const vm_two a2 = vmi_one_word(a), b2 = vmi_one_word(b);
+    vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2))), tail, other, density, rest;
+    vm_real t = start.hi / a, step;
+    vmi_beta_point at;
+    int i;
+    for (i = 0;; i++) {
+        vmi_beta_point_at(t, &at);
+        density = vmi_beta_ln_density(a2, b2, at.ln_x, at.ln_y);
+        vmi_beta_tails(&at, a, b, &tail, &other);
+        rest = vmi_two_plus(ln_p, vmi_minus(tail));
+        step = rest.hi * vmi_exp(tail.hi - density.hi, tail.lo - density.lo);
+        if (VM_FABS(step) <= enough || VM_FABS(step) <= VM_EPSILON * VM_FABS(t) || i > 60) break;
+        t += step;
+    }
+    *x = at.x + at.x * (at.y * step);
+    *y = at.y - at.y * (at.x * step);
+    *ln_x = vmi_two_sum(at.ln_x.hi, at.ln_x.lo + at.y * step);
+    *ln_y = vmi_two_sum(at.ln_y.hi, at.ln_y.lo - at.x * step);
+}
+
+VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
+                                   vm_real *ln_x)
+{
+    vm_two l, ignored;
+    if (!vmi_beta_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
+        *x = *y = *ln_x = VM_NAN;
+        return;
+    }
+    if (p == 0 || q == 0) {
+        *x = p == 0 ? 0 : 1;
+        *y = p == 0 ? 1 : 0;
+        *ln_x = p == 0 ? -VM_INFINITY : 0;
+        return;
+    }
+    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, x, y, &l, &ignored);
+    else vmi_beta_invert(vmi_log(q), b, a, y, x, &ignored, &l);
+    *ln_x = l.hi;
+}
+
+VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
+{
+    vm_real x, y, ln_x;
+    ateb_beta_inc_inv_both(p, 1 - p, a, b, &x, &y, &ln_x);
+    return x;
+}
+
+VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
+{
+    const vm_two half = {VM_C(0.5), 0};
+    vm_two above, n;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !(p > -1) || !(q > -1) || !VM_IS_FINITE(p) || !VM_IS_FINITE(q))
+        return VM_NAN;
+    n = vmi_two_sum(alpha, 1);
+    above = vmi_beta_ln(vmi_half(vmi_two_sum(p, 1)), vmi_two_over(vmi_two_sum(q, 1), n));
+    above = vmi_two_plus(above, vmi_minus(vmi_beta_ln(half, vmi_two_over(vmi_one_word(1), n))));
+    return vmi_exp(above.hi, above.lo);
+}
+
+/* ---- Two indices ---------------------------------------------------------------------------------------------- */
+
+VM_API int vmi_ateb_index(vm_real n) { return n >= 0 && VM_IS_FINITE(n); }
+
+VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_one_word(1), vmi_two_sum(n, 1)); }
+
+VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
+{
+    vm_two l;
+    if (!vmi_ateb_index(n) || !vmi_ateb_index(m)) return VM_NAN;
+    l = vmi_beta_ln(vmi_ateb_exponent(n), vmi_ateb_exponent(m));
+    return vmi_exp(l.hi, l.lo);
+}
+
+/* x^a with I_x(a, b) = p, q = 1 - p */
+VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
+{
+    vm_real x, y;
+    vm_two ln_x, ignored, power;
+    if (p == 0 || q == 0) return p == 0 ? 0 : 1;
+    if (p <= q) vmi_beta_invert(vmi_log(p), a, b, &x, &y, &ln_x, &ignored);
+    else vmi_beta_invert(vmi_log(q), b, a, &y, &x, &ignored, &ln_x);
+    power = vmi_two_scaled(ln_x, a);
+    return vmi_exp(power.hi, power.lo);
+}
+
+VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
+{
+    vm_real a, b, p, p_lo, rest, r, d;
+    vm_two l, pi, ln_pi;
+    int quarter, k;
+    if (!vmi_ateb_index(n) || !vmi_ateb_index(m) || !VM_IS_FINITE(s)) {
+        *sa = *ca = VM_NAN;
+        return;
+    }
+    a = 1 / (n + 1), b = 1 / (m + 1);
+    l = vmi_beta_ln(vmi_ateb_exponent(n), vmi_ateb_exponent(m));
+    p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
+    pi = vmi_fast_two_sum(1, p);
+    pi.hi = vmi_ldexp(pi.hi, k), pi.lo = vmi_ldexp(pi.lo + p_lo, k);
+    ln_pi = vmi_two_log(pi); /* a step of Newton's method for its low word */
+    pi.lo += pi.hi * ((l.hi - ln_pi.hi) + (l.lo - ln_pi.lo));
+    pi = vmi_half(pi);
+    rest = vmi_reduce(VM_FABS(s), pi, &quarter);
+    d = VM_FABS(rest), r = (pi.hi - d) + pi.lo;
+    if (!(quarter & 1)) p = r, r = d, d = p;
+    *sa = vmi_ateb_nm_first(r / pi.hi, d / pi.hi, a, b);
+    *ca = vmi_ateb_nm_first(d / pi.hi, r / pi.hi, b, a);
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
+}
+
+/* ---- Integrals ------------------------------------------------------------------------------------------------ */
+
+VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
+{
+    const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
+    vm_real sa, ca, w, rest;
+    ateb_saca(s, alpha, &sa, &ca);
+    w = sa * sa;
+    if (VM_FABS(s) < 1 && w < VM_C(0.5))
+        rest = sa * ca * (w * b * vmi_hypergeometric(b, VM_C(1.5), 1 - q, w, VM_MANT_DIG > 24 ? 12 : 6));
+    else rest = s - sa * ca;
+    return rest / (1 + 2 * q);
+}
+
+VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
+{
+    vm_real sa, ca;
+    ateb_saca(s, alpha, &sa, &ca);
+    return (2 * s / (alpha + 1) + sa * ca) / (1 + 2 / (alpha + 1));
 }
 
 #endif

@@ -46,8 +46,8 @@
 
    ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and 2^40 K (float 1e4, 2^17 K); from K/eps on u
-                  holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and next to the
-                  zeros too. A plan is as accurate.
+                  holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and next to
+                  the zeros too. A plan is as accurate.
      K; E         <= 2 ulp; <= 2.5 ulp. k'K <= 4 ulp. Means of cn^2, cn^4, cn^6 <= 8 ulp.
      solvers      m and m1 <= 4 ulp and what one ulp of c moves them.
 
@@ -345,7 +345,7 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 where |x| < 0.34,
+/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 for |x| < 0.34,
    and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
    r^3 E(r) with the square of the head of r exact. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
@@ -417,6 +417,56 @@ VM_API vm_real vmi_pow(vm_two x, vm_two y)
     p = vmi_two_product(l.hi, y.hi);
     p = vmi_fast_two_sum(p.hi, p.lo + (l.hi * y.lo + l.lo * y.hi));
     return vmi_exp(p.hi, p.lo);
+}
+
+/* x without the second half of its digits */
+VM_API vm_real vmi_head(vm_real x)
+{
+    const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
+    return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
+}
+
+/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
+   is below 2^-(3p - 4) */
+typedef struct VM_TAG(vmi_three) {
+    vm_real hi, mid, lo;
+} vmi_three;
+
+VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
+{
+    const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
+    vmi_three x;
+    x.hi = high.hi;
+    x.mid = rest.hi;
+    x.lo = rest.lo;
+    return x;
+}
+
+VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
+{
+    const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
+    const vm_two sum = vmi_two_sum(high.lo, mid.hi);
+    return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
+}
+
+VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
+{
+    const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
+    const vm_two b = vmi_two_product(x.mid, y.hi);
+    const vm_two sum = vmi_two_sum(a.hi, b.hi), mid = vmi_two_sum(p.lo, sum.hi);
+    return vmi_three_words(p.hi, mid.hi,
+                           mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
+}
+
+VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
+{
+    vm_real quotient[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        quotient[i] = x.hi / y.hi;
+        x = vmi_three_plus(x, vmi_three_times(y, vmi_three_words(-quotient[i], 0, 0)));
+    }
+    return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
 #endif
@@ -492,8 +542,8 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c);
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6);
 
 /* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
-   less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two words of pi/2, not
-   of K, so that the error grows with |u|. */
+   less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
+   words of pi/2, not of K, so that the error grows with |u|. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn);
 VM_API vm_real jacobi_agm_K(vm_real m);
 
@@ -515,60 +565,22 @@ VM_API vm_two vmi_two_sqrt(vm_two a)
     return vmi_two(root, (((a.hi * unit) * unit - p.hi) - p.lo + (a.lo * unit) * unit) / (2 * root * unit) / unit);
 }
 
-typedef struct VM_TAG(vmi_three) {
-    vm_real w[3];
-} vmi_three; /* w[0] + w[1] + w[2], each below an ulp of the one before it */
-
-VM_API vmi_three vmi_three_from(vm_real a, vm_real b, vm_real c)
+/* x times a power of two */
+VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
-    const vm_two tail = vmi_two_sum(b, c), head = vmi_two_sum(a, tail.hi), rest = vmi_two_sum(head.lo, tail.lo);
-    vmi_three x;
-    x.w[0] = head.hi;
-    x.w[1] = rest.hi;
-    x.w[2] = rest.lo;
-    return x;
+    return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-VM_API vmi_three vmi_three_add(vmi_three a, vmi_three b)
-{
-    const vm_two s = vmi_two_sum(a.w[0], b.w[0]), t = vmi_two_sum(a.w[1], b.w[1]), u = vmi_two_sum(s.lo, t.hi);
-    return vmi_three_from(s.hi, u.hi, u.lo + t.lo + (a.w[2] + b.w[2]));
-}
-
-VM_API vmi_three vmi_three_times(vmi_three a, vmi_three b)
-{
-    const vm_two p = vmi_two_product(a.w[0], b.w[0]), q = vmi_two_product(a.w[0], b.w[1]);
-    const vm_two r = vmi_two_product(a.w[1], b.w[0]), s = vmi_two_sum(q.hi, r.hi), t = vmi_two_sum(p.lo, s.hi);
-    const vm_real small = a.w[0] * b.w[2] + a.w[1] * b.w[1] + a.w[2] * b.w[0];
-    return vmi_three_from(p.hi, t.hi, t.lo + s.lo + (q.lo + r.lo) + small);
-}
-
-/* x - a b, in one word of what is left when they nearly agree */
-VM_API vm_real vmi_three_residual(vmi_three x, vmi_three a, vmi_three b)
-{
-    vmi_three p = vmi_three_times(a, b);
-    int i;
-    for (i = 0; i < 3; i++) p.w[i] = -p.w[i];
-    p = vmi_three_add(x, p);
-    return p.w[0] + (p.w[1] + p.w[2]);
-}
-
-/* a/b, and the square root of a: a quotient or root of one word, each of two corrections brings another */
-VM_API vmi_three vmi_three_over(vmi_three a, vmi_three b)
-{
-    vmi_three x = vmi_three_from(a.w[0] / b.w[0], 0, 0);
-    int i;
-    for (i = 0; i < 2; i++)
-        x = vmi_three_add(x, vmi_three_from(vmi_three_residual(a, x, b) / b.w[0], 0, 0));
-    return x;
-}
-
+/* The square root of a: one of one word, each of two corrections brings another */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
-    const vm_real root = VM_SQRT(a.w[0]);
-    vmi_three x = vmi_three_from(root, 0, 0);
+    const vm_real root = VM_SQRT(a.hi);
+    vmi_three x = vmi_three_words(root, 0, 0);
     int i;
-    for (i = 0; i < 2; i++) x = vmi_three_add(x, vmi_three_from(vmi_three_residual(a, x, x) / (2 * root), 0, 0));
+    for (i = 0; i < 2; i++) {
+        const vmi_three rest = vmi_three_plus(a, vmi_three_scaled(vmi_three_times(x, x), -1));
+        x = vmi_three_plus(x, vmi_three_words((rest.hi + (rest.mid + rest.lo)) / (2 * root), 0, 0));
+    }
     return x;
 }
 
@@ -576,10 +588,10 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
-    return vmi_three_from(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
+    return vmi_three_words(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
                           VM_C(-1.497384904859169832944e-33));
 #else
-    return vmi_three_from(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
+    return vmi_three_words(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
                           VM_C(-1.715124510005881872804e-15));
 #endif
 }
@@ -637,9 +649,9 @@ VM_API vm_two vmi_K_two_words(vm_real m1, vm_real m1_lo)
         al = a_lo;
     }
     limit = vmi_two_sum(l.a[l.n], al - c * c / (4 * l.a[l.n]));
-    K.hi = half_pi.w[0] / limit.hi;
+    K.hi = half_pi.hi / limit.hi;
     p = vmi_two_product(K.hi, limit.hi);
-    K.lo = (((half_pi.w[0] - p.hi) - p.lo) + (half_pi.w[1] - K.hi * limit.lo)) / limit.hi;
+    K.lo = (((half_pi.hi - p.hi) - p.lo) + (half_pi.mid - K.hi * limit.lo)) / limit.hi;
     return K;
 }
 
@@ -648,18 +660,17 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON; /* keeps the square of b from under- and overflow */
     const vm_real lift = m1 < tiny ? 1 / tiny : m1 > 1 / tiny ? VM_EPSILON : 1;
-    vmi_three a = vmi_three_from(1, 0, 0);
-    vmi_three b = vmi_three_sqrt(vmi_three_from(m1 * lift * lift, m1_lo * lift * lift, 0));
+    vmi_three a = vmi_three_words(1, 0, 0);
+    vmi_three b = vmi_three_sqrt(vmi_three_words(m1 * lift * lift, m1_lo * lift * lift, 0));
     vm_real c;
-    int i;
-    for (i = 0; i < 3; i++) b.w[i] /= lift;
+    b = vmi_three_scaled(b, 1 / lift);
     do {
-        vmi_three sum = vmi_three_add(a, b);
-        c = (a.w[0] - b.w[0]) / 2 + (a.w[1] - b.w[1]) / 2;
+        const vmi_three sum = vmi_three_plus(a, b);
+        c = (a.hi - b.hi) / 2 + (a.mid - b.mid) / 2;
         b = vmi_three_sqrt(vmi_three_times(a, b));
-        for (i = 0; i < 3; i++) a.w[i] = sum.w[i] / 2;
-    } while (VM_FABS(c) > VM_EPSILON * a.w[0]);
-    return vmi_three_over(vmi_half_pi(), vmi_three_add(a, vmi_three_from(-c * c / (4 * a.w[0]), 0, 0)));
+        a = vmi_three_scaled(sum, VM_C(0.5));
+    } while (VM_FABS(c) > VM_EPSILON * a.hi);
+    return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
@@ -669,11 +680,11 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
     int i;
     for (i = 0; i < 3; i++) {
-        const vm_real large = VMI_EXACT_QUARTERS * K.w[0], sum = K.w[0] + large;
+        const vm_real large = VMI_EXACT_QUARTERS * K.hi, sum = K.hi + large;
         piece[i] = sum - large;
-        K = vmi_three_add(K, vmi_three_from(-piece[i], 0, 0));
+        K = vmi_three_plus(K, vmi_three_words(-piece[i], 0, 0));
     }
-    piece[3] = K.w[0];
+    piece[3] = K.hi;
 }
 
 /* x = j K + rest, x >= 0, K in two words: the rest in two words, |rest| <= K/2 but for a rounding, and j mod 4. From
@@ -781,13 +792,7 @@ VM_API vmi_roots vmi_theta_choose(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     return r;
 }
 
-/* Half of the digits of x, 2^-4 < |x| < 2, and from it what is left of a - root^2 */
-VM_API vm_real vmi_head(vm_real x)
-{
-    const vm_real large = VM_MANT_DIG > 24 ? VM_C(201326592.0) : VM_C(6144.0), sum = x + large;
-    return sum - large;
-}
-
+/* a - root^2 */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
@@ -987,7 +992,7 @@ VM_API vm_two vmi_theta_quarter(const vmi_theta_form *t, const vmi_roots *roots,
     const vmi_three half_pi = vmi_half_pi();
     const vm_real y = t->q * t->q * t->q * t->q, scale = m1 > threshold ? 1 / lift : m1 < 1 / threshold ? lift : 1;
     vm_two a = vmi_fast_two_sum(1, roots->second), b = vmi_fast_two_sum(1, roots->fourth), p, x, L;
-    if (t->form == VMI_CIRCULAR) return vmi_two(half_pi.w[0], half_pi.w[1]);
+    if (t->form == VMI_CIRCULAR) return vmi_two(half_pi.hi, half_pi.mid);
     p = vmi_two_product(b.hi, b.hi);
     p.lo += 2 * b.hi * (b.lo + roots->fourth_lo);
     x = vmi_two_product(a.hi, p.hi);
@@ -1253,7 +1258,7 @@ VM_API vm_two vmi_K_middle(const vmi_two_steps *s)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real rest = 1 - s->h, defect = s->h * (2 - s->h) + rest * rest * vmi_agm_defect(s->x);
-    return vmi_fast_two_sum(half_pi.w[0], half_pi.w[0] * (defect / (1 - defect)) + half_pi.w[1]);
+    return vmi_fast_two_sum(half_pi.hi, half_pi.hi * (defect / (1 - defect)) + half_pi.mid);
 }
 
 VM_API vm_real vmi_E_middle(const vmi_two_steps *s)
@@ -1369,9 +1374,9 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
     const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
 #endif
-    rest = z + z * (t * A) + (middle ? half_pi.w[1] / 2 : 0);
-    angle = middle ? half_pi.w[0] / 2 + rest : rest;
-    return steep ? (half_pi.w[0] - angle) + half_pi.w[1] : angle;
+    rest = z + z * (t * A) + (middle ? half_pi.mid / 2 : 0);
+    angle = middle ? half_pi.hi / 2 + rest : rest;
+    return steep ? (half_pi.hi - angle) + half_pi.mid : angle;
 }
 
 /* j pi + atan(sn/cn), j the multiple of 2K next to u */
@@ -1387,13 +1392,13 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     K = vmi_K(m1.hi, m1.lo);
     turns = VM_FABS(u) / (2 * K);
     j = VM_FLOOR(turns + VM_C(0.5));
-    if (!(j < 1 / VM_EPSILON)) return u / K * half_pi.w[0];
+    if (!(j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
     if ((odd > 0) != (theta[1] < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
     am = vmi_arctan(VM_FABS(theta[0]), VM_FABS(theta[1]));
     if ((theta[0] < 0) != (theta[1] < 0)) am = -am;
-    p = vmi_two_product(j, 2 * half_pi.w[0]);
-    return VM_COPYSIGN(p.hi + (am + (p.lo + j * (2 * half_pi.w[1]))), u);
+    p = vmi_two_product(j, 2 * half_pi.hi);
+    return VM_COPYSIGN(p.hi + (am + (p.lo + j * (2 * half_pi.mid))), u);
 }
 
 /* ---- The modulus solver --------------------------------------------------------------------------------------- */
@@ -1420,7 +1425,7 @@ typedef struct VM_TAG(vmi_solution) {
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real less = ((half_pi.w[0] - c) + half_pi.w[1]) / half_pi.w[0]; /* 1 - theta_4^2 */
+    const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4^2 */
     const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));              /* (1 - theta_4)/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
@@ -1622,7 +1627,7 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
     *sn = *cn = *dn = VM_NAN;
     if (!(m < 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) return;
     vmi_agm(&l, kp, steps);
-    phase = vmi_reduce_words(l.a[l.n] * VM_FABS(u), vmi_two(half_pi.w[0], half_pi.w[1]), &quarter).hi;
+    phase = vmi_reduce_words(l.a[l.n] * VM_FABS(u), vmi_two(half_pi.hi, half_pi.mid), &quarter).hi;
     vmi_descend(&l, phase, &s, &c, &d, &q);
     *sn = quarter & 1 ? c / d : s / q;
     *cn = quarter & 1 ? -kp * s / d : c / q;

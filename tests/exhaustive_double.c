@@ -1,4 +1,5 @@
 /* The double half of the exhaustive float tests: reference values, accurate to a millionth of a float's ulp. */
+#include "../ateb.h"
 #include "../jacobi.h"
 #include "exhaustive.h"
 
@@ -10,3 +11,12 @@ void reference_sncndn(double m, int n, const double *u, double *sn, double *cn, 
 }
 
 double reference_K(double m) { return jacobi_K(m); }
+
+void reference_saca(double alpha, int n, const double *s, double *sa, double *ca)
+{
+    static ateb_plan plan;
+    static double prepared = -1;
+    if (alpha != prepared && ateb_plan_init(&plan, alpha)) return;
+    prepared = alpha;
+    ateb_plan_saca_array(&plan, n, s, sa, ca);
+}

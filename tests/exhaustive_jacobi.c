@@ -1,4 +1,4 @@
-/* Every float u of a period [0, 4K], or every STRIDE-th: float jacobi_sncndn and the plan's array against double ones.
+/* Every float u of a period [0, 4K], or every STRIDE-th: float jacobi_sncndn and the plan's array against double.
    Below 2^-13, where sn = u and cn = dn = 1 to a fraction of an ulp, only every 61st.
 
    usage: exhaustive_jacobi [STRIDE]   1 takes minutes; make exhaustive */

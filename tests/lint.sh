@@ -30,7 +30,8 @@ for compiler in gcc clang; do
             done
         done
         for source in tests/test_jacobi.c tests/test_ateb.c tests/test_integrators.c tests/test_varmass.c \
-            tests/test_dissertation.c bench/bench.c bench/bench_jacobi.c examples/jacobi_plan.c; do
+            tests/test_dissertation.c bench/bench.c bench/bench_jacobi.c bench/bench_ateb.c \
+            examples/jacobi_plan.c examples/ateb_plan.c; do
             compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done

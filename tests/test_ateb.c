@@ -2,6 +2,7 @@
 #include "../ateb.h"
 #include "../jacobi.h"
 #include "check.h"
+#include <stdlib.h>
 
 typedef struct ateb_row {
     const char *region;
@@ -9,22 +10,29 @@ typedef struct ateb_row {
 } ateb_row;
 
 static const ateb_row ateb_table[] = {
+#ifdef POINTS /* a longer one: make points */
+#include "../build/points/ateb_table.h"
+#else
 #include "data/ateb_table.h"
+#endif
 };
 
-/* Pi_alpha in two words is known to a relative error of 2^-102 (float 2^-44), which moves the zeros */
+/* Pi_alpha in two words is known to a relative error of 2^-102 (float 2^-44), in three, for alpha < 5e8 (2e4), to
+   2^-125 (2^-58), which moves the zeros */
 #ifdef VM_USE_FLOAT
-static const double pi_error = 5.7e-14;
+static const double pi_error = 5.7e-14, finest_pi_error = 3.5e-18, largest_of_three = 2e4;
 #else
-static const double pi_error = 2e-31;
+static const double pi_error = 2e-31, finest_pi_error = 2.4e-38, largest_of_three = 5e8;
 #endif
 
 static void check_pi_two_words(const ateb_row *row)
 {
     vmi_ateb c;
+    vm_two quarter;
     vmi_ateb_constants(&c, (vm_real)row->alpha);
+    quarter = vmi_ateb_fine_quarter(&c);
     check_error("Pi, two words", "", "bound",
-                fabs((2 * (double)c.quarter.hi - row->pi) + (2 * (double)c.quarter.lo - row->pi_low)) / row->pi /
+                fabs((2 * (double)quarter.hi - row->pi) + (2 * (double)quarter.lo - row->pi_low)) / row->pi /
                     pi_error,
                 1, row->alpha, 0);
 }
@@ -44,13 +52,56 @@ static void test_table(void)
                     0);
         check_pi_two_words(row);
         if (fabs(row->s) > 100 * row->pi) continue;
-        sa_moved = pi_error * fabs(row->s) / ULP(row->sa);
-        ca_moved = 2 / (row->alpha + 1) * pi_error * fabs(row->s) / ULP(row->ca);
+        sa_moved = (row->alpha < largest_of_three ? finest_pi_error : pi_error) * fabs(row->s);
+        ca_moved = 2 / (row->alpha + 1) * sa_moved / ULP(row->ca);
+        sa_moved /= ULP(row->sa);
         check_error("sa", row->region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - sa_moved, 8, row->s,
                     row->alpha);
         check_error("ca", row->region, "ulp", ERROR_ULP(ca, row->ca, row->ca_low) - ca_moved, 8, row->s,
                     row->alpha);
     }
+}
+
+typedef struct elementary_row {
+    double x, y, log, log_low, exp, exp_low, pow, pow_low;
+} elementary_row;
+
+static const elementary_row elementary_table[] = {
+#include "data/elementary_table.h"
+};
+
+/* The kernels: ln x in two words, e^y, x^y; underflow, overflow, NaN. */
+static void test_elementary(void)
+{
+    const double log_unit = PRECISION[0] == 'f' ? 2.4e-10 : 3.2e-20; /* 2^-32, 2^-64.8 */
+    size_t i;
+    int k;
+    for (i = 0; i < sizeof elementary_table / sizeof *elementary_table; i++) {
+        const elementary_row *row = elementary_table + i;
+        const vm_real x = (vm_real)row->x, y = (vm_real)row->y;
+        vm_two l;
+        if (!representable(row->x) || !representable(row->y)) continue;
+        l = vmi_log(x);
+        check_error("ln", "", "bound",
+                    fabs(((double)l.hi - row->log) + ((double)l.lo - row->log_low)) / fabs(row->log) / log_unit, 1,
+                    row->x, 0);
+        check_error("exp", "", "ulp", ERROR_ULP(vmi_exp(y, 0), row->exp, row->exp_low), 0.53, row->y, 0);
+        if (row->pow != 0)
+            check_error("pow", "", "ulp",
+                        ERROR_ULP(vmi_pow(vmi_one_word(x), vmi_one_word(y)), row->pow, row->pow_low), 0.6, row->x,
+                        row->y);
+    }
+    for (k = -(VMI_BIAS + VM_MANT_DIG - 2); k <= VMI_BIAS; k++) { /* exact, subnormal numbers too */
+        vm_two l = vmi_log(vmi_ldexp(1, k));
+        CHECK((double)vmi_ldexp(1, k) == ldexp(1, k));
+        check_error("ln", "2^k", "eps*",
+                    fabs((double)l.hi - k * 0.69314718055994530942) / (1 + abs(k)) / (double)VM_EPSILON, 1, k, 0);
+        CHECK(vmi_exp(l.hi, l.lo) == vmi_ldexp(1, k));
+    }
+    CHECK(vmi_exp(VM_INFINITY, 0) == VM_INFINITY && vmi_exp(VM_MAX, 0) == VM_INFINITY);
+    CHECK(vmi_exp(-VM_INFINITY, 0) == 0 && vmi_exp(-VM_MAX, 0) == 0 && vmi_exp(0, 0) == 1);
+    CHECK(vmi_exp(VM_NAN, 0) != vmi_exp(VM_NAN, 0));
+    CHECK(vmi_log(1).hi == 0 && vmi_log(1).lo == 0);
 }
 
 static double signed_power(double x, double p) { return copysign(pow(fabs(x), p), x); }
@@ -208,8 +259,277 @@ static void test_domain(void)
     CHECK(VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1);
 }
 
+/* The prepared alpha against the same table, to the last digits and to those that were asked for; its array form; s
+   so large that it is reduced otherwise; refusals. */
+static void test_plan(void)
+{
+    static const double accuracies[] = {0, 1e-8, 1e-4};
+    size_t i;
+    int k;
+    for (i = 0; i < sizeof ateb_table / sizeof *ateb_table; i++) {
+        const ateb_row *row = ateb_table + i;
+        const vm_real s = (vm_real)row->s;
+        if (!representable(row->s) || !representable(row->alpha) || row->alpha > 1e7) continue;
+        for (k = 0; k < 3; k++) {
+            const char *region = k == 0 ? "full" : k == 1 ? "1e-8" : "1e-4";
+            const double allowed = accuracies[k] > (double)VM_EPSILON ? accuracies[k] / (double)VM_EPSILON : 2;
+            const int reduced = fabs(row->s) <= 100 * row->pi;
+            const double moved = pi_error * fabs(row->s);
+            vm_real sa, ca, sa2, ca2;
+            ateb_plan plan;
+            CHECK(ateb_plan_init_to(&plan, (vm_real)row->alpha, (vm_real)accuracies[k]) == 0);
+            ateb_plan_saca(&plan, s, &sa, &ca);
+            check_error("plan sa", region, "eps", ERROR_EPS(sa, row->sa, row->sa_low, 1), allowed, row->s,
+                        row->alpha);
+            check_error("plan ca", region, "eps", ERROR_EPS(ca, row->ca, row->ca_low, 1), allowed, row->s,
+                        row->alpha);
+            if (k == 0 && reduced) {
+                check_error("plan sa", region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - moved / ULP(row->sa), 3,
+                            row->s, row->alpha);
+                check_error("plan ca", region, "ulp",
+                            ERROR_ULP(ca, row->ca, row->ca_low) - 2 / (row->alpha + 1) * moved / ULP(row->ca), 3,
+                            row->s, row->alpha);
+            }
+            sa2 = s;
+            ateb_plan_saca_array(&plan, 1, &sa2, &sa2, &ca2);
+            check_error("plan array", region, "eps",
+                        fmax(fabs((double)(sa2 - sa)), fabs((double)(ca2 - ca))) / (double)VM_EPSILON, 3, row->s,
+                        row->alpha);
+        }
+    }
+}
+
+static void test_plan_domain(void)
+{
+    const vm_real bad_alpha[] = {(vm_real)-1e-3, VM_NAN, VM_INFINITY, -VM_INFINITY};
+    vm_real s[130], sa[130], ca[130], one_sa, one_ca;
+    ateb_plan plan, copy;
+    int i, same = 1;
+    ateb_plan_init(&plan, 2);
+    memcpy(&copy, &plan, sizeof plan);
+    for (i = 0; i < 4; i++) CHECK(ateb_plan_init(&plan, bad_alpha[i]) == -1);
+    CHECK(memcmp(&copy, &plan, sizeof plan) == 0);
+    for (i = 0; i < 130; i++) s[i] = (vm_real)uniform(-1, 1) * (vm_real)pow(10, uniform(-3, 36));
+    s[0] = VM_NAN, s[70] = VM_INFINITY, s[129] = -VM_INFINITY;
+    ateb_plan_saca_array(&plan, 130, s, sa, ca);
+    for (i = 0; i < 130; i++) {
+        ateb_plan_saca(&plan, s[i], &one_sa, &one_ca);
+        if (!VM_IS_FINITE(s[i])) {
+            CHECK(sa[i] != sa[i] && ca[i] != ca[i] && one_sa != one_sa && one_ca != one_ca);
+            continue;
+        }
+        same = same && VM_FABS(one_sa - sa[i]) < 4 * VM_EPSILON && VM_FABS(one_ca - ca[i]) < 4 * VM_EPSILON;
+        CHECK(VM_FABS(one_sa) <= 1 + VM_EPSILON && VM_FABS(one_ca) <= 1 + VM_EPSILON);
+    }
+    CHECK(same);
+}
+
+/* ateb_phase inverts ateb_saca, in all four quarters, at any scale, to what an ulp of each input makes. */
+static void test_phase(void)
+{
+    int i;
+    for (i = 0; i < 20000; i++) {
+        double alpha = i % 8 == 0 ? 0 : i % 8 == 1 ? pow(10, uniform(1, 6)) : uniform(0, 12), moved, phase, lambda;
+        vm_real pi = ateb_pi((vm_real)alpha), s, sa, ca;
+        s = (vm_real)uniform(-1, 1) * (pi > 20 ? 20 : pi);
+        if (i % 3 == 0) s *= (vm_real)pow(10, uniform(-6, 0));
+        ateb_saca(s, (vm_real)alpha, &sa, &ca);
+        if (sa == 0 || ca == 0) continue;
+        phase = (double)ateb_phase(sa, ca, (vm_real)alpha);
+        /* ds = |ca| dsa - (alpha + 1)/2 sa dca on the curve, where the scale is free */
+        moved = 3 * (fabs((double)ca) * ULP((double)sa) + (alpha + 1) / 2 * fabs((double)sa) * ULP((double)ca)) +
+                4 * ULP((double)s);
+        check_error("phase", "round trip", "bound", fabs(phase - (double)s) / moved, 2, (double)s, alpha);
+        if (alpha > 12) continue;
+        lambda = uniform(0.2, 5);
+        check_error("phase", "scaled", "bound",
+                    fabs((double)ateb_phase((vm_real)(pow(lambda, (alpha + 1) / 2) * (double)sa),
+                                            (vm_real)(lambda * (double)ca), (vm_real)alpha) -
+                         (double)s) /
+                        (moved + (alpha + 1) * (double)VM_EPSILON * (fabs((double)s) + 1)),
+                    2, (double)s, alpha);
+    }
+    CHECK(ateb_phase(0, 1, 3) == 0);
+    CHECK(ateb_phase(0, -1, 3) == ateb_pi(3));
+    CHECK(ateb_phase(-(vm_real)0, -1, 3) == -ateb_pi(3));
+    CHECK(ateb_phase(1, 0, 3) == ateb_pi(3) / 2);
+    CHECK(ateb_phase(-2, 0, 3) == -ateb_pi(3) / 2);
+    CHECK(ateb_phase(1, 0, -1) != ateb_phase(1, 0, -1));
+    CHECK(ateb_phase(VM_NAN, 0, 1) != ateb_phase(VM_NAN, 0, 1));
+}
+
+typedef struct beta_row {
+    double x, a, b, p, p_low, q, q_low, beta, beta_low, tail;
+    int of_y;
+    double inverse, inverse_low, complement, complement_low, log_x, log_x_low, slope;
+} beta_row;
+
+static const beta_row beta_table[] = {
+#include "data/beta_table.h"
+};
+
+static void test_beta(void)
+{
+    size_t i;
+    for (i = 0; i < sizeof beta_table / sizeof *beta_table; i++) {
+        const beta_row *row = beta_table + i;
+        const vm_real x = (vm_real)row->x, a = (vm_real)row->a, b = (vm_real)row->b, tail = (vm_real)row->tail;
+        const double least = PRECISION[0] == 'f' ? 1e-37 : 1e-300;
+        const double moved = row->slope * ULP(row->tail) / row->tail; /* of ln(x/y), by an ulp of the tail */
+        vm_real p, q, y, inverse, log_x;
+        if (!representable(row->x) || !representable(row->a) || !representable(row->b)) continue;
+        ateb_beta_inc_both(x, 1 - x, a, b, &p, &q);
+        if (row->beta > least && row->beta < 1 / least)
+            check_error("beta", "", "ulp", ERROR_ULP(ateb_beta(a, b), row->beta, row->beta_low), 1, row->a, row->b);
+        check_error("beta_inc", "p", "ulp", ERROR_ULP(p, row->p, row->p_low), 30, row->x, row->a);
+        check_error("beta_inc", "q", "ulp", ERROR_ULP(q, row->q, row->q_low), 30, row->x, row->a);
+        CHECK(ateb_beta_inc(x, a, b) == p);
+        if (!representable(row->tail)) continue;
+        if (row->of_y) ateb_beta_inc_inv_both(1 - tail, tail, a, b, &inverse, &y, &log_x);
+        else ateb_beta_inc_inv_both(tail, 1 - tail, a, b, &inverse, &y, &log_x);
+        if (row->inverse > least)
+            check_error("beta_inc_inv", "x", "ulp",
+                        ERROR_ULP(inverse, row->inverse, row->inverse_low) -
+                            row->complement * row->inverse * moved / ULP(row->inverse),
+                        16, row->tail, row->a);
+        if (row->complement > least)
+            check_error("beta_inc_inv", "y", "ulp",
+                        ERROR_ULP(y, row->complement, row->complement_low) -
+                            row->complement * row->inverse * moved / ULP(row->complement),
+                        16, row->tail, row->a);
+        if (row->inverse < 0.5)
+            check_error("beta_inc_inv", "ln x", "ulp",
+                        ERROR_ULP(log_x, row->log_x, row->log_x_low) - row->complement * moved / ULP(row->log_x),
+                        16, row->tail, row->a);
+    }
+}
+
+static void test_beta_domain(void)
+{
+    const vm_real half = (vm_real)0.5, below = -half, above = 1 + half;
+    CHECK(ateb_beta_inc_inv(below, 1, 1) != ateb_beta_inc_inv(below, 1, 1));
+    CHECK(ateb_beta_inc_inv(above, 1, 1) != ateb_beta_inc_inv(above, 1, 1));
+    CHECK(ateb_beta_inc_inv(half, 0, 1) != ateb_beta_inc_inv(half, 0, 1));
+    CHECK(ateb_beta_inc(above, 1, 1) != ateb_beta_inc(above, 1, 1));
+    CHECK(ateb_beta(0, 1) != ateb_beta(0, 1));
+    CHECK(ateb_beta(1, VM_NAN) != ateb_beta(1, VM_NAN));
+    CHECK(ateb_beta_inc_inv(0, 2, 3) == 0 && ateb_beta_inc_inv(1, 2, 3) == 1);
+    CHECK(ateb_beta_inc(0, 2, 3) == 0 && ateb_beta_inc(1, 2, 3) == 1);
+    CHECK(ateb_beta(1, 1) == 1 && ateb_beta(1, 4) == (vm_real)0.25);
+    CHECK(VM_FABS(ateb_beta_inc_inv(half, 7, 7) - half) <= 4 * VM_EPSILON);
+}
+
+typedef struct nm_row {
+    double s, n, m, sa, sa_low, ca, ca_low, pi, pi_low;
+} nm_row;
+
+static const nm_row nm_table[] = {
+#include "data/ateb_nm_table.h"
+};
+
+static void test_two_indices(void)
+{
+    size_t i;
+    double s, alpha = 1.5;
+    vm_real sa, ca, swapped_sa, swapped_ca, plain_sa, plain_ca, sn, cn, dn;
+    for (i = 0; i < sizeof nm_table / sizeof *nm_table; i++) {
+        const nm_row *row = nm_table + i;
+        if (!representable(row->s) || !representable(row->n) || !representable(row->m)) continue;
+        ateb_saca_nm((vm_real)row->s, (vm_real)row->n, (vm_real)row->m, &sa, &ca);
+        check_error("sa(n, m)", "table", "ulp", ERROR_ULP(sa, row->sa, row->sa_low), 8, row->s, row->n);
+        check_error("ca(m, n)", "table", "ulp", ERROR_ULP(ca, row->ca, row->ca_low), 8, row->s, row->m);
+        check_error("Pi(n, m)", "table", "ulp",
+                    ERROR_ULP(ateb_pi_nm((vm_real)row->n, (vm_real)row->m), row->pi, row->pi_low), 1, row->n,
+                    row->m);
+    }
+    for (s = -9.8; s < 10; s += 0.7) { /* (278), (280), corrected: a quarter on, the swapped pair */
+        vm_real quarter = ateb_pi((vm_real)alpha) / 2;
+        ateb_saca((vm_real)s, (vm_real)alpha, &plain_sa, &plain_ca);
+        ateb_saca_nm((vm_real)s, 1, (vm_real)alpha, &sa, &ca);
+        ateb_saca_nm(quarter - (vm_real)s, (vm_real)alpha, 1, &swapped_sa, &swapped_ca);
+        check_error("sa(1, m)", "= sa", "eps", fabs((double)(sa - plain_sa)) / (double)VM_EPSILON, 8, s, alpha);
+        check_error("ca(m, 1)", "= ca", "eps", fabs((double)(ca - plain_ca)) / (double)VM_EPSILON, 8, s, alpha);
+        check_error("sa = ca swapped", "(278)", "eps", fabs((double)(swapped_ca - plain_sa)) / (double)VM_EPSILON,
+                    40, s, alpha);
+        check_error("ca = sa swapped", "(280)", "eps", fabs((double)(swapped_sa - plain_ca)) / (double)VM_EPSILON,
+                    40, s, alpha);
+        ateb_saca_nm((vm_real)s, 3, 1, &sa, &ca); /* sa(3, 1, s) = sn(s/2 | -1) */
+        jacobi_sncndn((vm_real)s / 2, -1, &sn, &cn, &dn);
+        check_error("sa(3, 1) = sn", "m = -1", "eps", fabs((double)(sa - sn)) / (double)VM_EPSILON, 20, s, 3);
+    }
+    ateb_saca_nm(1, -1, 1, &sa, &ca);
+    CHECK(sa != sa && ca != ca);
+    CHECK(ateb_pi_nm(-1, 1) != ateb_pi_nm(-1, 1));
+}
+
+/* (316) at the values of the recomputation, the closed integrals by their derivatives and over a quarter */
+static void test_means_and_integrals(void)
+{
+    static const double mean[4][4] = {{1.5, 2, 0, 4.087882200450978690808038},
+                                      {1.5, 2, 2, 1.05355514690521619068528},
+                                      {3, 4, 2, 1.278016250384631687935917},
+                                      {0.5, 0, 2, 2.666666666666666666666667}};
+    int i;
+    for (i = 0; i < 4; i++) {
+        const double alpha = mean[i][0], period = 2 * (double)ateb_pi((vm_real)alpha);
+        check_error("mean", "(316)", "eps*",
+                    fabs((double)ateb_mean((vm_real)alpha, (vm_real)mean[i][1], (vm_real)mean[i][2]) * period -
+                         mean[i][3]) /
+                        (double)VM_EPSILON / mean[i][3],
+                    2, alpha, mean[i][1]);
+    }
+    CHECK(ateb_mean(1, -1, 0) != ateb_mean(1, -1, 0) && ateb_mean(-1, 1, 1) != ateb_mean(-1, 1, 1));
+    for (i = 0; i < 4000; i++) {
+        const double alpha = uniform(0, 20), s = uniform(-10, 10), h = 1e-3;
+        const vm_real half = ateb_pi((vm_real)alpha) / 2;
+        vm_real sa, ca,
+            both = ateb_integral_sa2((vm_real)s, (vm_real)alpha) + ateb_integral_ca((vm_real)s, (vm_real)alpha);
+        ateb_saca((vm_real)s, (vm_real)alpha, &sa, &ca);
+        check_error("integrals", "sum = s", "eps*", fabs((double)both - s) / (double)VM_EPSILON / (1 + fabs(s)), 3,
+                    s, alpha);
+        check_error("integral sa^2", "quarter = mean", "eps*",
+                    fabs((double)ateb_integral_sa2(half, (vm_real)alpha) -
+                         (double)(half * ateb_mean((vm_real)alpha, 2, 0))) /
+                        (double)VM_EPSILON / (double)half,
+                    3, alpha, 0);
+        if (PRECISION[0] == 'f' || fabs((double)ca) < 0.1) continue;
+        check_error("integral sa^2", "derivative", "1e-6",
+                    1e6 * fabs((double)(ateb_integral_sa2((vm_real)(s + h), (vm_real)alpha) -
+                                        ateb_integral_sa2((vm_real)(s - h), (vm_real)alpha)) /
+                                   (2 * h) -
+                               (double)(sa * sa)),
+                    20, s, alpha);
+    }
+    check_error("integral sa^2", "small s", "ulp",
+                ERROR_ULP(ateb_integral_sa2((vm_real)0.0009765625, 3), 3.1044076938733873515e-10,
+                          -2.413058897574063709e-26),
+                8, 9.765625e-4, 3);
+}
+
+/* sa grows and ca falls from one number to the next, but for an ulp */
+static void test_monotone(void)
+{
+    static const double alphas[] = {0, 0.1, 0.5, 1, 1.5, 3, 10, 100, 1e4, 1e6};
+    int i, j;
+    double steps = 0;
+    for (i = 0; i < 10; i++)
+        for (j = 0; j < 400; j++) {
+            vm_real half = ateb_pi((vm_real)alphas[i]) / 2, s = (vm_real)uniform(0, 1) * (half < 3 ? half : 3), sa,
+                    ca;
+            vm_real next = s * (1 + VM_EPSILON), sa2, ca2;
+            if (j < 20) s = (vm_real)(0.55 * (1 + (double)VM_EPSILON * (j - 10))), next = s * (1 + VM_EPSILON);
+            if (next >= half) continue;
+            ateb_saca(s, (vm_real)alphas[i], &sa, &ca);
+            ateb_saca(next, (vm_real)alphas[i], &sa2, &ca2);
+            steps = fmax(steps, (double)(sa - sa2) / ULP((double)sa));
+            steps = fmax(steps, (double)(ca2 - ca) / ULP((double)ca));
+        }
+    check_error("against monotony", "neighbours", "ulp", steps, 3, 0, 0);
+}
+
 int main(void)
 {
+    test_elementary();
     test_table();
     test_identities();
     test_derivative_of_ca();
@@ -217,5 +537,13 @@ int main(void)
     test_change_over();
     test_closed_forms();
     test_domain();
+    test_plan();
+    test_plan_domain();
+    test_phase();
+    test_beta();
+    test_beta_domain();
+    test_two_indices();
+    test_means_and_integrals();
+    test_monotone();
     return check_finish("ateb.h");
 }

@@ -48,6 +48,12 @@ for header in ateb integrators varmass; do
     shared_block $header.h >"$build/$header.block"
     check "$header.h has the shared block of jacobi.h" cmp "$build/jacobi.block" "$build/$header.block"
 done
+if grep -q '^/\* ---- Elementary kernels' jacobi.h; then
+    for header in jacobi ateb; do
+        sed -n '/^\/\* ---- Elementary kernels/,/^\/\* ---- End of the elementary kernels/p' $header.h >"$build/$header.kernels"
+    done
+    check "jacobi.h and ateb.h have the same elementary kernels" cmp "$build/jacobi.kernels" "$build/ateb.kernels"
+fi
 check "the shared block is found" test "$(wc -l <"$build/jacobi.block")" -gt 50
 for header in jacobi ateb integrators varmass; do
     check "$header.h, double: imports and data" imports $header.h
@@ -63,6 +69,21 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h: the manual's example builds" $cc -std=c99 -I. "$build/$header.c" -o "$build/$header.example" -lm
     check "$header.h: the manual's example runs" "$build/$header.example"
 done
+plan_round_trip() { # plan_round_trip ALPHA ACCURACY OPTIONS...: the printed plan has the bits that init computes
+    alpha=$1 accuracy=$2
+    shift 2
+    $cc -std=c99 "$@" examples/ateb_plan.c -o "$build/plan_print" -lm || return 1
+    { printf '#include "ateb.h"\n'
+      "$build/plan_print" $alpha $accuracy
+      printf 'int main(void) { ateb_plan p = plan; ateb_plan_init_to(&p, (vm_real)%s, (vm_real)%s);\n' $alpha $accuracy
+      printf 'return memcmp(&p, &plan, sizeof p) != 0; }\n'; } >"$build/plan.c"
+    $cc -std=c99 "$@" -I. "$build/plan.c" -o "$build/plan" -lm && "$build/plan"
+}
+for alpha in 0 0.1 1 1.5 2.7 3 100; do
+    check "printed plan, alpha $alpha" plan_round_trip $alpha 0
+    check "printed plan, alpha $alpha, float" plan_round_trip $alpha 0 -DVM_USE_FLOAT
+done
+check "printed plan to 1e-4" plan_round_trip 1.5 1e-4
 readme_example >"$build/readme.c"
 check "the README's example builds" $cc -std=c99 -I. "$build/readme.c" -o "$build/readme.example" -lm
 "$build/readme.example" | sed 's/^/    /' >"$build/readme.output"

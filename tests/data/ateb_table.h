@@ -1,4 +1,4 @@
-/* Written by tests/gen/reference.py: region, s, alpha, sa, ca, Pi_alpha as high and low words */
+/* Written by tests/gen/ateb_reference.py: region, s, alpha, sa, ca, Pi_alpha as high and low words */
     {"first quarter", 0.581534365565709, 0.0, 0.581534365565709, 0.0, 0.6618177816660883, -1.0465417708990245e-18, 2.0, 0.0},
     {"first quarter", 0.2858222884334035, 0.0, 0.2858222884334035, 0.0, 0.9183056194346922, 4.306201902705611e-17, 2.0, 0.0},
     {"first quarter", 0.2619387853202688, 0.0, 0.2619387853202688, 0.0, 0.9313880727449422, -5.0439065852316786e-17, 2.0, 0.0},

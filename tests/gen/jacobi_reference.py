@@ -2,7 +2,7 @@
 """Write tests/data/jacobi_table.h, complete_table.h, means_table.h and solver_table.h: arbitrary-precision values of what
 jacobi.h computes, at exactly the stored inputs.
 
-usage: jacobi_reference.py [FACTOR [FOLDER]]   FACTOR times as many points (make points: 20 000 and more), elsewhere
+usage: jacobi_reference.py [FACTOR [FOLDER [SEED]]]   FACTOR times as many points (make points: 20), elsewhere, others
 
 Every value is given as high + low word (about 32 digits). About half of the inputs of each region are numbers of single
 precision, which the float build of the tests uses; the double build uses all of them. sn, cn, dn come from the
@@ -13,10 +13,10 @@ import struct
 import sys
 from mpmath import mp, mpf, agm, cos, ellipe, ellipfun, ellipk, nint, pi, sin, sqrt
 
-random.seed(20)
 DIGITS = 60
 FACTOR = int(sys.argv[1]) if len(sys.argv) > 1 else 1
 FOLDER = sys.argv[2] if len(sys.argv) > 2 else "tests/data"
+random.seed(int(sys.argv[3]) if len(sys.argv) > 3 else 20)
 
 
 def single(x):

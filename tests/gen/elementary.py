@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""Print the tables and polynomials of the elementary kernels in jacobi.h and ateb.h.
+
+Logarithm: x = 2^k z, z from 0.7083 to 1.4167 in 32 intervals of 1/44, one of them with 1 in its middle. Of each: 1/c,
+close to the reciprocal of its middle and short, and ln c in two words, the first a multiple of a power of two, so
+that k ln 2 + ln c is exact in the high words. Then ln(1 + r) = r - r^2/2 + r^3 L(r).
+Exponential: e^r = 1 + r + r^2/2 + r^3 E(r), |r| <= ln(2)/2. L and E by interpolation in the Chebyshev points.
+"""
+import random
+import struct
+import sys
+from mpmath import mp, mpf, cos, pi, log, exp, factorial, floor, polyval, nstr
+
+mp.dps = 60
+N = 32
+
+
+def nearest(x, bits):
+    """The multiple of 2^-bits next to x."""
+    return floor(mpf(x) * mpf(2)**bits + mpf(1) / 2) / mpf(2)**bits
+
+
+def single(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def rounded(x, bits):
+    kept, mp.prec = mp.prec, bits
+    y = +mpf(x)
+    mp.prec = kept
+    return y
+
+
+def powers(f, degree, bound):
+    """Coefficients of the polynomial that agrees with f in the Chebyshev points of [-bound, bound]."""
+    node = [bound * cos(pi * (2 * k + 1) / (2 * degree + 2)) for k in range(degree + 1)]
+    difference = [f(x) for x in node]
+    for order in range(1, degree + 1):
+        for k in range(degree, order - 1, -1):
+            difference[k] = (difference[k] - difference[k - 1]) / (node[k] - node[k - order])
+    total = [difference[degree]]
+    for k in range(degree - 1, -1, -1):
+        total = [mpf(0)] + total
+        for j in range(len(total) - 1):
+            total[j] -= node[k] * total[j + 1]
+        total[0] += difference[k]
+    return total
+
+
+def L(r):
+    return sum((-1)**n * r**n / (n + 3) for n in range(60))
+
+
+def E(r):
+    return sum(r**n / factorial(n + 3) for n in range(50))
+
+
+def show(name, values, digits):
+    text = [f"VM_C({nstr(v, digits, min_fixed=-4, max_fixed=3) if v else '0.0'})" for v in values]
+    print(f"{name}: " + ", ".join(text))
+
+
+def tables(bits, short, grid, log_degree, exp_degree):
+    digits = 20 if bits == 53 else 12
+    print(f"---- {bits} bits")
+    widest = mpf(0)
+    for i in range(N):
+        middle = 1 + mpf(i - 13) / 44
+        reciprocal = nearest(1 / middle, short)
+        ends = max(middle - mpf(1) / 88, mpf(17) / 24), middle + mpf(1) / 88
+        widest = max([widest] + [abs(reciprocal * z - 1) for z in ends])
+        first = nearest(-log(reciprocal), grid)
+        show(f"{i}", [reciprocal, first, rounded(-log(reciprocal) - first, bits)], digits)
+    first = nearest(log(2), grid)
+    show("ln 2", [first, rounded(log(2) - first, bits)], digits)
+    print("largest |r|", nstr(widest, 5))
+    for name, f, degree, bound in (("L", L, log_degree, widest), ("E", E, exp_degree, log(2) / 2)):
+        c = [rounded(x, bits) for x in powers(f, degree, bound)]
+        error = max(abs(polyval(c[::-1], x) - f(x)) for x in (bound * (mpf(k) / 100 - 1) for k in range(201)))
+        show(name, c, digits)
+        print(f"   |r| <= {nstr(bound, 5)}, error of r^3 {name}: {nstr(error * bound**3, 3)}"
+              f" = 2^{nstr(log(error * bound**3, 2), 4)}")
+
+
+def words(x):
+    high = float(x)
+    return f"{high!r}, {float(x - mpf(high))!r}"
+
+
+def reference():
+    """tests/data/elementary_table.h: x, y; ln x, e^y, x^y"""
+    random.seed(40)
+    with open("tests/data/elementary_table.h", "w") as file:
+        file.write("/* Written by tests/gen/elementary.py: x, y, ln x, e^y, x^y as high and low words */\n")
+        for count in range(400):
+            near = single if count % 2 else float
+            large = 40 if count % 2 else 350
+            x = near(random.choice((1 + random.uniform(-1, 1) * 2.0 ** random.uniform(-20, -1),
+                                    2.0 ** random.uniform(-large, large), 1 + random.choice((-1, 1)) / 88)))
+            y = near(random.choice((-1, 1)) * random.choice((2.0 ** random.uniform(-20, 6), random.uniform(0, 2 * large))))
+            if abs(y) > 2 * large or x == 1:
+                continue
+            power = abs(y * log(mpf(x))) < 2 * large
+            file.write(f"    {{{x!r}, {y!r}, {words(log(mpf(x)))}, {words(exp(mpf(y)))}, "
+                       f"{words(mpf(x)**mpf(y)) if power else '0, 0'}}},\n")
+
+
+if len(sys.argv) > 1:  # any argument: the table of the tests
+    reference()
+else:
+    tables(53, 10, 42, 7, 9)
+    tables(24, 8, 16, 3, 5)
