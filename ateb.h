@@ -163,21 +163,31 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
+/* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+VM_API vm_real vmi_rounded(vm_real x)
+{
+    volatile vm_real stored = x;
+    return stored;
+}
+#else
+#define vmi_rounded(x) (x)
+#endif
+
 /* a + b exactly (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
     vm_real b_part;
-    s.hi = a + b;
-    b_part = s.hi - a;
-    s.lo = (a - (s.hi - b_part)) + (b - b_part);
+    s.hi = vmi_rounded(a + b);
+    b_part = vmi_rounded(s.hi - a);
+    s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
 }
 
 /* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
    where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables
-   shed excess precision. */
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -190,10 +200,10 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     p.hi = a * b + 0;
     p.lo = VM_LIBM(fma)(a, b, -p.hi);
 #else
-    vm_real ta = VM_SPLIT * a + 0, a_rest = ta - a, ah = ta - a_rest, al = a - ah;
-    vm_real tb = VM_SPLIT * b + 0, b_rest = tb - b, bh = tb - b_rest, bl = b - bh;
-    p.hi = a * b + 0;
-    p.lo = ((ah * bh - p.hi) + ah * bl + al * bh) + al * bl;
+    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
+    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
+    p.hi = vmi_rounded(a * b + 0);
+    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
 #endif
     return p;
 }
@@ -265,8 +275,8 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
-    s.hi = a + b;
-    s.lo = (a - s.hi) + b;
+    s.hi = vmi_rounded(a + b);
+    s.lo = vmi_rounded((a - s.hi) + b);
     return s;
 }
 
@@ -389,7 +399,8 @@ VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
     const vm_real t = x * one_over_ln2;
     const int n = (int)(t + VM_COPYSIGN(VM_C(0.5), t));
     const vm_two r = vmi_fast_two_sum(x - (vm_real)n * ln2_hi, x_lo - (vm_real)n * ln2_lo);
-    const vm_real split = VM_SPLIT * r.hi + 0, excess = split - r.hi, head = split - excess, tail = r.hi - head;
+    const vm_real split = vmi_rounded(VM_SPLIT * r.hi + 0), excess = vmi_rounded(split - r.hi);
+    const vm_real head = split - excess, tail = r.hi - head;
     const vm_two p = vmi_fast_two_sum(r.hi, head * head / 2);
     const vm_real rr = r.hi * r.hi;
 #if VM_MANT_DIG > 24
@@ -1225,7 +1236,7 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         *sa = *ca = VM_NAN;
         return;
     }
-    near_zero = VM_FABS(rest), far_zero = (p->quarter.hi - near_zero) + p->quarter.lo;
+    near_zero = VM_FABS(rest), far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
     r = quarter & 1 ? far_zero : near_zero;
     d = quarter & 1 ? near_zero : far_zero;
     beyond = r > p->change_over;
@@ -1246,7 +1257,7 @@ VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_rea
 {
     int quarter;
     const vm_real rest = vmi_ateb_plan_reduce(p, s, &quarter), near_zero = VM_FABS(rest);
-    const vm_real far_zero = (p->quarter.hi - near_zero) + p->quarter.lo, odd = (vm_real)(quarter & 1);
+    const vm_real far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo), odd = (vm_real)(quarter & 1);
     const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
     const vm_real r = vmi_choose(odd, far_zero, near_zero), d = vmi_choose(odd, near_zero, far_zero);
     const vm_real beyond = vmi_weight(r - p->change_over);

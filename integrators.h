@@ -133,21 +133,31 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
+/* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+VM_API vm_real vmi_rounded(vm_real x)
+{
+    volatile vm_real stored = x;
+    return stored;
+}
+#else
+#define vmi_rounded(x) (x)
+#endif
+
 /* a + b exactly (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
     vm_real b_part;
-    s.hi = a + b;
-    b_part = s.hi - a;
-    s.lo = (a - (s.hi - b_part)) + (b - b_part);
+    s.hi = vmi_rounded(a + b);
+    b_part = vmi_rounded(s.hi - a);
+    s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
 }
 
 /* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
    where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum; the variables
-   shed excess precision. */
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
@@ -160,10 +170,10 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     p.hi = a * b + 0;
     p.lo = VM_LIBM(fma)(a, b, -p.hi);
 #else
-    vm_real ta = VM_SPLIT * a + 0, a_rest = ta - a, ah = ta - a_rest, al = a - ah;
-    vm_real tb = VM_SPLIT * b + 0, b_rest = tb - b, bh = tb - b_rest, bl = b - bh;
-    p.hi = a * b + 0;
-    p.lo = ((ah * bh - p.hi) + ah * bl + al * bh) + al * bl;
+    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
+    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
+    p.hi = vmi_rounded(a * b + 0);
+    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
 #endif
     return p;
 }

@@ -54,11 +54,10 @@ static void test_table(void)
         if (row->complement) jacobi_sncndn_m1(u, m, &sn, &cn, &dn);
         else jacobi_sncndn(u, m, &sn, &cn, &dn);
         check_three(row, "", sn, cn, dn);
+        CHECK(row->complement || (jacobi_sn(u, m) == sn && jacobi_cn(u, m) == cn && jacobi_dn(u, m) == dn));
         CHECK((row->complement ? jacobi_plan_init_m1(&plan, m) : jacobi_plan_init(&plan, m)) == 0);
         jacobi_plan_sncndn(&plan, u, &sn, &cn, &dn);
         check_three(row, " by plan", sn, cn, dn);
-        if (row->complement) continue;
-        CHECK(jacobi_sn(u, m) == jacobi_sn(u, m) && jacobi_cn(u, m) == jacobi_cn(u, m));
     }
 }
 
