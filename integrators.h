@@ -180,16 +180,35 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 #endif
 /* ---- End of the shared block -------------------------------------------------------------------------------- */
 
+#include <stdint.h>
+#include <string.h>
+
 /* ---- Table of contents -------------------------------------------------------------------------------------- */
+
+#ifndef VM_INLINE /* linkage of what must be inlined for the compiler to see f and n; VM_API is enough for the results */
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define VM_INLINE VM_API __attribute__((always_inline))
+#else
+#define VM_INLINE VM_API
+#endif
+#endif
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define VMI_APART \
+    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#else
+#define VMI_APART VM_API
+#endif
 
 enum {
     ODE_OK = 0,
-    ODE_RTOL_RAISED = 1, /* rk45_init: rtol was less than the type can hold, 16 eps is used */
+    ODE_RTOL_RAISED = 1, /* an init: rtol was less than the type can hold, 16 eps is used */
+    ODE_EVENT = 2,       /* a terminal event: s->t, s->y are where it happened, s->event is its index */
+    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, held the steps short */
     ODE_BAD_ARGUMENT =
         -1, /* n or steps <= 0, a null pointer, a component without tolerance, h_min < 0 or above h_max,
-                                a time, state or option that is not finite, a time outside the last step */
-    ODE_RHS_STOPPED = -2,    /* f returned something else than 0 */
-    ODE_NOT_FINITE = -3,     /* f or the state became infinite or NaN, however short the step */
+                              a time, state or option that is not finite, a time outside the last step */
+    ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
+    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
     ODE_STEP_TOO_SMALL = -4, /* the tolerance asks for a step below h_min, or below what t can resolve */
     ODE_MAX_STEPS = -5       /* max_steps attempts did not reach t_end; call again to go on */
 };
@@ -201,8 +220,37 @@ typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 /* One step of size h (of either sign) from t: y becomes y(t + h). steps equal steps from *t to t_end, after which
    *t == t_end. Error O(h^4). On failure y (and *t) are those of the last complete step. */
 #define RK4_WORK(n) (3 * (n))
-VM_API int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work);
-VM_API int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y, vm_real *work);
+VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work);
+VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                        vm_real *work);
+/* The same with y + y_low as the state (y_low: n values, zero at first), so that the roundings of millions of steps
+   do not add up [3]. */
+VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                                    vm_real *y_low, vm_real *work);
+
+/* An event is a change of sign of g(t, y) along a run; a zero is reached, not left, when it counts. The caller owns
+   the array of events that the options point at; the first seven fields are his, the rest is the integrator's. */
+typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
+typedef struct VM_TAG(ode_event) {
+    ode_event_function g;
+    void *ctx;
+    int direction;  /* as the run goes: > 0 when g rises through zero, < 0 when it falls, 0 both */
+    int action;     /* ODE_RECORD, ODE_STOP or ODE_RESTART */
+    int checks;     /* g is looked at in so many points inside each step; default 3, negative none */
+    long room;      /* of times and states, either of which may be null: the first room events are written there, */
+    vm_real *times; /* one time each */
+    vm_real *states; /* and n values each */
+    long count;      /* events so far */
+    vm_real t;       /* of the last one */
+    vm_real slack;   /* internal from here on: |g| that is no more than the location's uncertainty at t */
+    vm_real next;    /* where in the step the next one is */
+    int side;        /* the sign of g behind us, 0 when unknown */
+} ode_event;
+enum {
+    ODE_RECORD = 0, /* go on */
+    ODE_STOP = 1,   /* a terminal event: the run ends there with ODE_EVENT */
+    ODE_RESTART = 2 /* the step ends there and a new one begins: for an f that jumps or kinks where g = 0 */
+};
 
 typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* default 1e-6 (float 1e-4) */
@@ -211,6 +259,8 @@ typedef struct VM_TAG(rk45_options) {
     vm_real h_min, h_max;     /* defaults: what t can resolve; no limit */
     long max_steps;           /* attempts in one rk45_solve; default 1000000, negative: no limit */
     const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol; 0 is none */
+    ode_event *events;        /* n_events of them, or null */
+    int n_events;
 } rk45_options;
 
 typedef struct VM_TAG(rk45) {
@@ -222,36 +272,61 @@ typedef struct VM_TAG(rk45) {
     long rejected;  /* and rejected steps */
     long evals;     /* of f */
     int rhs_status; /* what f returned last */
+    int event;      /* index of the terminal event that ended the last call, else -1 */
+    int stiff;      /* nonzero once the run has looked stiff */
     ode_rhs f;
     void *ctx;
     int n;
-    rk45_options options; /* as resolved */
-    vm_real *work;        /* from here on internal */
-    vm_real ln_error_before;
-    int k1; /* where k_1 is */
+    rk45_options options;  /* as resolved */
+    vm_real *work;         /* from here on internal */
+    vm_real h_done;        /* the last accepted step */
+    vm_real inverse_error; /* 1 over its error, in tolerances */
+    long attempts;         /* left; negative: no limit */
+    int k1, extended;      /* state of the derivatives in work */
+    int failure;           /* of the attempt before: VMI_REJECTED, VMI_NOT_FINITE */
+    int stiff_wait, stiff_hits, stiff_misses;
 } rk45;
 
 #define RK45_WORK(n) (10 * (n))
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL);
-VM_API int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                     const rk45_options *options_or_NULL, vm_real *work);
-/* One accepted step. */
-VM_API int rk45_step(rk45 *s);
-/* To t_end exactly, forward or backward; at once if s->t is there. */
-VM_API int rk45_solve(rk45 *s, vm_real t_end);
+VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk45_options *options_or_NULL, vm_real *work);
+/* One accepted step, or less of it to a terminal event or a restart. */
+VM_INLINE int rk45_step(rk45 *s);
+/* To t_end exactly, forward or backward, at once if s->t is there; or to a terminal event. */
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end);
+/* The same for an s that was initialised with this f and n: constants here are inlined however s came about. */
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end);
 /* y(t) for t within the last step, to about the step's own accuracy; refuses other t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y);
 /* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y);
+
+/* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk853_interpolate is of
+   order 7 and evaluates f three times in a step in which it is used. */
+typedef rk45_options rk853_options;
+typedef rk45 rk853;
+#define RK853_WORK(n) (19 * (n))
+VM_INLINE int rk853_init(rk853 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                         const rk853_options *options_or_NULL, vm_real *work);
+VM_INLINE int rk853_step(rk853 *s);
+VM_INLINE int rk853_solve(rk853 *s, vm_real t_end);
+VM_INLINE int rk853_solve_with(rk853 *s, ode_rhs f, int n, vm_real t_end);
+VM_API int rk853_interpolate(rk853 *s, vm_real t, vm_real *y);
+VM_API int rk853_restart(rk853 *s, vm_real t, const vm_real *y);
+
+/* ---- Common to all ------------------------------------------------------------------------------------------ */
 
 VM_API const char *ode_strerror(int status)
 {
     switch (status) {
     case ODE_OK: return "success";
     case ODE_RTOL_RAISED: return "rtol was raised to 16 eps";
+    case ODE_EVENT: return "a terminal event";
+    case ODE_STIFF: return "success, but the equations look stiff";
     case ODE_BAD_ARGUMENT: return "bad argument";
     case ODE_RHS_STOPPED: return "the right-hand side stopped the run";
-    case ODE_NOT_FINITE: return "the right-hand side or the state is not finite";
+    case ODE_NOT_FINITE: return "the right-hand side, the state or an event function is not finite";
     case ODE_STEP_TOO_SMALL: return "the step size became too small";
     case ODE_MAX_STEPS: return "max_steps was reached";
     default: return "unknown status";
@@ -266,54 +341,157 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-VM_API void vmi_copy(int n, const vm_real *from, vm_real *to)
+#ifdef VM_USE_FLOAT
+#define VMI_MIN FLT_MIN
+#else
+#define VMI_MIN DBL_MIN
+#endif
+
+/* The loops over components are unrolled where n is known, so that the components live in registers. Systems of up to
+   VMI_SMALL known components are stepped in local arrays, others in the caller's work. */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
+    !defined(__OPTIMIZE_SIZE__)
+#define VMI_UNROLL _Pragma("GCC unroll 16")
+#else
+#define VMI_UNROLL
+#endif
+#define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
+#define VMI_SMALL 8
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
+#else
+#define VMI_IS_SMALL(n) 0
+#endif
+
+VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
-    for (i = 0; i < n; i++) to[i] = from[i];
+    VMI_EACH(i, n) to[i] = from[i];
+}
+
+/* x^p, to 1 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of 2^k (1 + f),
+   read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is (1 + v + v^2/2)^16. */
+#if VM_MANT_DIG > 24
+typedef int64_t vmi_bits;
+#define VMI_BITS_OF_1 ((vmi_bits)1023 << 52)
+#else
+typedef int32_t vmi_bits;
+#define VMI_BITS_OF_1 ((vmi_bits)127 << 23)
+#endif
+VM_INLINE vm_real vmi_power(vm_real x, vm_real p)
+{
+    const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
+    vmi_bits bits;
+    vm_real v;
+    memcpy(&bits, &x, sizeof x);
+    v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
+    v = 1 + v * (1 + v / 2);
+    v *= v, v *= v, v *= v, v *= v;
+    return v;
 }
 
 /* ---- rk4 ---------------------------------------------------------------------------------------------------- */
 
-VM_API int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
+/* The four stages of a step from y with size h: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f does. */
+VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
+                             vm_real *sum, vm_real *z)
 {
-    vm_real *k = work, *sum, *z;
-    int i;
-    if (!f || n <= 0 || !y || !work || !VM_IS_FINITE(t) || !VM_IS_FINITE(h)) return ODE_BAD_ARGUMENT;
-    sum = work + n, z = sum + n;
-    if (f(t, y, k, ctx)) return ODE_RHS_STOPPED;
-    for (i = 0; i < n; i++) sum[i] = k[i], z[i] = y[i] + h / 2 * k[i];
-    if (f(t + h / 2, z, k, ctx)) return ODE_RHS_STOPPED;
-    for (i = 0; i < n; i++) sum[i] += 2 * k[i], z[i] = y[i] + h / 2 * k[i];
-    if (f(t + h / 2, z, k, ctx)) return ODE_RHS_STOPPED;
-    for (i = 0; i < n; i++) sum[i] += 2 * k[i], z[i] = y[i] + h * k[i];
-    if (f(t + h, z, k, ctx)) return ODE_RHS_STOPPED;
-    for (i = 0; i < n; i++) z[i] = y[i] + h / 6 * (sum[i] + k[i]);
-    if (!vmi_all_finite(n, z)) return ODE_NOT_FINITE;
-    vmi_copy(n, z, y);
-    return ODE_OK;
+    int i, stopped = f(t, y, k, ctx);
+    if (stopped) return stopped;
+    VMI_EACH(i, n) sum[i] = k[i], z[i] = y[i] + h / 2 * k[i];
+    stopped = f(t + h / 2, z, k, ctx);
+    if (stopped) return stopped;
+    VMI_EACH(i, n) sum[i] += 2 * k[i], z[i] = y[i] + h / 2 * k[i];
+    stopped = f(t + h / 2, z, k, ctx);
+    if (stopped) return stopped;
+    VMI_EACH(i, n) sum[i] += 2 * k[i], z[i] = y[i] + h * k[i];
+    return f(t + h, z, k, ctx);
 }
 
-VM_API int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y, vm_real *work)
+/* steps steps of h from *t, the state y or, where low is not null, y + low; w has 3 m numbers */
+VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low,
+                          vm_real *w, ptrdiff_t m)
 {
-    vm_real t0, h;
-    long i;
-    if (!t || steps <= 0 || !VM_IS_FINITE(t_end)) return ODE_BAD_ARGUMENT;
-    t0 = *t;
-    h = (t_end - t0) / (vm_real)steps;
-    for (i = 0; i < steps; i++) {
-        int status = rk4_step(f, ctx, n, *t, h, y, work);
-        if (status) return status;
-        *t = i + 1 < steps ? t0 + (vm_real)(i + 1) * h : t_end;
+    const vm_real t0 = *t, h_6 = h / 6;
+    vm_real *k = w, *sum = w + m, *z = w + 2 * m;
+    long step;
+    int i, status = ODE_OK;
+    for (step = 0; step < steps; step++) {
+        vm_real bad = 0; /* x - x is 0 or NaN */
+        if (vmi_rk4_stages(f, ctx, n, t0 + (vm_real)step * h, h, y, k, sum, z)) {
+            status = ODE_RHS_STOPPED;
+            break;
+        }
+        VMI_EACH(i, n)
+        {
+            if (low) sum[i] = (h_6 * sum[i] + h_6 * k[i]) + low[i], z[i] = y[i] + sum[i];
+            else z[i] = (y[i] + h_6 * sum[i]) + h_6 * k[i];
+            bad += z[i] - z[i];
+        }
+        if (bad != 0) {
+            status = ODE_NOT_FINITE;
+            break;
+        }
+        if (low) VMI_EACH(i, n) low[i] = vmi_two_sum(y[i], sum[i]).lo;
+        vmi_copy(n, z, y);
     }
-    return ODE_OK;
+    *t = t0 + (vm_real)step * h;
+    return status;
 }
 
-/* ---- rk45: setting up --------------------------------------------------------------------------------------- */
+/* The same in registers, where the compiler knows that n is small */
+VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
+                                vm_real *low)
+{
+    vm_real w[3 * VMI_SMALL], y_here[VMI_SMALL], low_here[VMI_SMALL];
+    int status;
+    vmi_copy(n, y, y_here);
+    if (low) vmi_copy(n, low, low_here);
+    status = vmi_rk4_run(f, ctx, n, t, h, steps, y_here, low ? low_here : NULL, w, n);
+    vmi_copy(n, y_here, y);
+    if (low) vmi_copy(n, low_here, low);
+    return status;
+}
+
+VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low,
+                      vm_real *work)
+{
+    if (!f || n <= 0 || !y || !work || !VM_IS_FINITE(*t) || !VM_IS_FINITE(h)) return ODE_BAD_ARGUMENT;
+    if (VMI_IS_SMALL(n)) return vmi_rk4_run_small(f, ctx, n, t, h, steps, y, low);
+    return vmi_rk4_run(f, ctx, n, t, h, steps, y, low, work, n);
+}
+
+VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
+{
+    return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
+}
+
+VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                        vm_real *work)
+{
+    int status;
+    if (!t || steps <= 0 || !VM_IS_FINITE(t_end)) return ODE_BAD_ARGUMENT;
+    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, NULL, work);
+    if (status == ODE_OK) *t = t_end;
+    return status;
+}
+
+VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                                    vm_real *y_low, vm_real *work)
+{
+    int status;
+    if (!t || steps <= 0 || !VM_IS_FINITE(t_end) || !y_low) return ODE_BAD_ARGUMENT;
+    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, y_low, work);
+    if (status == ODE_OK) *t = t_end;
+    return status;
+}
+
+/* ---- Adaptive runs: setting up ------------------------------------------------------------------------------ */
 
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vm_real least = 16 * VM_EPSILON;
-    rk45_options o = {0, 0, 0, 0, 0, 0, NULL};
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0};
     if (options_or_NULL) o = *options_or_NULL;
     if (o.rtol == 0) o.rtol = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-4);
     if (o.rtol > 0 && o.rtol < least) o.rtol = least;
@@ -326,7 +504,7 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 }
 
 /* Every component has a tolerance, none is negative or NaN */
-VM_API int vmi_rk45_tolerances_good(const rk45_options *o, int n)
+VM_API int vmi_tolerances_good(const rk45_options *o, int n)
 {
     int i;
     for (i = 0; i < n; i++) {
@@ -336,26 +514,57 @@ VM_API int vmi_rk45_tolerances_good(const rk45_options *o, int n)
     return 1;
 }
 
-enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IN_K7 };
+VM_API int vmi_options_good(const rk45_options *o, int n)
+{
+    int i;
+    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_good(o, n)) return 0;
+    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min) || !(o->h_max > 0)) return 0;
+    if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
+    for (i = 0; i < o->n_events; i++)
+        if (!o->events[i].g || o->events[i].room < 0) return 0;
+    return 1;
+}
 
-VM_API int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                     const rk45_options *options_or_NULL, vm_real *work)
+enum { VMI_RK45, VMI_RK853 };            /* the methods */
+enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K }; /* parts of work: y, y at t_old, an argument of f, k_1, k_2 ... */
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
+enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of the attempt before */
+enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
+VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 12; }
+
+VMI_APART int vmi_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                       const rk45_options *options_or_NULL, vm_real *work)
 {
     rk45_options o = rk45_defaults(options_or_NULL);
     vm_real rtol = options_or_NULL ? options_or_NULL->rtol : 0;
-    if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0)) return ODE_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(o.rtol) || !VM_IS_FINITE(o.atol) || !vmi_rk45_tolerances_good(&o, n)) return ODE_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(o.h0) || !(o.h_min >= 0) || !(o.h_max >= o.h_min) || !(o.h_max > 0)) return ODE_BAD_ARGUMENT;
+    int i;
+    if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
+        !vmi_options_good(&o, n))
+        return ODE_BAD_ARGUMENT;
+    for (i = 0; i < o.n_events; i++) o.events[i].count = 0;
     s->f = f, s->ctx = ctx, s->n = n, s->options = o, s->work = work;
     s->t = s->t_old = t0;
     s->y = work;
     vmi_copy(n, y0, s->y);
     s->h = o.h0;
     s->steps = s->rejected = s->evals = 0;
-    s->rhs_status = 0;
-    s->ln_error_before = VM_C(-9.21); /* 1e-4 */
+    s->rhs_status = s->stiff = s->stiff_hits = s->stiff_misses = s->extended = 0;
+    s->stiff_wait = VMI_STIFF_WAIT;
+    s->event = -1;
+    s->h_done = 0;
+    s->inverse_error = 1;
     s->k1 = VMI_K1_MISSING;
+    s->failure = VMI_NONE_FAILED;
     return rtol > 0 && rtol < o.rtol ? ODE_RTOL_RAISED : ODE_OK;
+}
+
+VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk45_options *options_or_NULL, vm_real *work)
+{
+    int status = vmi_init(s, f, ctx, n, t0, y0, options_or_NULL, work);
+    if (status >= 0) s->f = f, s->n = n; /* again, where the caller's compiler sees it */
+    return status;
 }
 
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
@@ -364,56 +573,51 @@ VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
     s->t = s->t_old = t;
     if (y != s->y) vmi_copy(s->n, y, s->y);
     s->k1 = VMI_K1_MISSING;
+    s->failure = VMI_NONE_FAILED;
     return ODE_OK;
 }
 
-/* work holds y, y at t_old, the state under construction, and k_1 ... k_7 */
-VM_API vm_real *vmi_rk45_work(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
-enum { VMI_Y_OLD = 1, VMI_Z = 2, VMI_K1 = 3, VMI_K7 = 9 };
-
-VM_API int vmi_rk45_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
+VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 {
     s->evals++;
     s->rhs_status = s->f(t, y, k, s->ctx);
     return s->rhs_status ? ODE_RHS_STOPPED : ODE_OK;
 }
 
-/* x over the tolerance of component i when its size is |y|, 0 to 1e10; NaN and infinity stay what they are */
-VM_API vm_real vmi_rk45_scaled(const rk45 *s, int i, vm_real x, vm_real y)
+/* What component i may be wrong by when its size is |y|; > 0 */
+VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
-    const vm_real largest = VM_C(1e10);
-    vm_real scale = (s->options.atol_each ? s->options.atol_each[i] : s->options.atol) +
-                    s->options.rtol * VM_FABS(y);
-    x = VM_FABS(x);
-    if (x == 0 || !VM_IS_FINITE(x)) return x;
-    return x < largest * scale ? x / scale : largest;
+    return (o->atol_each ? o->atol_each[i] : o->atol) + o->rtol * VM_FABS(y) + VMI_MIN;
 }
 
 /* The first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 % of itself,
-   and such that the error of a method of order 5 should be 1 % of the tolerance. Uses k_7 and z. */
-VM_API int vmi_rk45_first_step(rk45 *s, vm_real direction, vm_real longest)
+   and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
+VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longest)
 {
-    vm_real *k1 = vmi_rk45_work(s, VMI_K1), *k2 = vmi_rk45_work(s, VMI_K7), *z = vmi_rk45_work(s, VMI_Z);
+    const vm_real largest = VM_C(1e10), order = method == VMI_RK45 ? 5 : 8;
+    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
     vm_real d0 = 0, d1 = 0, d2 = 0, h0, h1;
     int i, status;
     for (i = 0; i < s->n; i++) {
-        vm_real a = vmi_rk45_scaled(s, i, s->y[i], s->y[i]), b = vmi_rk45_scaled(s, i, k1[i], s->y[i]);
-        if (a > d0) d0 = a;
-        if (b > d1) d1 = b;
+        vm_real tolerance = vmi_tolerance(&s->options, i, s->y[i]);
+        if (VM_FABS(s->y[i]) / tolerance > d0) d0 = VM_FABS(s->y[i]) / tolerance;
+        if (VM_FABS(k1[i]) / tolerance > d1) d1 = VM_FABS(k1[i]) / tolerance;
     }
+    if (d0 > largest) d0 = largest;
+    if (d1 > largest) d1 = largest;
     h0 = d0 < VM_C(1e-5) || d1 < VM_C(1e-5) ? VM_C(1e-6) : VM_C(0.01) * d0 / d1;
     if (h0 > longest) h0 = longest;
     for (i = 0; i < s->n; i++) z[i] = s->y[i] + direction * h0 * k1[i];
-    status = vmi_rk45_eval(s, s->t + direction * h0, z, k2);
+    status = vmi_eval(s, s->t + direction * h0, z, k2);
     if (status) return status;
     for (i = 0; i < s->n; i++) {
-        vm_real c = vmi_rk45_scaled(s, i, (k2[i] - k1[i]) / h0, s->y[i]);
-        if (!VM_IS_FINITE(c)) c = VM_MAX; /* f does not reach so far */
+        vm_real c = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (!(c < largest)) c = largest; /* or f does not reach so far */
         if (c > d2) d2 = c;
     }
     if (d1 > d2) d2 = d1;
     h1 = d2 <= VM_C(1e-15) ? (h0 > VM_C(1e-3) ? h0 * VM_C(1e-3) : VM_C(1e-6))
-                           : VM_EXP(VM_C(0.2) * VM_LOG(VM_C(0.01) / d2));
+                           : vmi_power(VM_C(0.01) / d2, 1 / order);
     if (h1 > 100 * h0) h1 = 100 * h0;
     if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
     s->h = direction * (h1 < longest ? h1 : longest);
@@ -421,194 +625,686 @@ VM_API int vmi_rk45_first_step(rk45 *s, vm_real direction, vm_real longest)
 }
 
 /* The shortest step that is tried */
-VM_API vm_real vmi_rk45_least(const rk45 *s)
+VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
-    vm_real least = 4 * VM_EPSILON * VM_FABS(s->t);
-    return least > s->options.h_min ? least : s->options.h_min;
+    vm_real least = 4 * VM_EPSILON * VM_FABS(t);
+    return least > o->h_min ? least : o->h_min;
 }
 
+VM_API int vmi_watch_events(rk45 *s);
+
 /* k_1, and a step that is not too short to be tried */
-VM_API int vmi_rk45_prepare(rk45 *s, vm_real t_end)
+VMI_APART int vmi_prepare(rk45 *s, int method, vm_real t_end)
 {
-    vm_real longest = VM_FABS(t_end - s->t), direction = t_end < s->t ? -1 : 1, *k1 = vmi_rk45_work(s, VMI_K1);
+    vm_real longest = VM_FABS(t_end - s->t), direction = t_end < s->t ? -1 : 1, *k1 = vmi_part(s, VMI_K), least;
     int status = ODE_OK;
-    if (s->k1 == VMI_K1_IN_K7) vmi_copy(s->n, vmi_rk45_work(s, VMI_K7), k1);
+    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(method)), k1);
     if (s->k1 == VMI_K1_MISSING) {
-        status = vmi_rk45_eval(s, s->t, s->y, k1);
+        status = vmi_eval(s, s->t, s->y, k1);
         if (status) return status;
         if (!vmi_all_finite(s->n, k1)) return ODE_NOT_FINITE;
+        status = vmi_watch_events(s);
+        if (status) return status;
     }
     s->k1 = VMI_K1_READY;
     s->t_old = s->t;
     if (longest > s->options.h_max) longest = s->options.h_max;
-    if (s->h == 0) status = vmi_rk45_first_step(s, direction, longest);
+    if (s->h == 0) status = vmi_first_step(s, method, direction, longest);
     if (status) return status;
-    s->h = VM_FABS(s->h) > vmi_rk45_least(s) ? VM_FABS(s->h) : vmi_rk45_least(s);
-    s->h *= direction;
+    least = vmi_least_step(&s->options, s->t);
+    s->h = direction * (VM_FABS(s->h) > least ? VM_FABS(s->h) : least);
     return ODE_OK;
 }
 
-/* ---- rk45: one step ----------------------------------------------------------------------------------------- */
+/* ---- Adaptive runs: the stages ------------------------------------------------------------------------------ */
 
-/* Stages 2 to 7 from t with step h: z becomes the new state, k_7 its derivative. Coefficients of [1], which satisfy
-   the order conditions to 6e-16. */
-VM_API int vmi_rk45_stages(rk45 *s, vm_real t_new, vm_real h)
-{
-    const vm_real *y = s->y;
-    vm_real *z = vmi_rk45_work(s, VMI_Z), *k1 = vmi_rk45_work(s, VMI_K1), *k2 = k1 + s->n, *k3 = k2 + s->n;
-    vm_real *k4 = k3 + s->n, *k5 = k4 + s->n, *k6 = k5 + s->n, *k7 = k6 + s->n, t = s->t;
-    int i, n = s->n, status;
-    for (i = 0; i < n; i++) z[i] = y[i] + h * (VM_C(0.161) * k1[i]);
-    status = vmi_rk45_eval(s, t + VM_C(0.161) * h, z, k2);
-    if (status) return status;
-    for (i = 0; i < n; i++)
-        z[i] = y[i] + h * (VM_C(-0.008480655492356989) * k1[i] + VM_C(0.335480655492357) * k2[i]);
-    status = vmi_rk45_eval(s, t + VM_C(0.327) * h, z, k3);
-    if (status) return status;
-    for (i = 0; i < n; i++)
-        z[i] = y[i] + h * (VM_C(2.8971530571054935) * k1[i] - VM_C(6.359448489975075) * k2[i] +
-                           VM_C(4.3622954328695815) * k3[i]);
-    status = vmi_rk45_eval(s, t + VM_C(0.9) * h, z, k4);
-    if (status) return status;
-    for (i = 0; i < n; i++)
-        z[i] = y[i] + h * (VM_C(5.325864828439257) * k1[i] - VM_C(11.748883564062828) * k2[i] +
-                           VM_C(7.4955393428898365) * k3[i] - VM_C(0.09249506636175525) * k4[i]);
-    status = vmi_rk45_eval(s, t + VM_C(0.9800255409045097) * h, z, k5);
-    if (status) return status;
-    for (i = 0; i < n; i++)
-        z[i] = y[i] + h * (VM_C(5.86145544294642) * k1[i] - VM_C(12.92096931784711) * k2[i] +
-                           VM_C(8.159367898576159) * k3[i] - VM_C(0.071584973281401) * k4[i] -
-                           VM_C(0.028269050394068383) * k5[i]);
-    status = vmi_rk45_eval(s, t_new, z, k6);
-    if (status) return status;
-    for (i = 0; i < n; i++)
-        z[i] = y[i] + h * (VM_C(0.09646076681806523) * k1[i] + VM_C(0.01) * k2[i] +
-                           VM_C(0.4798896504144996) * k3[i] + VM_C(1.379008574103742) * k4[i] -
-                           VM_C(3.290069515436081) * k5[i] + VM_C(2.324710524099774) * k6[i]);
-    return vmi_rk45_eval(s, t_new, z, k7);
-}
+/* A step is made in w, m numbers a part. h is folded into the coefficients and the newest k comes last in every sum:
+   the chain from one evaluation of f to the next is a multiplication and an addition long. */
+#define VMI_H(c) (h * VM_C(c))
+#define VMI_EVAL(t, y, k)        \
+    do {                         \
+        int stop_;               \
+        ++*evals;                \
+        stop_ = f(t, y, k, ctx); \
+        if (stop_) return stop_; \
+    } while (0)
 
-/* The largest error of a component over its tolerance; NaN where anything is not finite */
-VM_API vm_real vmi_rk45_error(const rk45 *s, vm_real h)
+/* Stages 2 to 7 of [1], whose coefficients satisfy the order conditions to 6e-16: z becomes the new state, k_7 its
+   derivative. Returns what f returns. */
+VM_INLINE int vmi_rk45_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_new, vm_real h, vm_real *w,
+                              ptrdiff_t m, long *evals)
 {
-    const vm_real *z = vmi_rk45_work(s, VMI_Z), *k1 = vmi_rk45_work(s, VMI_K1), *k2 = k1 + s->n, *k3 = k2 + s->n;
-    const vm_real *k4 = k3 + s->n, *k5 = k4 + s->n, *k6 = k5 + s->n, *k7 = k6 + s->n;
-    vm_real largest = 0;
+    const vm_real *y = w + VMI_Y * m;
+    vm_real *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m;
     int i;
-    for (i = 0; i < s->n; i++) {
-        vm_real e = VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
-                    VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
-                    VM_C(0.5823571654525552) * k5[i] - VM_C(0.45808210592918697) * k6[i] + k7[i] / 66;
-        vm_real size = VM_FABS(s->y[i]) > VM_FABS(z[i]) ? s->y[i] : z[i];
-        e = vmi_rk45_scaled(s, i, h * e, size);
-        if (!VM_IS_FINITE(e) || !VM_IS_FINITE(z[i])) return VM_NAN;
-        if (e > largest) largest = e;
-    }
-    return largest;
+    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.161) * k1[i];
+    VMI_EVAL(t + VMI_H(0.161), z, k2);
+    VMI_EACH(i, n) z[i] = y[i] - VMI_H(0.008480655492356989) * k1[i] + VMI_H(0.335480655492357) * k2[i];
+    VMI_EVAL(t + VMI_H(0.327), z, k3);
+    VMI_EACH(i, n)
+    z[i] = y[i] + VMI_H(2.8971530571054935) * k1[i] - VMI_H(6.359448489975075) * k2[i] +
+           VMI_H(4.3622954328695815) * k3[i];
+    VMI_EVAL(t + VMI_H(0.9), z, k4);
+    VMI_EACH(i, n)
+    z[i] = y[i] + VMI_H(5.325864828439257) * k1[i] - VMI_H(11.748883564062828) * k2[i] +
+           VMI_H(7.4955393428898365) * k3[i] - VMI_H(0.09249506636175525) * k4[i];
+    VMI_EVAL(t + VMI_H(0.9800255409045097), z, k5);
+    VMI_EACH(i, n)
+    z[i] = y[i] + VMI_H(5.86145544294642) * k1[i] - VMI_H(12.92096931784711) * k2[i] +
+           VMI_H(8.159367898576159) * k3[i] - VMI_H(0.071584973281401) * k4[i] -
+           VMI_H(0.028269050394068383) * k5[i];
+    VMI_EVAL(t_new, z, k6);
+    VMI_EACH(i, n)
+    z[i] = y[i] + VMI_H(0.09646076681806523) * k1[i] + VMI_H(0.01) * k2[i] + VMI_H(0.4798896504144996) * k3[i] +
+           VMI_H(1.379008574103742) * k4[i] - VMI_H(3.290069515436081) * k5[i] + VMI_H(2.324710524099774) * k6[i];
+    VMI_EVAL(t_new, z, k7);
+    return 0;
 }
 
-/* PI control [2, II.4 and IV.2]: an accepted step is followed by one 0.9 error^-0.17 error_before^0.04 times as long,
-   within 1/5 and 10, and not longer where an attempt had to be rejected; a rejected one shrinks by 0.9 error^-0.2 */
-VM_API vm_real vmi_rk45_factor(rk45 *s, vm_real error, int rejected)
+/* Stages 2 to 12 of [4]: z becomes the new state. Its derivative, k_13, is evaluated when the step is accepted. */
+VM_INLINE int vmi_rk853_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_new, vm_real h, vm_real *w,
+                               ptrdiff_t m, long *evals)
 {
-    const vm_real safety = VM_C(0.9), least = VM_C(0.2), most = 10, ln_small = VM_C(-9.21),
-                  ln_tiny = VM_C(-18.4); /* 1e-4, 1e-8 */
-    vm_real ln_error = error > 0 ? VM_LOG(error) : 2 * ln_tiny, factor;
-    if (error > 1) factor = safety * VM_EXP(VM_C(-0.2) * ln_error);
-    else {
-        factor = ln_error > ln_tiny ? safety * VM_EXP(VM_C(0.04) * s->ln_error_before - VM_C(0.17) * ln_error)
-                                    : most;
-        s->ln_error_before = ln_error > ln_small ? ln_error : ln_small;
-        if (rejected && factor > 1) factor = 1;
+    const vm_real *y = w + VMI_Y * m;
+    vm_real *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m;
+    int i;
+    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.052600151958767731879) * k1[i];
+    VMI_EVAL(t + VMI_H(0.052600151958767731879), z, k2);
+    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.019725056984537899454) * k1[i] + VMI_H(0.059175170953613698363) * k2[i];
+    VMI_EVAL(t + VMI_H(0.078900227938151597818), z, k3);
+    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.029587585476806849182) * k1[i] + VMI_H(0.088762756430420547545) * k3[i];
+    VMI_EVAL(t + VMI_H(0.11835034190722739673), z, k4);
+    VMI_EACH(i, n)
+    z[i] = y[i] + h * (VM_C(0.2413651341592666855) * k1[i] - VM_C(0.88454947932828608534) * k3[i]) +
+           VMI_H(0.92483400326179200312) * k4[i];
+    VMI_EVAL(t + VMI_H(0.28164965809277260327), z, k5);
+    VMI_EACH(i, n)
+    z[i] = y[i] + h * (VM_C(0.037037037037037037037) * k1[i] + VM_C(0.17082860872947387128) * k4[i]) +
+           VMI_H(0.12546768756682242502) * k5[i];
+    VMI_EVAL(t + VMI_H(0.33333333333333333333), z, k6);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(0.037109375) * k1[i] + VM_C(0.17025221101954403931) * k4[i] +
+                VM_C(0.060216538980455960685) * k5[i]) -
+           VMI_H(0.017578125) * k6[i];
+    VMI_EVAL(t + VMI_H(0.25), z, k7);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(0.037092000118504792711) * k1[i] + VM_C(0.17038392571223999381) * k4[i] +
+                VM_C(0.10726203044637328465) * k5[i] - VM_C(0.015319437748624401753) * k6[i]) +
+           VMI_H(0.0082737891638140228876) * k7[i];
+    VMI_EVAL(t + VMI_H(0.30769230769230769231), z, k8);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(0.62411095871607571711) * k1[i] - VM_C(3.3608926294469412941) * k4[i] -
+                VM_C(0.86821934684172600682) * k5[i] + VM_C(27.592099699446708305) * k6[i] +
+                VM_C(20.154067550477893409) * k7[i]) -
+           VMI_H(43.489884181069958848) * k8[i];
+    VMI_EVAL(t + VMI_H(0.65128205128205128205), z, k9);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(0.47766253643826436589) * k1[i] - VM_C(2.4881146199716676419) * k4[i] -
+                VM_C(0.59029082683684299637) * k5[i] + VM_C(21.230051448181194235) * k6[i] +
+                VM_C(15.279233632882423583) * k7[i] - VM_C(33.288210968984862919) * k8[i]) -
+           VMI_H(0.020331201708508626136) * k9[i];
+    VMI_EVAL(t + VMI_H(0.6), z, k10);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(-0.93714243008598732572) * k1[i] + VM_C(5.1863724288440637083) * k4[i] +
+                VM_C(1.0914373489967295782) * k5[i] - VM_C(8.1497870107469261251) * k6[i] -
+                VM_C(18.520065659996959864) * k7[i] + VM_C(22.739487099350504282) * k8[i] +
+                VM_C(2.4936055526796523899) * k9[i]) -
+           VMI_H(3.0467644718982195004) * k10[i];
+    VMI_EVAL(t + VMI_H(0.85714285714285714286), z, k11);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(2.2733101475165382079) * k1[i] - VM_C(10.534495466737250198) * k4[i] -
+                VM_C(2.0008720582248624991) * k5[i] - VM_C(17.958931863118798917) * k6[i] +
+                VM_C(27.948884529419960051) * k7[i] - VM_C(2.8589982771350236947) * k8[i] -
+                VM_C(8.8728569335306295443) * k9[i] + VM_C(12.360567175794303065) * k10[i]) +
+           VMI_H(0.64339274601576353036) * k11[i];
+    VMI_EVAL(t_new, z, k12);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(0.054293734116568762238) * k1[i] + VM_C(4.4503128927524088814) * k6[i] +
+                VM_C(1.891517899314500383) * k7[i] - VM_C(5.8012039600105847815) * k8[i] +
+                VM_C(0.31116436695781989441) * k9[i] - VM_C(0.15216094966251607856) * k10[i] +
+                VM_C(0.20136540080403034837) * k11[i]) +
+           VMI_H(0.044710615727772590518) * k12[i];
+    return 0;
+}
+#undef VMI_EVAL
+#undef VMI_H
+
+#define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
+#define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
+#define VMI_WORST VM_C(1e4) /* no error is told from a worse one */
+
+/* The largest error of a component over its tolerance; NaN where anything is not finite: x - x is 0 or NaN */
+VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
+{
+    const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
+                  *k4 = k3 + m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m;
+    vm_real worst = 0, bad = 0;
+    int i;
+    VMI_EACH(i, n)
+    {
+        vm_real e = h * (VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
+                         VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
+                         VM_C(0.5823571654525552) * k5[i] - VM_C(0.45808210592918697) * k6[i] +
+                         VM_C(0.01515151515151515152) * k7[i]);
+        vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y[i]), VM_FABS(z[i])));
+        worst = VMI_LARGER(ratio, worst);
+        e += z[i];
+        bad += e - e;
     }
-    return factor < least ? least : factor > most ? most : factor;
+    return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* Attempts, each one counted down in *attempts, until a step towards t_end, not past it, is accepted */
-VM_API int vmi_rk45_advance(rk45 *s, vm_real t_end, long *attempts)
+/* The same from the two estimates of [4], of orders 5 and 3: e5^2/sqrt(e5^2 + 0.01 e3^2) */
+VM_INLINE vm_real vmi_rk853_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
 {
-    const vm_real direction = t_end < s->t ? -1 : 1, shrink_not_finite = VM_C(0.1);
-    int rejected = 0, not_finite = 0, status = vmi_rk45_prepare(s, t_end);
-    if (status) return status;
+    const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k6 = k1 + 5 * m, *k7 = k6 + m,
+                  *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m;
+    vm_real worst5 = 0, worst3 = 0, bad = 0;
+    int i;
+    VMI_EACH(i, n)
+    {
+        vm_real e5 = h * (VM_C(0.013120044994194880733) * k1[i] - VM_C(1.2251564463762044407) * k6[i] -
+                          VM_C(0.49575894965725019152) * k7[i] + VM_C(1.664377182454986537) * k8[i] -
+                          VM_C(0.35032884874997368169) * k9[i] + VM_C(0.33417911871301747903) * k10[i] +
+                          VM_C(0.081923206485115712466) * k11[i] - VM_C(0.022355307863886295259) * k12[i]);
+        vm_real e3 = (z[i] - y[i]) -
+                     h * (VM_C(0.24409448818897637795) * k1[i] + VM_C(0.73384668828161185734) * k9[i] +
+                          VM_C(0.022058823529411764706) * k12[i]);
+        vm_real tolerance = vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y[i]), VM_FABS(z[i])));
+        vm_real ratio5 = VM_FABS(e5) / tolerance, ratio3 = VM_FABS(e3) / tolerance;
+        worst5 = VMI_LARGER(ratio5, worst5);
+        worst3 = VMI_LARGER(ratio3, worst3);
+        e5 += z[i];
+        bad += e5 - e5;
+    }
+    worst5 = VMI_SMALLER(worst5, VMI_WORST), worst3 = VMI_SMALLER(worst3, VMI_WORST);
+    return worst5 * worst5 / VM_SQRT(worst5 * worst5 + VM_C(0.01) * worst3 * worst3 + VMI_MIN) + bad;
+}
+
+/* ---- Adaptive runs: step size control ----------------------------------------------------------------------- */
+
+/* PI control [2, IV.2]: after an accepted step the next is 0.9 error^(-4/(5 order)) error_before^(1/(5 order)) times as
+   long, at most 10 times */
+VM_INLINE vm_real vmi_factor(int method, vm_real error, vm_real inverse_error_before)
+{
+    vm_real square = error * error, factor;
+    factor = VM_C(0.9) *
+             vmi_power(square * square * inverse_error_before, method == VMI_RK45 ? VM_C(-0.04) : VM_C(-0.025));
+    return VMI_SMALLER(factor, VM_C(10.0));
+}
+
+/* After a rejected step: 0.9 error^(-1/order), at least 1/5; 1/10 where something was not finite */
+VM_INLINE vm_real vmi_shrink(int method, vm_real error)
+{
+    vm_real factor;
+    if (error != error) return VM_C(0.1);
+    factor = VM_C(0.9) * vmi_power(error, method == VMI_RK45 ? VM_C(-0.2) : VM_C(-0.125));
+    return VMI_LARGER(factor, VM_C(0.2));
+}
+
+/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or a look for stiffness is due.
+   A step whose error is within keep_from .. keep_to is followed by one of the same size, which the processor can predict:
+   it does not wait for the error before it goes on. */
+VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single, vm_real *w, ptrdiff_t m)
+{
+    const rk45_options o = s->options;
+    const vm_real direction = t_end < s->t ? -1 : 1, nearly = VM_C(0.999999), keep_from = VM_C(0.25),
+                  keep_to = VM_C(0.75);
+    vm_real t = s->t, t_old = t, h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
+    long attempts = s->attempts, steps = 0, rejections = 0, evals = 0;
+    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait;
+    void *ctx = s->ctx;
     for (;;) {
-        const vm_real left = VM_FABS(t_end - s->t), nearly = VM_C(0.999999);
-        vm_real h = s->h, error, factor, t_new;
+        const vm_real left = t_end - t;
+        vm_real h, t_new, error, factor;
         int last;
-        if (VM_FABS(h) > s->options.h_max) h = s->h = direction * s->options.h_max;
-        last = VM_FABS(h) >= nearly * left;
-        if (last) h = t_end - s->t;
-        else if (h == 0 || VM_FABS(h) < vmi_rk45_least(s)) return not_finite ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
-        if (*attempts == 0) return ODE_MAX_STEPS;
-        if (*attempts > 0) --*attempts;
-        t_new = last ? t_end : s->t + h;
-        status = vmi_rk45_stages(s, t_new, h);
-        if (status) return status;
-        error = vmi_rk45_error(s, h);
-        not_finite = error != error;
-        factor = not_finite ? shrink_not_finite : vmi_rk45_factor(s, error, rejected);
-        if (error <= 1) {
-            vmi_copy(s->n, s->y, vmi_rk45_work(s, VMI_Y_OLD));
-            vmi_copy(s->n, vmi_rk45_work(s, VMI_Z), s->y);
-            s->t = t_new;
-            s->steps++;
-            s->k1 = VMI_K1_IN_K7;
-            if (!last || VM_FABS(factor * h) > VM_FABS(s->h))
-                s->h = factor * h; /* a cut step does not shorten the next */
-            return ODE_OK;
+        t_old = t;
+        if (VM_FABS(h_next) > o.h_max) h_next = direction * o.h_max;
+        last = VM_FABS(h_next) >= nearly * VM_FABS(left);
+        h = last ? left : h_next;
+        t_new = last ? t_end : t + h;
+        if (!last && !(VM_FABS(h) >= vmi_least_step(&o, t)))
+            status = failure == VMI_NOT_FINITE ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+        if (attempts == 0) status = ODE_MAX_STEPS;
+        if (status) break;
+        attempts -= attempts > 0;
+        stopped = method == VMI_RK45 ? vmi_rk45_stages(f, ctx, n, t, t_new, h, w, m, &evals)
+                                     : vmi_rk853_stages(f, ctx, n, t, t_new, h, w, m, &evals);
+        if (stopped) break;
+        error = method == VMI_RK45 ? vmi_rk45_error(&o, n, h, w, m) : vmi_rk853_error(&o, n, h, w, m);
+        if (!(error <= 1)) {
+            rejections++;
+            failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
+            h_next = h * vmi_shrink(method, error);
+            continue;
         }
-        s->rejected++;
-        rejected = 1;
-        s->h = factor * h;
+        if (method == VMI_RK853) {
+            evals++;
+            stopped = f(t_new, w + VMI_Z * m, w + vmi_last_k(method) * m, ctx);
+            if (stopped) break;
+        }
+        steps++;
+        error = VMI_LARGER(error, VM_C(1e-8));
+        if (error < keep_from || error > keep_to || failure || last) {
+            factor = vmi_factor(method, error, inverse_error);
+            if (failure && factor > 1) factor = 1;
+            if (!last) h_next = h * factor;
+            else
+                h_next = direction *
+                         VMI_LARGER(VM_FABS(h_next), VM_FABS(h * factor)); /* being cut shortens no other */
+        }
+        inverse_error = 1 / error;
+        vmi_copy(n, w + VMI_Y * m, w + VMI_Y_OLD * m);
+        vmi_copy(n, w + VMI_Z * m, w + VMI_Y * m);
+        t = t_new, h_done = h, failure = VMI_NONE_FAILED;
+        if (--stiff_wait <= 0 || single || last) break;
+        vmi_copy(n, w + vmi_last_k(method) * m, w + VMI_K * m);
     }
+    s->t = t, s->t_old = t_old, s->h = h_next, s->h_done = h_done, s->inverse_error = inverse_error;
+    s->steps += steps, s->rejected += rejections, s->evals += evals;
+    s->attempts = attempts, s->stiff_wait = stiff_wait, s->rhs_status = stopped, s->failure = failure;
+    s->k1 = t == t_old ? VMI_K1_READY : VMI_K1_IS_LAST;
+    s->extended = 0;
+    return stopped ? (int)ODE_RHS_STOPPED : status;
 }
 
-VM_API int rk45_step(rk45 *s)
+/* The same in registers, where the compiler knows that n is small */
+VM_INLINE int vmi_advance_small(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
 {
-    long attempts = -1;
-    if (!s) return ODE_BAD_ARGUMENT;
-    return vmi_rk45_advance(s, s->h < 0 ? -VM_MAX : VM_MAX, &attempts);
+    vm_real w[(VMI_K + 13) * VMI_SMALL] = {0}; /* all is copied back, used or not */
+    int status;
+    vmi_copy(n, vmi_part(s, VMI_Y), w);
+    vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
+    status = vmi_advance(s, method, f, n, t_end, single, w, n);
+    vmi_copy(n, w, vmi_part(s, VMI_Y));
+    if (s->k1 == VMI_K1_IS_LAST) {
+        int part;
+        vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));
+        VMI_UNROLL for (part = VMI_K; part <= vmi_last_k(method); part++)
+            vmi_copy(n, w + part * n, vmi_part(s, part));
+    } else vmi_copy(n, w + VMI_K * n, vmi_part(s, VMI_K));
+    return status;
 }
 
-VM_API int rk45_solve(rk45 *s, vm_real t_end)
+/* ---- Adaptive runs: inside a step --------------------------------------------------------------------------- */
+
+/* The three further stages that the continuous extension of order 7 needs, once for a step */
+VM_API int vmi_rk853_extend(rk45 *s)
 {
-    long attempts;
-    if (!s || !VM_IS_FINITE(t_end)) return ODE_BAD_ARGUMENT;
-    attempts = s->options.max_steps;
-    while (s->t != t_end) {
-        int status = vmi_rk45_advance(s, t_end, &attempts);
+    VM_TABLE vm_real c[3] = {VM_C(0.1), VM_C(0.2), VM_C(0.77777777777777777778)};
+    VM_TABLE vm_real a[3][15] = {
+        {VM_C(0.056167502283047952339), 0, 0, 0, 0, 0, VM_C(0.25350021021662481109), VM_C(-0.24623903747080248992),
+         VM_C(-0.12419142326381636047), VM_C(0.15329179827876569731), VM_C(0.0082010522956346898849),
+         VM_C(0.0075678976605456997614), VM_C(-0.008298)},
+        {VM_C(0.031834648163502140506), 0, 0, 0, 0, VM_C(0.028300909672366775529), VM_C(0.053541988307438567622),
+         VM_C(-0.054923748571390988465), 0, 0, VM_C(-0.00010834732869724932286), VM_C(0.00038257109083565841295),
+         VM_C(-0.0003404650086874045608), VM_C(0.14131244367463250028)},
+        {VM_C(-0.42889630158379192341), 0, 0, 0, 0, VM_C(-4.6976214153611638431), VM_C(7.6834211960625990418),
+         VM_C(4.0689898183971100797), VM_C(0.35672718745528110927), 0, 0, 0, VM_C(-0.0013990241651590146213),
+         VM_C(2.947514789152772339), VM_C(-9.1509584721798700108)}};
+    vm_real *z = vmi_part(s, VMI_Z);
+    int i, j, stage;
+    for (stage = 0; stage < 3; stage++) {
+        int status;
+        for (i = 0; i < s->n; i++) {
+            vm_real sum = 0;
+            for (j = 0; j < 13 + stage; j++) sum += a[stage][j] * vmi_part(s, VMI_K + j)[i];
+            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * sum;
+        }
+        status = vmi_eval(s, s->t_old + c[stage] * s->h_done, z, vmi_part(s, VMI_K + 13 + stage));
         if (status) return status;
     }
+    s->extended = 1;
     return ODE_OK;
 }
 
-/* Tsitouras' continuous extension of order 4 [1]: y(t_old + x h) = y_old + h sum b_i(x) k_i */
+/* Weights b_j of y(t_old + x h) = y_old + h sum b_j k_j, of order 4 [1]; returns how many */
+VM_API int vmi_rk45_weights(vm_real x, vm_real *b)
+{
+    const vm_real xx = x * x;
+    b[0] = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
+           ((x - VM_C(1.4364028541716351)) * x + VM_C(0.7139816917074209));
+    b[1] = VM_C(0.1017) * xx * ((x - VM_C(2.1966568338249754)) * x + VM_C(1.2949852507374631));
+    b[2] = VM_C(2.490627285651252793) * xx * ((x - VM_C(2.38535645472061657)) * x + VM_C(1.57803468208092486));
+    b[3] = VM_C(-16.54810288924490272) * xx * (x - VM_C(1.21712927295533244)) * (x - VM_C(0.61620406037800089));
+    b[4] = VM_C(47.37952196281928122) * xx * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
+    b[5] = VM_C(-34.87065786149660974) * xx * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
+    b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
+    return 7;
+}
+
+/* The same of order 7 [4]: Hermite's cubic through both ends, and four more terms */
+VM_API int vmi_rk853_weights(vm_real x, vm_real *b)
+{
+    VM_TABLE vm_real end[12] = {VM_C(0.054293734116568762238),
+                                0,
+                                0,
+                                0,
+                                0,
+                                VM_C(4.4503128927524088814),
+                                VM_C(1.891517899314500383),
+                                VM_C(-5.8012039600105847815),
+                                VM_C(0.31116436695781989441),
+                                VM_C(-0.15216094966251607856),
+                                VM_C(0.20136540080403034837),
+                                VM_C(0.044710615727772590518)};
+    VM_TABLE vm_real d[4][16] = {
+        {VM_C(-8.4289382761090128651), 0, 0, 0, 0, VM_C(0.56671495351937776963), VM_C(-3.0689499459498916913),
+         VM_C(2.3846676565120698288), VM_C(2.1170345824450282767), VM_C(-0.87139158377797299207),
+         VM_C(2.2404374302607882759), VM_C(0.63157877876946881816), VM_C(-0.088990336451333310821),
+         VM_C(18.148505520854727257), VM_C(-9.1946323924783554), VM_C(-4.4360363875948939664)},
+        {VM_C(10.427508642579134603), 0, 0, 0, 0, VM_C(242.28349177525818288), VM_C(165.20045171727028199),
+         VM_C(-374.5467547226902028), VM_C(-22.113666853125306036), VM_C(7.733432668472263839),
+         VM_C(-30.674084731089398182), VM_C(-9.332130526430227873), VM_C(15.697238121770843886),
+         VM_C(-31.139403219565177677), VM_C(-9.3529243588444783866), VM_C(35.816841486394083752)},
+        {VM_C(19.985053242002433821), 0, 0, 0, 0, VM_C(-387.03730874935176555), VM_C(-189.17813819516756883),
+         VM_C(527.80815920542364901), VM_C(-11.573902539959630126), VM_C(6.881232694696300017),
+         VM_C(-1.0006050966910838403), VM_C(0.77771377980534432093), VM_C(-2.7782057523535084066),
+         VM_C(-60.196695231264120758), VM_C(84.320405506677161018), VM_C(11.992291136182789328)},
+        {VM_C(-25.693933462703749003), 0, 0, 0, 0, VM_C(-154.18974869023643374), VM_C(-231.52937917604549568),
+         VM_C(357.63911791061412378), VM_C(93.405324183624310004), VM_C(-37.458323136451633157),
+         VM_C(104.09964950896230045), VM_C(29.840293426660503123), VM_C(-43.533456590011143754),
+         VM_C(96.324553959188282948), VM_C(-39.177261675615439165), VM_C(-149.72683625798562581)}};
+    const vm_real u = 1 - x, xu = x * u, hermite = x * (1 - u * (1 - 2 * x)), p = xu * xu;
+    int j;
+    for (j = 0; j < 16; j++)
+        b[j] = (j < 12 ? end[j] * hermite : 0) + p * (d[0][j] + x * (d[1][j] + u * (d[2][j] + x * d[3][j])));
+    b[0] += xu * u;
+    b[12] -= xu * x;
+    return 16;
+}
+
+/* y at t_old + x h, 0 <= x <= 1 */
+VM_API void vmi_inside(const rk45 *s, int method, vm_real x, vm_real *y)
+{
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
+    vm_real b[16];
+    int i, j, count = method == VMI_RK45 ? vmi_rk45_weights(x, b) : vmi_rk853_weights(x, b);
+    for (i = 0; i < s->n; i++) {
+        vm_real sum = 0;
+        for (j = 0; j < count; j++) sum += b[j] * vmi_part(s, VMI_K + j)[i];
+        y[i] = y_old[i] + s->h_done * sum;
+    }
+}
+
+VM_API int vmi_within_last_step(const rk45 *s, vm_real t)
+{
+    return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
+}
+
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
 {
-    vm_real h, x, b1, b2, b3, b4, b5, b6, b7;
-    const vm_real *y_old, *k1, *k2, *k3, *k4, *k5, *k6, *k7;
-    int i;
-    if (!s || !y || !((s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old))) return ODE_BAD_ARGUMENT;
+    if (!s || !y || !vmi_within_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (t == s->t) vmi_copy(s->n, s->y, y);
+    else vmi_inside(s, VMI_RK45, (t - s->t_old) / s->h_done, y);
+    return ODE_OK;
+}
+
+VM_API int rk853_interpolate(rk853 *s, vm_real t, vm_real *y)
+{
+    if (!s || !y || !vmi_within_last_step(s, t)) return ODE_BAD_ARGUMENT;
     if (t == s->t) {
         vmi_copy(s->n, s->y, y);
         return ODE_OK;
     }
-    h = s->t - s->t_old;
-    x = (t - s->t_old) / h;
-    b1 = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
-         ((x - VM_C(1.4364028541716351)) * x + VM_C(0.7139816917074209));
-    b2 = VM_C(0.1017) * x * x * ((x - VM_C(2.1966568338249754)) * x + VM_C(1.2949852507374631));
-    b3 = VM_C(2.490627285651252793) * x * x * ((x - VM_C(2.38535645472061657)) * x + VM_C(1.57803468208092486));
-    b4 = VM_C(-16.54810288924490272) * x * x * (x - VM_C(1.21712927295533244)) * (x - VM_C(0.61620406037800089));
-    b5 = VM_C(47.37952196281928122) * x * x * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
-    b6 = VM_C(-34.87065786149660974) * x * x * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
-    b7 = VM_C(2.5) * x * x * (x - 1) * (x - VM_C(0.6));
-    y_old = vmi_rk45_work(s, VMI_Y_OLD);
-    k1 = vmi_rk45_work(s, VMI_K1), k2 = k1 + s->n, k3 = k2 + s->n, k4 = k3 + s->n, k5 = k4 + s->n, k6 = k5 + s->n;
-    k7 = k6 + s->n;
-    for (i = 0; i < s->n; i++)
-        y[i] = y_old[i] +
-               h * (b1 * k1[i] + b2 * k2[i] + b3 * k3[i] + b4 * k4[i] + b5 * k5[i] + b6 * k6[i] + b7 * k7[i]);
+    if (!s->extended) {
+        int status = vmi_rk853_extend(s);
+        if (status) return status;
+    }
+    vmi_inside(s, VMI_RK853, (t - s->t_old) / s->h_done, y);
     return ODE_OK;
 }
+
+/* ---- Adaptive runs: events ---------------------------------------------------------------------------------- */
+
+VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
+
+/* Before the first step from a state that no step led to: on which side of each event is it? On neither, where g is 0
+   or where the event has just been and g is as small as it was there: so an event is not found again when a run goes on
+   from it. */
+VM_API int vmi_watch_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        vm_real g = e->g(s->t, s->y, e->ctx);
+        if (g != g) return ODE_NOT_FINITE;
+        e->side = e->count && e->t == s->t && VM_FABS(g) <= e->slack ? 0 : vmi_sign(g);
+    }
+    return ODE_OK;
+}
+
+/* g at t_old + x h */
+VM_API vm_real vmi_event_value(const rk45 *s, int method, const ode_event *e, vm_real x)
+{
+    vm_real *z = vmi_part(s, VMI_Z);
+    if (x == 1) return e->g(s->t, s->y, e->ctx);
+    vmi_inside(s, method, x, z);
+    return e->g(s->t_old + x * s->h_done, z, e->ctx);
+}
+
+/* Of x, by t's; two events that are not further apart are at the same time */
+VM_API vm_real vmi_resolution(const rk45 *s)
+{
+    const vm_real size = VMI_LARGER(VM_FABS(s->t_old), VM_FABS(s->t)) / VM_FABS(s->h_done);
+    return 2 * VM_EPSILON * VMI_LARGER(size, VM_C(1.0));
+}
+
+/* The end of [a, b], shrunk to what t resolves, on which g = gb has left the side that it has at a: false position in
+   the Illinois form, every third time bisection */
+VM_API vm_real vmi_locate(const rk45 *s, int method, ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb)
+{
+    const vm_real resolution = vmi_resolution(s);
+    const int side = vmi_sign(ga);
+    int count, kept = 0;
+    e->slack = VM_FABS(gb);
+    for (count = 1; gb != 0 && b - a > resolution; count++) {
+        vm_real x = count % 3 && ga != gb ? b - gb * ((b - a) / (gb - ga)) : a + (b - a) / 2, g;
+        x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
+        g = vmi_event_value(s, method, e, x);
+        if (vmi_sign(g) == side) {
+            a = x, ga = g;
+            if (kept > 0) gb /= 2;
+            kept = 1;
+        } else {
+            b = x, gb = g, e->slack = VM_FABS(g);
+            if (kept < 0) ga /= 2;
+            kept = -1;
+        }
+    }
+    return b;
+}
+
+#define VMI_NONE VM_C(2.0)
+
+/* e->next: the first event of e in the step after x, or VMI_NONE; e->side is the side at x, and that before e->next on
+   return. Also looks shortly after x when the side is unknown. */
+VM_API int vmi_next_event(const rk45 *s, int method, ode_event *e, vm_real x)
+{
+    const int checks = e->checks == 0 ? 3 : VMI_LARGER(e->checks, 0);
+    const vm_real shortly = VM_C(1.0) / 8192;
+    vm_real before = 0;
+    int i = -1;
+    e->next = VMI_NONE;
+    for (; i <= checks; i++) {
+        vm_real to = i < 0 ? x + shortly : (vm_real)(i + 1) / (vm_real)(checks + 1), g;
+        int side;
+        if (to <= x || to > 1 || (i < 0 && e->side != 0)) continue;
+        g = vmi_event_value(s, method, e, to);
+        if (g != g) return ODE_NOT_FINITE;
+        side = vmi_sign(g);
+        if (e->side != 0 && side != e->side && (e->direction == 0 || (e->direction > 0) == (e->side < 0))) {
+            before = vmi_event_value(s, method, e, x);
+            e->slack = VM_FABS(before);
+            e->next = vmi_sign(before) == e->side ? vmi_locate(s, method, e, x, before, to, g) : x;
+            return ODE_OK;
+        }
+        e->side = side;
+        x = to;
+    }
+    return ODE_OK;
+}
+
+VM_API void vmi_record(const rk45 *s, int method, ode_event *e, vm_real x)
+{
+    e->t = x == 1 ? s->t : s->t_old + x * s->h_done;
+    if (e->count < e->room) {
+        if (e->times) e->times[e->count] = e->t;
+        if (e->states && x == 1) vmi_copy(s->n, s->y, e->states + e->count * s->n);
+        else if (e->states) vmi_inside(s, method, x, e->states + e->count * s->n);
+    }
+    e->count++;
+}
+
+/* The step ends at x. Whatever else happened there has happened too. */
+VM_API void vmi_cut_step(rk45 *s, int method, vm_real x)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        if (e->next > x && e->next - x <= vmi_resolution(s)) {
+            vmi_record(s, method, e, x);
+            if (e->action == ODE_STOP && s->event < 0) s->event = i;
+        }
+    }
+    if (x < 1) {
+        vmi_inside(s, method, x, s->y);
+        s->t = s->t_old + x * s->h_done;
+    }
+    s->k1 = VMI_K1_MISSING;
+}
+
+/* The events of the step just made, in order, up to the first that ends it */
+VM_API int vmi_events(rk45 *s, int method)
+{
+    ode_event *events = s->options.events;
+    int i, status = ODE_OK;
+    if (method == VMI_RK853 && !s->extended) status = vmi_rk853_extend(s);
+    for (i = 0; i < s->options.n_events && status == ODE_OK; i++) status = vmi_next_event(s, method, events + i, 0);
+    while (status == ODE_OK) {
+        ode_event *first = events;
+        for (i = 1; i < s->options.n_events; i++)
+            if (events[i].next < first->next) first = events + i;
+        if (first->next == VMI_NONE) return ODE_OK;
+        vmi_record(s, method, first, first->next);
+        if (first->action != ODE_RECORD) {
+            if (first->action == ODE_STOP) s->event = (int)(first - events);
+            vmi_cut_step(s, method, first->next);
+            return s->event < 0 ? ODE_OK : ODE_EVENT;
+        }
+        first->side = first->slack == 0 ? 0 : -first->side;
+        status = vmi_next_event(s, method, first, first->next);
+    }
+    return status;
+}
+
+/* ---- Adaptive runs: from step to step ----------------------------------------------------------------------- */
+
+/* Hairer's test [2, IV.2]: two stages at the end of the step, whose states differ by dz and whose derivatives by dk,
+   show h |dk|/|dz|, about h times the largest eigenvalue. Stiff: 15 times beyond the end of the stability region,
+   not 6 times within it in between. */
+VM_API void vmi_look_for_stiffness(rk45 *s, int method)
+{
+    VM_TABLE vm_real rk45_dz[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
+                                   VM_C(1.4505935473851428), VM_C(-3.2618004650420125), VM_C(2.324710524099774)};
+    VM_TABLE vm_real rk853_dz[12] = {VM_C(-2.2190164133999694457),
+                                     0,
+                                     0,
+                                     VM_C(10.534495466737250198),
+                                     VM_C(2.0008720582248624991),
+                                     VM_C(22.409244755871207799),
+                                     VM_C(-26.057366630105459668),
+                                     VM_C(-2.9422056828755610867),
+                                     VM_C(9.1840213004884494387),
+                                     VM_C(-12.512728125456819143),
+                                     VM_C(-0.44202734521173318198),
+                                     VM_C(0.044710615727772590518)};
+    const int last = vmi_last_k(method), count = last - VMI_K;
+    const vm_real edge = method == VMI_RK45 ? VM_C(3.4) : VM_C(6.1), h = VM_FABS(s->h_done);
+    vm_real dk = 0, dz = 0;
+    int i, j;
+    for (i = 0; i < s->n; i++) {
+        vm_real d = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]), sum = 0;
+        dk = VMI_LARGER(dk, d);
+        for (j = 0; j < count; j++) sum += (method == VMI_RK45 ? rk45_dz : rk853_dz)[j] * vmi_part(s, VMI_K + j)[i];
+        dz = VMI_LARGER(dz, VM_FABS(sum));
+    }
+    if (dk > edge / h * dz * h) {
+        s->stiff_misses = 0;
+        if (++s->stiff_hits == 15) s->stiff = 1;
+    } else if (++s->stiff_misses == 6) s->stiff_hits = 0;
+    s->stiff_wait = s->stiff_hits ? 1 : (int)VMI_STIFF_WAIT;
+}
+
+VMI_APART int vmi_after_step(rk45 *s, int method)
+{
+    if (s->stiff_wait <= 0) vmi_look_for_stiffness(s, method);
+    return s->options.n_events ? vmi_events(s, method) : (int)ODE_OK;
+}
+
+VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
+{
+    const int was_stiff = s->stiff;
+    int status = ODE_OK;
+    s->event = -1;
+    while (status == ODE_OK && s->t != t_end) {
+        status = vmi_prepare(s, method, t_end);
+        if (status) break;
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, f, n, t_end, single || s->options.n_events);
+        else status = vmi_advance(s, method, f, n, t_end, single || s->options.n_events, s->work, n);
+        if (status == ODE_OK) status = vmi_after_step(s, method);
+        if (single) break;
+    }
+    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
+}
+
+VM_INLINE int vmi_step(rk45 *s, int method)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    s->attempts = -1;
+    return vmi_run(s, method, s->f, s->n, s->h < 0 ? -VM_MAX : VM_MAX, 1);
+}
+
+VM_INLINE int vmi_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+{
+    if (!VM_IS_FINITE(t_end) || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    s->attempts = s->options.max_steps;
+    return vmi_run(s, method, f, n, t_end, 0);
+}
+
+VM_INLINE int rk45_step(rk45 *s) { return vmi_step(s, VMI_RK45); }
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
+{
+    return s ? vmi_solve(s, VMI_RK45, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
+}
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
+{
+    return s ? vmi_solve(s, VMI_RK45, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
+}
+
+VM_INLINE int rk853_init(rk853 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                         const rk853_options *options_or_NULL, vm_real *work)
+{
+    return rk45_init(s, f, ctx, n, t0, y0, options_or_NULL, work);
+}
+VM_INLINE int rk853_step(rk853 *s) { return vmi_step(s, VMI_RK853); }
+VM_INLINE int rk853_solve(rk853 *s, vm_real t_end)
+{
+    return s ? vmi_solve(s, VMI_RK853, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
+}
+VM_INLINE int rk853_solve_with(rk853 *s, ode_rhs f, int n, vm_real t_end)
+{
+    return s ? vmi_solve(s, VMI_RK853, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
+}
+VM_API int rk853_restart(rk853 *s, vm_real t, const vm_real *y) { return rk45_restart(s, t, y); }
 
 #endif
