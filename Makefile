@@ -14,14 +14,14 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators varmass dissertation
+TESTS = jacobi ateb integrators events varmass dissertation
 EXAMPLES = table5 example1 example2
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
-    build/tests/contracted/jacobi build/tests/contracted/ateb
+    build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test scan lint bench measurements figures data clean
+.PHONY: run test scan lint bench bench-integrators measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -40,8 +40,15 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-bench: build/bench/double build/bench/float build/bench/pairs
+bench: build/bench/double build/bench/float build/bench/pairs bench-integrators
 	@./build/bench/double; echo; ./build/bench/float; echo; ./build/bench/pairs
+
+# work against precision, GSL's methods beside ours where GSL is there; table, CSV and plots in build/bench
+bench-integrators:
+	@$(MAKE) -s build/command; mkdir -p build/bench; \
+	if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
+	$(COMPILE) bench/bench_integrators.c -o build/bench/integrators $$gsl -lm && \
+	./build/bench/integrators build/bench/integrators.csv && sh bench/plot_integrators.sh build/bench
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
@@ -58,6 +65,7 @@ data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/reference.py
 	python3 tests/gen/table5.py
+	python3 tests/gen/order_conditions.py
 
 clean:
 	rm -rf build
