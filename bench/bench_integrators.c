@@ -1,6 +1,6 @@
 /* Work against precision: for each problem and method the error at the end, evaluations, steps, microseconds and the
-   nanoseconds that an evaluation takes beyond f itself, over tolerances from 1e-3 to 1e-14 (or numbers of steps); then
-   the time to given errors, and the ratios that the project promises. Hand-written loops beside (rk_loops.h), and GSL
+   nanoseconds that an evaluation takes beyond f itself, over tolerances from 1e-3 to 1e-14 (or numbers of steps);
+   then the time to given errors, and the ratios that the project promises. Hand-written loops beside (rk_loops.h), and GSL
    where it is there. Medians of interleaved repeats.
    usage: integrators [CSV FILE] */
 #if !defined(_POSIX_C_SOURCE)
@@ -27,8 +27,8 @@ typedef struct result {
 
 /* ---- problems ---- */
 
-/* The right-hand side as each method wants it, inlined, called through a pointer, and counted; and the methods that are
-   made for it. knob: the tolerance, or the number of steps. */
+/* The right-hand side as each method wants it, inlined, called through a pointer, and counted; and the methods made
+   for it. knob: the tolerance, or the number of steps. */
 #define PROBLEM(name, n, ...)                                                                     \
     static inline void name##_f(double t, const double *y, double *d)                             \
     {                                                                                             \
@@ -389,7 +389,7 @@ static double non_smooth(int order, double alpha, double period, double tol, int
     memset(&zero, 0, sizeof zero);
     zero.g = position, zero.ctx = &p, zero.action = ODE_RESTART, zero.change = way == 2 ? turn_sign : NULL;
     o.rtol = o.atol = tol, o.events = &zero, o.n_events = way > 0;
-    if (rk45_init(&s, spring_rhs, &p, 2, 0, y, &o, work) < 0) return -1;
+    if ((order == 5 ? rk45_init : rk853_init)(&s, spring_rhs, &p, 2, 0, y, &o, work) < 0) return -1;
     if ((order == 5 ? rk45_solve(&s, 10 * period) : rk853_solve(&s, 10 * period)) < 0) puts("failed");
     *evals = s.evals;
     return fmax(fabs(s.y[0] - 1), fabs(s.y[1]));

@@ -2,7 +2,10 @@
 # Draw the work-precision plots, one a problem: error at the end against time, log-log.
 # usage: plot_integrators.sh FOLDER, with FOLDER/integrators.csv; from the top of the project
 folder=$1
-sh tests/install.sh "command -v gnuplot" gnuplot-nox || { echo "no gnuplot: $folder/integrators.csv stays without plots"; exit 0; }
+if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
+    echo "no gnuplot: $folder/integrators.csv stays without plots"
+    exit 0
+fi
 for problem in $(awk -F, 'NR > 1 && !seen[$1]++ {print $1}' "$folder/integrators.csv"); do
     {
         echo "set terminal svg size 800,600 font 'sans,13'; set output '$folder/integrators_$problem.svg'"

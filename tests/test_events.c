@@ -1,5 +1,5 @@
-/* integrators.h: events. Each case names what others get wrong: two of three events missed in one step, a terminal event
-   lost between output times, a root exactly on a step's end, a root found again after a restart, a body on the wrong
+/* integrators.h: events. Each case names what others get wrong: two of three events missed in one step, a terminal
+   event lost between output times, a root exactly on a step's end, a root found again after a restart, a body on the wrong
    side of its wall. Everything by both methods. */
 #include "../integrators.h"
 #include "check.h"
@@ -224,7 +224,7 @@ static void bounce(int direction)
     CHECK(e[0].count == 25);
 }
 
-/* A ball that comes to rest after ever shorter bounces (at t = 9): the run ends with a status, not in a loop, not below */
+/* A ball that comes to rest after ever shorter bounces (at t = 9) does not get below the floor */
 static void test_zeno(void)
 {
     vm_real y0[2] = {R(0.5), 0}, work[RK853_WORK(2)], y[2];

@@ -114,7 +114,7 @@ static double error_of_time(vm_real h, int order)
     rk45_options o = {0};
     rk45 s;
     o.atol = 1000, o.h0 = o.h_max = h;
-    CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    CHECK((order == 5 ? rk45_init : rk853_init)(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
     CHECK((order == 5 ? rk45_solve(&s, 1) : rk853_solve(&s, 1)) == ODE_OK);
     return fabs((double)s.y[0] - exp(1.));
 }
@@ -382,7 +382,7 @@ static double run(int order, ode_rhs f, void *ctx, int n, const vm_real *y0, dou
     rk45 s;
     int i;
     o.rtol = o.atol = R(tol), o.max_steps = -1;
-    CHECK(rk45_init(&s, f, ctx, n, 0, y0, &o, work) == ODE_OK);
+    CHECK((order == 5 ? rk45_init : rk853_init)(&s, f, ctx, n, 0, y0, &o, work) == ODE_OK);
     CHECK((order == 5 ? rk45_solve(&s, R(t_end)) : rk853_solve(&s, R(t_end))) == ODE_OK && s.t == R(t_end));
     for (i = 0; i < n; i++) error = fmax(error, fabs((double)s.y[i] - wanted[i]));
     *evals = s.evals;
@@ -566,6 +566,14 @@ static void test_refusals(void)
     CHECK(rk45_interpolate(&s, VM_EPSILON * VM_EPSILON, y) == ODE_BAD_ARGUMENT &&
           rk45_interpolate(&s, 0, y) == ODE_OK);
     CHECK(rk45_solve(NULL, 1) == ODE_BAD_ARGUMENT && rk45_step(NULL) == ODE_BAD_ARGUMENT);
+    CHECK(rk853_solve(NULL, 1) == ODE_BAD_ARGUMENT && rk853_step(NULL) == ODE_BAD_ARGUMENT);
+    before = s; /* the other method's, and another f or n than the one it was made for */
+    REFUSED(rk853_solve(&s, 1));
+    REFUSED(rk853_step(&s));
+    REFUSED(rk853_interpolate(&s, 0, y));
+    REFUSED(rk45_solve_with(&s, time_rhs, 2, 1));
+    REFUSED(rk45_solve_with(&s, linear_rhs, 3, 1));
+    REFUSED(rk45_solve(&s, VM_NAN));
     CHECK(rk4_step(time_rhs, NULL, 0, 0, 1, y, work) == ODE_BAD_ARGUMENT);
     CHECK(rk4_solve(time_rhs, NULL, 1, &t, 1, 0, y, work) == ODE_BAD_ARGUMENT);
     CHECK(rk4_solve(time_rhs, NULL, 1, &t, VM_INFINITY, 10, y, work) == ODE_BAD_ARGUMENT);

@@ -26,7 +26,8 @@ def body(name):
 def terms(text):
     """{j: coefficient of k_j} of a C sum"""
     found = {}
-    for sign, number, j in re.findall(r"([+-]?)\s*(?:h \*\s*)?\(?\s*VM(?:I_H|_C)\((" + NUMBER + r")\) \* k(\d+)\[i\]", text):
+    pattern = r"([+-]?)\s*(?:h \*\s*)?\(?\s*VM(?:I_H|_C)\((" + NUMBER + r")\) \* k(\d+)\[i\]"
+    for sign, number, j in re.findall(pattern, text):
         found[int(j)] = mpf(number) * (-1 if sign == "-" else 1)
     return found
 
@@ -122,11 +123,10 @@ def rk45_weights(x):
 
 def rk853_weights(x):
     text = body("vmi_rk853_weights")
-    end, d = table("end[12]", text)[0], table("d[4][16]", text)
+    d = table("d[5][16]", text)
     u = 1 - x
     hermite, p = x * (1 - u * (1 - 2 * x)), x * u * x * u
-    b = [(end[j] * hermite if j < 12 else 0) + p * (d[0][j] + x * (d[1][j] + u * (d[2][j] + x * d[3][j])))
-         for j in range(16)]
+    b = [hermite * d[0][j] + p * (d[1][j] + x * (d[2][j] + u * (d[3][j] + x * d[4][j]))) for j in range(16)]
     b[0] += x * u * u
     b[12] -= x * u * x
     return {j + 1: b[j] for j in range(16)}
@@ -147,10 +147,13 @@ def main():
     pair = Method([{}] + rows + extra)
     check("rk853", [pair.residual(rows[-1], r) for r in range(1, 10)], 8, mpf("2e-17"))
     text = body("vmi_rk853_error")
-    e5, e3 = terms(text[text.index("e5 ="):text.index("e3 =")]), terms(text[text.index("e3 ="):text.index("tolerance =")])
+    e5 = terms(text[text.index("e5 ="):text.index("e3 =")])
+    e3 = terms(text[text.index("e3 ="):text.index("tolerance =")])
     e3 = {j: rows[-1].get(j, 0) - abs(e3.get(j, 0)) for j in range(1, 13)}  # written as (z - y) - h sum
-    check("rk853, error estimate of order 5", [pair.residual(e5, r, error=True) for r in range(1, 7)], 5, mpf("1e-17"))
-    check("rk853, error estimate of order 3", [pair.residual(e3, r, error=True) for r in range(1, 5)], 3, mpf("1e-17"))
+    check("rk853, error estimate of order 5", [pair.residual(e5, r, error=True) for r in range(1, 7)], 5,
+          mpf("1e-17"))
+    check("rk853, error estimate of order 3", [pair.residual(e3, r, error=True) for r in range(1, 5)], 3,
+          mpf("1e-17"))
     for x in (mpf("0.3"), mpf("0.77")):
         check(f"rk853, continuous extension at {x}", [pair.residual(rk853_weights(x), r, x) for r in range(1, 9)], 7,
               mpf("1e-16"))
