@@ -22,25 +22,25 @@
             rk4_solve_compensated keeps the roundings of millions of steps from adding up, for 10 % more time.
      rk45   Tsitouras' pair of orders 5 and 4 [1]: 7 stages of which the last is the next step's first, PI step size
             control [2], continuous extension of order 4 for nothing. The default: errors of 1e-3 to 1e-6.
-     rk853  Dormand and Prince's pair of order 8 with estimates of orders 5 and 3 [4]: 12 stages, continuous extension
+     rk87  Dormand and Prince's pair of order 8 with estimates of orders 5 and 3 [4]: 12 stages, continuous extension
             of order 7 for 3 more evaluations. For errors of 1e-6 and less, and for an expensive f.
      microseconds to an error of   1e-4   1e-6   1e-8   1e-10
        rk4                           29     82    237    732
        rk45                          27     58    128    304
-       rk853                         28     43     68    103
+       rk87                         28     43     68    103
      Stiff equations want an implicit method, which is not here; the adaptive runs say so (ODE_STIFF).
 
    CONVENTIONS
      f gets t, the n values y, room for the n derivatives and the caller's ctx; it returns 0, or anything else to stop
      the run. t may run backward. Lengths of time are in whatever unit t has.
-     Memory is the caller's: work has RK4_WORK(n), RK45_WORK(n) or RK853_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events are all the state there is. An rk853 is an rk45 that rk853_init made;
+     Memory is the caller's: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
+     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made;
      the functions of the other method refuse it.
 
    STEP SIZE CONTROL
      A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component, error
      being the difference of the two orders (the higher one is kept). The next step is chosen by PI control; one whose
-     error was within 0.25 .. 0.75 of the tolerance (rk853: 0.1) is followed by one of the same size. Options: an
+     error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1) is followed by one of the same size. Options: an
      rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they come
      to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
 
@@ -53,7 +53,7 @@
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
      The control finds the bad points, where it takes some short steps: at alpha = 0.5, rk45, tolerance 1e-7, 4922
      evaluations against 2102 of alpha = 1, the end error 1e4 tolerances, and alike for all alpha < 1, so tighten the
-     tolerance and check. rk853 gains nothing there. Where f has branches that are smooth (a sign, x|x|), keep the
+     tolerance and check. rk87 gains nothing there. Where f has branches that are smooth (a sign, x|x|), keep the
      branch in ctx and change it at an ODE_RESTART event: alpha = 0 takes 160 evaluations instead of 5264, and the
      error is 3e-4 tolerances, not 4400. A restart alone, f looking for its branch itself, does not pay.
 
@@ -68,7 +68,7 @@
      is inlined and the state is in registers; where the compiler cannot see that s still has that f and n, say
      rk45_solve_with. Otherwise f is called through a pointer, and the state is in work. gcc -O2, against hand-written
      loops: rk4 0.6 to 0.95 times the loop; rk45 0.55 to 0.7 times a Dormand-Prince loop's time to an error of 1e-6,
-     1/3.1 to 1/3.5 of GSL's rkf45; rk853 0.5 to 0.65 times GSL's rk8pd to 1e-10 (with -march=native: 0.4 to 0.55).
+     1/3.1 to 1/3.5 of GSL's rkf45; rk87 0.5 to 0.65 times GSL's rk8pd to 1e-10 (with -march=native: 0.4 to 0.55).
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -233,7 +233,7 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 
 enum {
     ODE_OK = 0,
-    ODE_RTOL_RAISED = 1, /* an init: rtol was less than the type can hold, 16 eps is used */
+    ODE_RTOL_RAISED = 1, /* an init: rtol was less than the type can hold: 16 eps is used, by rk87 256 eps */
     ODE_EVENT = 2,       /* a terminal event: s->t, s->y are where it happened, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, held the steps short */
     /* n or steps <= 0, a null pointer, a component without tolerance, h_min < 0 or above h_max, a time, state or
@@ -311,7 +311,7 @@ typedef struct VM_TAG(rk45) {
     ode_rhs f;
     void *ctx;
     int n;
-    int method;            /* VMI_RK45 or VMI_RK853 */
+    int method;            /* VMI_RK45 or VMI_RK87 */
     rk45_options options;  /* as resolved */
     vm_real *work;         /* from here on internal */
     vm_real h_done;        /* the last accepted step */
@@ -337,18 +337,18 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y);
 /* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y);
 
-/* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk853_interpolate is of
-   order 7 and evaluates f three times in a step in which it is used. */
-typedef rk45_options rk853_options;
-typedef rk45 rk853;
-#define RK853_WORK(n) (19 * (n))
-VM_INLINE int rk853_init(rk853 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                         const rk853_options *options_or_NULL, vm_real *work);
-VM_INLINE int rk853_step(rk853 *s);
-VM_INLINE int rk853_solve(rk853 *s, vm_real t_end);
-VM_INLINE int rk853_solve_with(rk853 *s, ode_rhs f, int n, vm_real t_end);
-VM_API int rk853_interpolate(rk853 *s, vm_real t, vm_real *y);
-VM_API int rk853_restart(rk853 *s, vm_real t, const vm_real *y);
+/* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk87_interpolate is of
+   order 8 and evaluates f seven times in a step in which it is used. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+#define RK87_WORK(n) (24 * (n))
+VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk87_options *options_or_NULL, vm_real *work);
+VM_INLINE int rk87_step(rk87 *s);
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end);
+VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end);
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y);
+VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y);
 
 /* ---- Common to all ------------------------------------------------------------------------------------------ */
 
@@ -356,7 +356,7 @@ VM_API const char *ode_strerror(int status)
 {
     switch (status) {
     case ODE_OK: return "success";
-    case ODE_RTOL_RAISED: return "rtol was raised to 16 eps";
+    case ODE_RTOL_RAISED: return "rtol was raised to what the type can hold";
     case ODE_EVENT: return "a terminal event";
     case ODE_STIFF: return "success, but the equations look stiff";
     case ODE_BAD_ARGUMENT: return "bad argument";
@@ -524,9 +524,14 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
 
 /* ---- Adaptive runs: setting up ------------------------------------------------------------------------------ */
 
-VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
+enum { VMI_RK45, VMI_RK87 }; /* the methods */
+
+/* What the roundings within a step allow: rk87 has coefficients of 120 */
+VM_API vm_real vmi_least_rtol(int method) { return (vm_real)(method == VMI_RK45 ? 16 : 256) * VM_EPSILON; }
+
+VM_API rk45_options vmi_defaults(int method, const rk45_options *options_or_NULL)
 {
-    const vm_real least = 16 * VM_EPSILON;
+    const vm_real least = vmi_least_rtol(method);
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0};
     if (options_or_NULL) o = *options_or_NULL;
     if (o.rtol == 0) o.rtol = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-4);
@@ -537,6 +542,11 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
     if (o.h_max == 0) o.h_max = VM_MAX;
     if (o.max_steps == 0) o.max_steps = 1000000L;
     return o;
+}
+
+VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
+{
+    return vmi_defaults(VMI_RK45, options_or_NULL);
 }
 
 /* Every component has a tolerance, none is negative or NaN */
@@ -561,18 +571,17 @@ VM_API int vmi_options_good(const rk45_options *o, int n)
     return 1;
 }
 
-enum { VMI_RK45, VMI_RK853 };            /* the methods */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K }; /* parts of work: y, y at t_old, an argument of f, k_1, k_2 ... */
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of the attempt before */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
-VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 12; }
+VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 13; }
 
 VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                        const rk45_options *options_or_NULL, vm_real *work)
 {
-    rk45_options o = rk45_defaults(options_or_NULL);
+    rk45_options o = vmi_defaults(method, options_or_NULL);
     vm_real rtol = options_or_NULL ? options_or_NULL->rtol : 0;
     int i;
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
@@ -609,10 +618,10 @@ VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
     return vmi_ode_init(s, VMI_RK45, f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-VM_INLINE int rk853_init(rk853 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                         const rk853_options *options_or_NULL, vm_real *work)
+VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk87_options *options_or_NULL, vm_real *work)
 {
-    return vmi_ode_init(s, VMI_RK853, f, ctx, n, t0, y0, options_or_NULL, work);
+    return vmi_ode_init(s, VMI_RK87, f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
@@ -750,77 +759,86 @@ VM_INLINE int vmi_rk45_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_
     return 0;
 }
 
-/* Stages 2 to 12 of [4]: z becomes the new state. Its derivative, k_13, is evaluated when the step is accepted. */
-VM_INLINE int vmi_rk853_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_new, vm_real h, vm_real *w,
-                               ptrdiff_t m, long *evals)
+/* Stages 2 to 13 of [4]: z becomes the new state. Its derivative, k_14, is evaluated when the step is accepted. */
+VM_INLINE int vmi_rk87_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_new, vm_real h, vm_real *w,
+                              ptrdiff_t m, long *evals)
 {
     const vm_real *y = w + VMI_Y * m;
     vm_real *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
-            *k6 = k5 + m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m;
+            *k6 = k5 + m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m,
+            *k13 = k12 + m;
     int i;
-    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.052600151958767731879) * k1[i];
-    VMI_EVAL(t + VMI_H(0.052600151958767731879), z, k2);
-    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.019725056984537899454) * k1[i] + VMI_H(0.059175170953613698363) * k2[i];
-    VMI_EVAL(t + VMI_H(0.078900227938151597818), z, k3);
-    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.029587585476806849182) * k1[i] + VMI_H(0.088762756430420547545) * k3[i];
-    VMI_EVAL(t + VMI_H(0.11835034190722739673), z, k4);
+    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.05) * k1[i];
+    VMI_EVAL(t + VMI_H(0.05), z, k2);
+    VMI_EACH(i, n) z[i] = y[i] - VMI_H(0.0069931640625) * k1[i] + VMI_H(0.1135556640625) * k2[i];
+    VMI_EVAL(t + VMI_H(0.1065625), z, k3);
+    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.0399609375) * k1[i] + VMI_H(0.1198828125) * k3[i];
+    VMI_EVAL(t + VMI_H(0.15984375), z, k4);
     VMI_EACH(i, n)
-    z[i] = y[i] + h * (VM_C(0.2413651341592666855) * k1[i] - VM_C(0.88454947932828608534) * k3[i]) +
-           VMI_H(0.92483400326179200312) * k4[i];
-    VMI_EVAL(t + VMI_H(0.28164965809277260327), z, k5);
+    z[i] = y[i] + h * (VM_C(0.36139756280045751241) * k1[i] - VM_C(1.3415240667004927718) * k3[i]) +
+           VMI_H(1.3701265039000352594) * k4[i];
+    VMI_EVAL(t + VMI_H(0.39), z, k5);
     VMI_EACH(i, n)
-    z[i] = y[i] + h * (VM_C(0.037037037037037037037) * k1[i] + VM_C(0.17082860872947387128) * k4[i]) +
-           VMI_H(0.12546768756682242502) * k5[i];
-    VMI_EVAL(t + VMI_H(0.33333333333333333333), z, k6);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(0.037109375) * k1[i] + VM_C(0.17025221101954403931) * k4[i] +
-                VM_C(0.060216538980455960685) * k5[i]) -
-           VMI_H(0.017578125) * k6[i];
-    VMI_EVAL(t + VMI_H(0.25), z, k7);
+    z[i] = y[i] + h * (VM_C(0.049047202797202797203) * k1[i] + VM_C(0.23509720422144047399) * k4[i]) +
+           VMI_H(0.18085559298135672881) * k5[i];
+    VMI_EVAL(t + VMI_H(0.465), z, k6);
     VMI_EACH(i, n)
     z[i] = y[i] +
-           h * (VM_C(0.037092000118504792711) * k1[i] + VM_C(0.17038392571223999381) * k4[i] +
-                VM_C(0.10726203044637328465) * k5[i] - VM_C(0.015319437748624401753) * k6[i]) +
-           VMI_H(0.0082737891638140228876) * k7[i];
-    VMI_EVAL(t + VMI_H(0.30769230769230769231), z, k8);
+           h * (VM_C(0.06169289044289044289) * k1[i] + VM_C(0.11236568314640276623) * k4[i] -
+                VM_C(0.03885046071451366767) * k5[i]) +
+           VMI_H(0.019791887125220458554) * k6[i];
+    VMI_EVAL(t + VMI_H(0.155), z, k7);
     VMI_EACH(i, n)
     z[i] = y[i] +
-           h * (VM_C(0.62411095871607571711) * k1[i] - VM_C(3.3608926294469412941) * k4[i] -
-                VM_C(0.86821934684172600682) * k5[i] + VM_C(27.592099699446708305) * k6[i] +
-                VM_C(20.154067550477893409) * k7[i]) -
-           VMI_H(43.489884181069958848) * k8[i];
-    VMI_EVAL(t + VMI_H(0.65128205128205128205), z, k9);
+           h * (VM_C(-1.7676302402223268757) * k1[i] - VM_C(6.0618893773766691008) * k5[i] +
+                VM_C(5.6508231982227631386) * k6[i] + VM_C(3.121696419376232838) * k7[i]) -
+           VMI_H(62.5) * (k4[i] - k7[i]);
+    VMI_EVAL(t + VMI_H(0.943), z, k8);
     VMI_EACH(i, n)
     z[i] = y[i] +
-           h * (VM_C(0.47766253643826436589) * k1[i] - VM_C(2.4881146199716676419) * k4[i] -
-                VM_C(0.59029082683684299637) * k5[i] + VM_C(21.230051448181194235) * k6[i] +
-                VM_C(15.279233632882423583) * k7[i] - VM_C(33.288210968984862919) * k8[i]) -
-           VMI_H(0.020331201708508626136) * k9[i];
-    VMI_EVAL(t + VMI_H(0.6), z, k10);
+           h * (VM_C(-1.1809450665549707998) * k1[i] - VM_C(4.4344383191037250112) * k5[i] +
+                VM_C(4.2604081885861330248) * k6[i] + VM_C(2.2489058133185074338) * k7[i] -
+                VM_C(41.504734411143208416) * (k4[i] - k7[i])) +
+           VMI_H(0.0078714254899123106874) * k8[i];
+    VMI_EVAL(t + VMI_H(0.90180204173585695826), z, k9);
     VMI_EACH(i, n)
     z[i] = y[i] +
-           h * (VM_C(-0.93714243008598732572) * k1[i] + VM_C(5.1863724288440637083) * k4[i] +
-                VM_C(1.0914373489967295782) * k5[i] - VM_C(8.1497870107469261251) * k6[i] -
-                VM_C(18.520065659996959864) * k7[i] + VM_C(22.739487099350504282) * k8[i] +
-                VM_C(2.4936055526796523899) * k9[i]) -
-           VMI_H(3.0467644718982195004) * k10[i];
-    VMI_EVAL(t + VMI_H(0.85714285714285714286), z, k11);
+           h * (VM_C(-1.2814059994414884055) * k1[i] - VM_C(4.7313620694495764773) * k5[i] +
+                VM_C(4.5149670165938078412) * k6[i] + VM_C(2.4019556115899850465) * k7[i] -
+                VM_C(45.047139960139866302) * (k4[i] - k7[i]) + VM_C(0.010592282971116611357) * k8[i]) -
+           VMI_H(0.0057468422638446162544) * k9[i];
+    VMI_EVAL(t + VMI_H(0.909), z, k10);
     VMI_EACH(i, n)
     z[i] = y[i] +
-           h * (VM_C(2.2733101475165382079) * k1[i] - VM_C(10.534495466737250198) * k4[i] -
-                VM_C(2.0008720582248624991) * k5[i] - VM_C(17.958931863118798917) * k6[i] +
-                VM_C(27.948884529419960051) * k7[i] - VM_C(2.8589982771350236947) * k8[i] -
-                VM_C(8.8728569335306295443) * k9[i] + VM_C(12.360567175794303065) * k10[i]) +
-           VMI_H(0.64339274601576353036) * k11[i];
+           h * (VM_C(-1.7244701342624851918) * k1[i] - VM_C(5.9515183762223924552) * k5[i] +
+                VM_C(5.556523730698456236) * k6[i] + VM_C(3.0595218955025132032) * k7[i] -
+                VM_C(60.923490084830540165) * (k4[i] - k7[i]) + VM_C(0.014642028250414961593) * k8[i] +
+                VM_C(0.064604087723582036036) * k9[i]) -
+           VMI_H(0.07930323169008878984) * k10[i];
+    VMI_EVAL(t + VMI_H(0.94), z, k11);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(-3.3016226677470790164) * k1[i] - VM_C(10.141422388456112486) * k5[i] +
+                VM_C(9.1393113322320579235) * k6[i] + VM_C(5.3646704686517598018) * k7[i] -
+                VM_C(118.01127235975250857) * (k4[i] - k7[i]) + VM_C(4.6232443788745804748) * k8[i] -
+                VM_C(3.3832777380682019237) * k9[i] + VM_C(4.5275921003246181895) * k10[i]) -
+           VMI_H(5.8284954858116229632) * k11[i];
     VMI_EVAL(t_new, z, k12);
     VMI_EACH(i, n)
     z[i] = y[i] +
-           h * (VM_C(0.054293734116568762238) * k1[i] + VM_C(4.4503128927524088814) * k6[i] +
-                VM_C(1.891517899314500383) * k7[i] - VM_C(5.8012039600105847815) * k8[i] +
-                VM_C(0.31116436695781989441) * k9[i] - VM_C(0.15216094966251607856) * k10[i] +
-                VM_C(0.20136540080403034837) * k11[i]) +
-           VMI_H(0.044710615727772590518) * k12[i];
+           h * (VM_C(-3.03951503376630903) * k1[i] - VM_C(9.2906424974002934497) * k5[i] +
+                VM_C(8.4305049817649111421) * k6[i] + VM_C(4.9401329484155058871) * k7[i] -
+                VM_C(109.26086808941762547) * (k4[i] - k7[i]) - VM_C(0.96372713421454793582) * k8[i] -
+                VM_C(5.0348840888021897912) * k9[i]) +
+           VMI_H(5.9581308240029231775) * k10[i];
+    VMI_EVAL(t_new, z, k13);
+    VMI_EACH(i, n)
+    z[i] = y[i] +
+           h * (VM_C(0.044279894190079510747) * k1[i] + VM_C(0.35410493917244487448) * k6[i] +
+                VM_C(0.24796921549564378287) * k7[i] - VM_C(6.6543028207017138549) * k10[i] +
+                VM_C(25.084064965558562613) * (k9[i] - k10[i]) + VM_C(7.2440812351506999013) * k11[i] -
+                VM_C(15.694202038838084051) * (k8[i] - k11[i])) -
+           VMI_H(0.23613246330715421453) * k12[i];
     return 0;
 }
 #undef VMI_EVAL
@@ -830,7 +848,19 @@ VM_INLINE int vmi_rk853_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
 #define VMI_WORST VM_C(1e4) /* no error is told from a worse one */
 
-/* The largest error of a component over its tolerance; NaN where anything is not finite: x - x is 0 or NaN */
+/* An error e of component i, whose state goes from y to z: *worst becomes the largest over the tolerance; *bad stays 0
+   while all is finite: x - x is 0 or NaN */
+VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst,
+                         vm_real *bad)
+{
+    vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));
+    *worst = VMI_LARGER(ratio, *worst);
+    e += z;
+    *bad += e - e;
+}
+
+/* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders 5
+   and 4 */
 VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
 {
     const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
@@ -838,44 +868,31 @@ VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const 
     vm_real worst = 0, bad = 0;
     int i;
     VMI_EACH(i, n)
-    {
-        vm_real e = h * (VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
-                         VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
-                         VM_C(0.5823571654525552) * k5[i] - VM_C(0.45808210592918697) * k6[i] +
-                         VM_C(0.01515151515151515152) * k7[i]);
-        vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y[i]), VM_FABS(z[i])));
-        worst = VMI_LARGER(ratio, worst);
-        e += z[i];
-        bad += e - e;
-    }
+    vmi_weigh(o, i,
+              h * (VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
+                   VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
+                   VM_C(0.5823571654525552) * k5[i] - VM_C(0.45808210592918697) * k6[i] +
+                   VM_C(0.01515151515151515152) * k7[i]),
+              y[i], z[i], &worst, &bad);
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* The same from the two estimates of [4], of orders 5 and 3: e5^2/sqrt(e5^2 + 0.01 e3^2) */
-VM_INLINE vm_real vmi_rk853_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
+/* The same by that of orders 8 and 7 */
+VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
 {
     const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k6 = k1 + 5 * m, *k7 = k6 + m,
-                  *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m;
-    vm_real worst5 = 0, worst3 = 0, bad = 0;
+                  *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
+    vm_real worst = 0, bad = 0;
     int i;
     VMI_EACH(i, n)
-    {
-        vm_real e5 = h * (VM_C(0.013120044994194880733) * k1[i] - VM_C(1.2251564463762044407) * k6[i] -
-                          VM_C(0.49575894965725019152) * k7[i] + VM_C(1.664377182454986537) * k8[i] -
-                          VM_C(0.35032884874997368169) * k9[i] + VM_C(0.33417911871301747903) * k10[i] +
-                          VM_C(0.081923206485115712466) * k11[i] - VM_C(0.022355307863886295259) * k12[i]);
-        vm_real e3 = (z[i] - y[i]) -
-                     h * (VM_C(0.24409448818897637795) * k1[i] + VM_C(0.73384668828161185734) * k9[i] +
-                          VM_C(0.022058823529411764706) * k12[i]);
-        vm_real tolerance = vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y[i]), VM_FABS(z[i])));
-        vm_real ratio5 = VM_FABS(e5) / tolerance, ratio3 = VM_FABS(e3) / tolerance;
-        worst5 = VMI_LARGER(ratio5, worst5);
-        worst3 = VMI_LARGER(ratio3, worst3);
-        e5 += z[i];
-        bad += e5 - e5;
-    }
-    worst5 = VMI_SMALLER(worst5, VMI_WORST), worst3 = VMI_SMALLER(worst3, VMI_WORST);
-    return worst5 * worst5 / VM_SQRT(worst5 * worst5 + VM_C(0.01) * worst3 * worst3 + VMI_MIN) + bad;
+    vmi_weigh(o, i,
+              h * (VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
+                   VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
+                   VM_C(5.2371785994398289141) * k9[i] - VM_C(8.1567444087946580486) * k10[i] +
+                   VM_C(22.938283273988783952) * k11[i] - VM_C(0.23613246330715421453) * k12[i] +
+                   VM_C(0.36016794372897751621) * k13[i]),
+              y[i], z[i], &worst, &bad);
+    return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
 /* ---- Adaptive runs: step size control ----------------------------------------------------------------------- */
@@ -926,16 +943,16 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
         if (status) break;
         attempts -= attempts > 0;
         stopped = method == VMI_RK45 ? vmi_rk45_stages(f, ctx, n, t, t_new, h, w, m, &evals)
-                                     : vmi_rk853_stages(f, ctx, n, t, t_new, h, w, m, &evals);
+                                     : vmi_rk87_stages(f, ctx, n, t, t_new, h, w, m, &evals);
         if (stopped) break;
-        error = method == VMI_RK45 ? vmi_rk45_error(&o, n, h, w, m) : vmi_rk853_error(&o, n, h, w, m);
+        error = method == VMI_RK45 ? vmi_rk45_error(&o, n, h, w, m) : vmi_rk87_error(&o, n, h, w, m);
         if (!(error <= 1)) {
             rejections++;
             failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
             h_next = h * vmi_shrink(method, error);
             continue;
         }
-        if (method == VMI_RK853) {
+        if (method == VMI_RK87) {
             evals++;
             stopped = f(t_new, w + VMI_Z * m, w + vmi_last_k(method) * m, ctx);
             if (stopped) break;
@@ -968,7 +985,7 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
 /* The same in registers, where the compiler knows that n is small */
 VM_INLINE int vmi_advance_small(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
 {
-    vm_real w[(VMI_K + 13) * VMI_SMALL] = {0}; /* all is copied back, used or not */
+    vm_real w[(VMI_K + 14) * VMI_SMALL] = {0}; /* all is copied back, used or not */
     int status;
     vmi_copy(n, vmi_part(s, VMI_Y), w);
     vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
@@ -985,30 +1002,66 @@ VM_INLINE int vmi_advance_small(rk45 *s, int method, ode_rhs f, int n, vm_real t
 
 /* ---- Adaptive runs: inside a step --------------------------------------------------------------------------- */
 
-/* The three further stages that the continuous extension of order 7 needs, once for a step */
-VM_API int vmi_rk853_extend(rk45 *s)
+/* The seven further stages that the continuous extension of order 8 needs, once for a step */
+VM_API int vmi_rk87_extend(rk45 *s)
 {
-    VM_TABLE vm_real c[3] = {VM_C(0.1), VM_C(0.2), VM_C(0.77777777777777777778)};
-    VM_TABLE vm_real a[3][15] = {
-        {VM_C(0.056167502283047952339), 0, 0, 0, 0, 0, VM_C(0.25350021021662481109), VM_C(-0.24623903747080248992),
-         VM_C(-0.12419142326381636047), VM_C(0.15329179827876569731), VM_C(0.0082010522956346898849),
-         VM_C(0.0075678976605456997614), VM_C(-0.008298)},
-        {VM_C(0.031834648163502140506), 0, 0, 0, 0, VM_C(0.028300909672366775529), VM_C(0.053541988307438567622),
-         VM_C(-0.054923748571390988465), 0, 0, VM_C(-0.00010834732869724932286), VM_C(0.00038257109083565841295),
-         VM_C(-0.0003404650086874045608), VM_C(0.14131244367463250028)},
-        {VM_C(-0.42889630158379192341), 0, 0, 0, 0, VM_C(-4.6976214153611638431), VM_C(7.6834211960625990418),
-         VM_C(4.0689898183971100797), VM_C(0.35672718745528110927), 0, 0, 0, VM_C(-0.0013990241651590146213),
-         VM_C(2.947514789152772339), VM_C(-9.1509584721798700108)}};
+    VM_TABLE vm_real c[7] = {
+        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    VM_TABLE vm_real a[7][20] = {
+        {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
+         VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
+         VM_C(-44.855785077694125248), VM_C(-0.063798587686474440095), 0, VM_C(-0.012595035543861662682)},
+        {VM_C(0.050379468554820409931), 0, 0, 0, 0, VM_C(0.041098361310460793399), VM_C(0.17180541533481957833),
+         VM_C(4.6141053199815188697), VM_C(-1.7916678830853964497), VM_C(2.5316589304850414085),
+         VM_C(-5.3249778602057307193), VM_C(-0.030655325953856347349), 0, VM_C(-0.0052544799794296135705),
+         VM_C(-0.083991946442247929975)},
+        {VM_C(0.040828971329970796202), 0, 0, 0, 0, VM_C(0.42444795142476322189), VM_C(0.23260915312752345395),
+         VM_C(2.6779825207118060628), VM_C(0.74208266573389452165), VM_C(0.14603778479414611939),
+         VM_C(-3.579344509890565218), VM_C(0.11388443896001737045), 0, VM_C(0.012677906510331900474),
+         VM_C(-0.074434363499466744298), VM_C(0.047827480797578515546)},
+        {VM_C(0.052126823936684136299), 0, 0, 0, 0, VM_C(0.053925083967447977182), VM_C(0.016607580974346408285),
+         VM_C(-4.4544857579267796554), VM_C(6.8352182786321463817), VM_C(-8.7113348221819937398),
+         VM_C(6.4916358392329170537), VM_C(-0.070725518098443464221), 0, VM_C(-0.018540314919932164291),
+         VM_C(0.023504021054353846451), VM_C(0.23447951034078220906), VM_C(-0.082410725011528988858)},
+        {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
+         VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
+         VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
+         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521), 0},
+        {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
+         VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
+         VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
+         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532), 0, 0},
+        {VM_C(0.039390583455282509434),
+         0,
+         0,
+         0,
+         0,
+         VM_C(0.35585161412344241831),
+         VM_C(0.41973822259526100294),
+         VM_C(0.87204497780719416629),
+         VM_C(0.89895208348765948613),
+         VM_C(-0.63058061610598835902),
+         VM_C(-1.1218872205954835507),
+         VM_C(0.04298219512400197177),
+         0,
+         VM_C(0.01332557566873915707),
+         VM_C(0.018762270539641480344),
+         VM_C(-0.18594111329221055705),
+         VM_C(0.17736142719246027452),
+         0,
+         0,
+         0}};
+    const vm_real *k1 = vmi_part(s, VMI_K);
     vm_real *z = vmi_part(s, VMI_Z);
     int i, j, stage;
-    for (stage = 0; stage < 3; stage++) {
+    for (stage = 0; stage < 7; stage++) {
         int status;
         for (i = 0; i < s->n; i++) {
             vm_real sum = 0;
-            for (j = 0; j < 13 + stage; j++) sum += a[stage][j] * vmi_part(s, VMI_K + j)[i];
-            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * sum;
+            for (j = 1; j < 14 + stage; j++) sum += a[stage][j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (c[stage] * k1[i] + sum);
         }
-        status = vmi_eval(s, s->t_old + c[stage] * s->h_done, z, vmi_part(s, VMI_K + 13 + stage));
+        status = vmi_eval(s, s->t_old + c[stage] * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
         if (status) return status;
     }
     s->extended = 1;
@@ -1030,47 +1083,180 @@ VM_API int vmi_rk45_weights(vm_real x, vm_real *b)
     return 7;
 }
 
-/* The same of order 7 [4]: Hermite's cubic through both ends, with the step's weights d[0], and four more terms */
-VM_API int vmi_rk853_weights(vm_real x, vm_real *b)
+/* The same of order 8 [4]: b_j/x in Bernstein's polynomials of degree 7, which keep the coefficients small */
+VM_API int vmi_rk87_weights(vm_real x, vm_real *b)
 {
-    VM_TABLE vm_real d[5][16] = {
-        {VM_C(0.054293734116568762238), 0, 0, 0, 0, VM_C(4.4503128927524088814), VM_C(1.891517899314500383),
-         VM_C(-5.8012039600105847815), VM_C(0.31116436695781989441), VM_C(-0.15216094966251607856),
-         VM_C(0.20136540080403034837), VM_C(0.044710615727772590518), 0, 0, 0, 0},
-        {VM_C(-8.4289382761090128651), 0, 0, 0, 0, VM_C(0.56671495351937776963), VM_C(-3.0689499459498916913),
-         VM_C(2.3846676565120698288), VM_C(2.1170345824450282767), VM_C(-0.87139158377797299207),
-         VM_C(2.2404374302607882759), VM_C(0.63157877876946881816), VM_C(-0.088990336451333310821),
-         VM_C(18.148505520854727257), VM_C(-9.1946323924783554), VM_C(-4.4360363875948939664)},
-        {VM_C(10.427508642579134603), 0, 0, 0, 0, VM_C(242.28349177525818288), VM_C(165.20045171727028199),
-         VM_C(-374.5467547226902028), VM_C(-22.113666853125306036), VM_C(7.733432668472263839),
-         VM_C(-30.674084731089398182), VM_C(-9.332130526430227873), VM_C(15.697238121770843886),
-         VM_C(-31.139403219565177677), VM_C(-9.3529243588444783866), VM_C(35.816841486394083752)},
-        {VM_C(19.985053242002433821), 0, 0, 0, 0, VM_C(-387.03730874935176555), VM_C(-189.17813819516756883),
-         VM_C(527.80815920542364901), VM_C(-11.573902539959630126), VM_C(6.881232694696300017),
-         VM_C(-1.0006050966910838403), VM_C(0.77771377980534432093), VM_C(-2.7782057523535084066),
-         VM_C(-60.196695231264120758), VM_C(84.320405506677161018), VM_C(11.992291136182789328)},
-        {VM_C(-25.693933462703749003), 0, 0, 0, 0, VM_C(-154.18974869023643374), VM_C(-231.52937917604549568),
-         VM_C(357.63911791061412378), VM_C(93.405324183624310004), VM_C(-37.458323136451633157),
-         VM_C(104.09964950896230045), VM_C(29.840293426660503123), VM_C(-43.533456590011143754),
-         VM_C(96.324553959188282948), VM_C(-39.177261675615439165), VM_C(-149.72683625798562581)}};
-    const vm_real u = 1 - x, xu = x * u, hermite = x * (1 - u * (1 - 2 * x)), p = xu * xu;
-    int j;
-    for (j = 0; j < 16; j++) b[j] = hermite * d[0][j] + p * (d[1][j] + x * (d[2][j] + u * (d[3][j] + x * d[4][j])));
-    b[0] += xu * u;
-    b[12] -= xu * x;
-    return 16;
+    VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
+    VM_TABLE vm_real c[8][21] = {{VM_C(1.0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                 {VM_C(-0.43416495007921699754),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(22.599667701739659115),
+                                  VM_C(15.825878858282545737),
+                                  VM_C(-1001.6345768873305842),
+                                  VM_C(1600.9139385497353343),
+                                  VM_C(-2025.6045200650977012),
+                                  VM_C(1463.9659668459635268),
+                                  VM_C(-15.07043425264423982),
+                                  0,
+                                  VM_C(-2.1233733390382044607),
+                                  VM_C(2.0499551075579231761),
+                                  VM_C(-14.649321001586286937),
+                                  VM_C(-5.4474375904092477119),
+                                  VM_C(-9.4832565472422686612),
+                                  VM_C(-12.916982247390083982),
+                                  VM_C(-8.5341205186269588664),
+                                  VM_C(-8.4572196638341962641)},
+                                 {VM_C(0.69319890739505714536),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(-28.322636845067825264),
+                                  VM_C(-19.833504880369087028),
+                                  VM_C(1255.2809513415663983),
+                                  VM_C(-2006.3172919246540112),
+                                  VM_C(2538.5533084238865914),
+                                  VM_C(-1834.6896502962782204),
+                                  VM_C(18.886757189012005795),
+                                  0,
+                                  VM_C(2.6943768290163844672),
+                                  VM_C(-3.0569914252730377376),
+                                  VM_C(21.845770438002692514),
+                                  VM_C(8.1234803348592602041),
+                                  VM_C(9.4063330192350021072),
+                                  VM_C(18.54462542925865921),
+                                  VM_C(8.8787596622304847795),
+                                  VM_C(10.312513797179645635)},
+                                 {VM_C(-0.3338485911070980487),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(25.558764868971263012),
+                                  VM_C(17.898047082901598187),
+                                  VM_C(-1132.7840290910181075),
+                                  VM_C(1810.5302905715595678),
+                                  VM_C(-2290.8279152212470487),
+                                  VM_C(1655.6509775545015219),
+                                  VM_C(-17.043688014358484614),
+                                  0,
+                                  VM_C(-2.3369125341274148978),
+                                  VM_C(2.6643387606508049922),
+                                  VM_C(-19.039809026959079785),
+                                  VM_C(-7.0800668096793834609),
+                                  VM_C(-5.8665758746530908169),
+                                  VM_C(-18.840844904715375167),
+                                  VM_C(-7.4879415981794647994),
+                                  VM_C(-9.6607871725402081249)},
+                                 {VM_C(0.28379400641185437856),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(-12.759481686923881245),
+                                  VM_C(-8.9350876365402469061),
+                                  VM_C(565.50999817576301139),
+                                  VM_C(-903.85541729421673952),
+                                  VM_C(1143.6302568613132692),
+                                  VM_C(-826.5363540196210053),
+                                  VM_C(8.5085733294123855395),
+                                  0,
+                                  VM_C(1.0603712833693789051),
+                                  VM_C(-1.4442533272143088419),
+                                  VM_C(10.320875086467535406),
+                                  VM_C(3.837879100734673622),
+                                  VM_C(2.5580949193757614888),
+                                  VM_C(11.224293673899100669),
+                                  VM_C(2.4797359224550151757),
+                                  VM_C(5.1167216053141960113)},
+                                 {VM_C(0.0072914402964293461022),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(3.7687355910342448606),
+                                  VM_C(2.6391340660294149651),
+                                  VM_C(-167.03324707890411572),
+                                  VM_C(266.9694713223930137),
+                                  VM_C(-337.79115467001014473),
+                                  VM_C(244.13193663420704719),
+                                  VM_C(-2.5131556220142955157),
+                                  0,
+                                  VM_C(-0.17281686321712024563),
+                                  VM_C(0.3583670958947128915),
+                                  VM_C(-2.5609510202503622271),
+                                  VM_C(-0.95230494665234715357),
+                                  VM_C(-0.5896647722763897408),
+                                  VM_C(-2.8631165722737584704),
+                                  VM_C(-0.47177361047292321216),
+                                  VM_C(-1.9267509937834059465)},
+                                 {VM_C(0.050605593360090869425),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(0.40469135905422271369),
+                                  VM_C(0.28339338913787860899),
+                                  VM_C(-17.936230901529238915),
+                                  VM_C(28.667502817781214415),
+                                  VM_C(-36.272420327154601678),
+                                  VM_C(26.215180884558610231),
+                                  VM_C(-0.26986567235103338803),
+                                  0,
+                                  VM_C(-0.14285714285714285714),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0},
+                                 {VM_C(0.044279894190079510747),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(0.35410493917244487448),
+                                  VM_C(0.24796921549564378287),
+                                  VM_C(-15.694202038838084051),
+                                  VM_C(25.084064965558562613),
+                                  VM_C(-31.738367786260276468),
+                                  VM_C(22.938283273988783952),
+                                  VM_C(-0.23613246330715421453),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0}};
+    const vm_real u = 1 - x;
+    vm_real up[8];
+    vm_real power = x;
+    int i, j;
+    for (up[0] = 1, i = 1; i < 8; i++) up[i] = up[i - 1] * u;
+    for (j = 0; j < 21; j++) b[j] = 0;
+    for (i = 0; i < 8; i++, power *= x)
+        for (j = 0; j < 21; j++) b[j] += binomial[i] * power * up[7 - i] * c[i][j];
+    return 21;
 }
 
-/* y at t_old + x h, 0 <= x <= 1. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+/* y at t_old + x h, 0 <= x <= 1. The weights add up to x, so those of the differences to k_1 do as well, with less
+   rounding. Not inlined, so that it is contracted in one way only: the same x has the same y. */
 VMI_APART void vmi_inside(const rk45 *s, int method, vm_real x, vm_real *y)
 {
-    const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
-    vm_real b[16];
-    int i, j, count = method == VMI_RK45 ? vmi_rk45_weights(x, b) : vmi_rk853_weights(x, b);
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
+    vm_real b[21];
+    int i, j, count = method == VMI_RK45 ? vmi_rk45_weights(x, b) : vmi_rk87_weights(x, b);
     for (i = 0; i < s->n; i++) {
         vm_real sum = 0;
-        for (j = 0; j < count; j++) sum += b[j] * vmi_part(s, VMI_K + j)[i];
-        y[i] = y_old[i] + s->h_done * sum;
+        for (j = 1; j < count; j++) sum += b[j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+        y[i] = y_old[i] + s->h_done * (x * k1[i] + sum);
     }
 }
 
@@ -1087,18 +1273,18 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
     return ODE_OK;
 }
 
-VM_API int rk853_interpolate(rk853 *s, vm_real t, vm_real *y)
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
-    if (!s || !y || !vmi_within_last_step(s, VMI_RK853, t)) return ODE_BAD_ARGUMENT;
+    if (!s || !y || !vmi_within_last_step(s, VMI_RK87, t)) return ODE_BAD_ARGUMENT;
     if (t == s->t) {
         vmi_copy(s->n, s->y, y);
         return ODE_OK;
     }
     if (!s->extended) {
-        int status = vmi_rk853_extend(s);
+        int status = vmi_rk87_extend(s);
         if (status) return status;
     }
-    vmi_inside(s, VMI_RK853, (t - s->t_old) / s->h_done, y);
+    vmi_inside(s, VMI_RK87, (t - s->t_old) / s->h_done, y);
     return ODE_OK;
 }
 
@@ -1234,7 +1420,7 @@ VM_API int vmi_events(rk45 *s, int method)
 {
     ode_event *events = s->options.events;
     int i, status = ODE_OK;
-    if (method == VMI_RK853 && !s->extended) status = vmi_rk853_extend(s);
+    if (method == VMI_RK87 && !s->extended) status = vmi_rk87_extend(s);
     for (i = 0; i < s->options.n_events && status == ODE_OK; i++) status = vmi_next_event(s, method, events + i, 0);
     while (status == ODE_OK) {
         ode_event *first = events;
@@ -1266,26 +1452,27 @@ VM_API void vmi_look_for_stiffness(rk45 *s, int method)
 {
     VM_TABLE vm_real rk45_dz[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
                                    VM_C(1.4505935473851428), VM_C(-3.2618004650420125), VM_C(2.324710524099774)};
-    VM_TABLE vm_real rk853_dz[12] = {VM_C(-2.2190164133999694457),
-                                     0,
-                                     0,
-                                     VM_C(10.534495466737250198),
-                                     VM_C(2.0008720582248624991),
-                                     VM_C(22.409244755871207799),
-                                     VM_C(-26.057366630105459668),
-                                     VM_C(-2.9422056828755610867),
-                                     VM_C(9.1840213004884494387),
-                                     VM_C(-12.512728125456819143),
-                                     VM_C(-0.44202734521173318198),
-                                     VM_C(0.044710615727772590518)};
+    VM_TABLE vm_real rk87_dz[13] = {VM_C(3.0837949279563885408),
+                                    0,
+                                    0,
+                                    VM_C(109.26086808941762547),
+                                    VM_C(9.2906424974002934497),
+                                    VM_C(-8.0764000425924662677),
+                                    VM_C(-113.95303182233748757),
+                                    VM_C(-14.730474904623536115),
+                                    VM_C(30.118949054360752405),
+                                    VM_C(-37.696498610263199646),
+                                    VM_C(22.938283273988783952),
+                                    VM_C(-0.23613246330715421453),
+                                    0};
     const int last = vmi_last_k(method), count = last - VMI_K;
-    const vm_real edge = method == VMI_RK45 ? VM_C(3.4) : VM_C(6.1), h = VM_FABS(s->h_done);
+    const vm_real edge = method == VMI_RK45 ? VM_C(3.4) : VM_C(5.69), h = VM_FABS(s->h_done);
     vm_real dk = 0, dz = 0;
     int i, j;
     for (i = 0; i < s->n; i++) {
         vm_real d = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]), sum = 0;
         dk = VMI_LARGER(dk, d);
-        for (j = 0; j < count; j++) sum += (method == VMI_RK45 ? rk45_dz : rk853_dz)[j] * vmi_part(s, VMI_K + j)[i];
+        for (j = 0; j < count; j++) sum += (method == VMI_RK45 ? rk45_dz : rk87_dz)[j] * vmi_part(s, VMI_K + j)[i];
         dz = VMI_LARGER(dz, VM_FABS(sum));
     }
     if (dk > edge / h * dz * h) {
@@ -1341,15 +1528,15 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return s ? vmi_solve(s, VMI_RK45, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
 }
 
-VM_INLINE int rk853_step(rk853 *s) { return vmi_step(s, VMI_RK853); }
-VM_INLINE int rk853_solve(rk853 *s, vm_real t_end)
+VM_INLINE int rk87_step(rk87 *s) { return vmi_step(s, VMI_RK87); }
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
-    return s ? vmi_solve(s, VMI_RK853, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
+    return s ? vmi_solve(s, VMI_RK87, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
 }
-VM_INLINE int rk853_solve_with(rk853 *s, ode_rhs f, int n, vm_real t_end)
+VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
-    return s ? vmi_solve(s, VMI_RK853, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
+    return s ? vmi_solve(s, VMI_RK87, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
 }
-VM_API int rk853_restart(rk853 *s, vm_real t, const vm_real *y) { return rk45_restart(s, t, y); }
+VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return rk45_restart(s, t, y); }
 
 #endif

@@ -89,15 +89,15 @@ typedef struct result {
         r.evals = s.evals, r.steps = s.steps + s.rejected;                                        \
         return r;                                                                                 \
     }                                                                                             \
-    static result name##_run_rk853(double T, double knob, double *y)                              \
+    static result name##_run_rk87(double T, double knob, double *y)                              \
     {                                                                                             \
         result r = {0, 0};                                                                        \
-        double work[RK853_WORK(n)];                                                               \
-        rk853_options o = {0};                                                                    \
-        rk853 s;                                                                                  \
+        double work[RK87_WORK(n)];                                                               \
+        rk87_options o = {0};                                                                    \
+        rk87 s;                                                                                  \
         o.rtol = o.atol = knob;                                                                   \
-        if (rk853_init(&s, name##_rhs, NULL, n, 0, y, &o, work) < 0) return r;                    \
-        if (rk853_solve(&s, T) < 0) puts("rk853_solve failed");                                   \
+        if (rk87_init(&s, name##_rhs, NULL, n, 0, y, &o, work) < 0) return r;                    \
+        if (rk87_solve(&s, T) < 0) puts("rk87_solve failed");                                   \
         memcpy(y, s.y, (n) * sizeof *y);                                                          \
         r.evals = s.evals, r.steps = s.steps + s.rejected;                                        \
         return r;                                                                                 \
@@ -133,13 +133,13 @@ typedef struct problem {
     int n;
     ode_rhs rhs;
     double (*ns)(double *y);
-    runner rk4_loop, rk4, dp54_loop, dp54_count, rk45, rk853;
-    double T, y0[4], y_end[4]; /* to 20 digits: rk853 in quadruple precision */
+    runner rk4_loop, rk4, dp54_loop, dp54_count, rk45, rk87;
+    double T, y0[4], y_end[4]; /* to 20 digits: rk87 in quadruple precision */
 } problem;
 
 #define METHODS_OF(name)                                                                                      \
     name##_rhs, name##_ns, name##_run_rk4_loop, name##_run_rk4, name##_run_dp54_loop, name##_count_dp54_loop, \
-        name##_run_rk45, name##_run_rk853
+        name##_run_rk45, name##_run_rk87
 static const problem problems[] = {
     {"cubic", "x'' = -x^3", 2, METHODS_OF(cubic), 100, {1, 0}, {-0.9928219270246553026, -0.1191734455528570027}},
     {"mass",
@@ -173,9 +173,9 @@ static const problem problems[] = {
 
 /* ---- methods ---- */
 
-static const char *const method_names[METHODS] = {"rk4_loop", "rk4_solve", "dp54_loop", "rk45_solve", "rk853_solve",
+static const char *const method_names[METHODS] = {"rk4_loop", "rk4_solve", "dp54_loop", "rk45_solve", "rk87_solve",
                                                   "gsl_rk4",  "gsl_rkf45", "gsl_rkck",  "gsl_rk8pd"};
-enum { RK4_LOOP, RK4_SOLVE, DP54_LOOP, RK45_SOLVE, RK853_SOLVE, GSL_RK4, GSL_RKF45, GSL_RKCK, GSL_RK8PD };
+enum { RK4_LOOP, RK4_SOLVE, DP54_LOOP, RK45_SOLVE, RK87_SOLVE, GSL_RK4, GSL_RKF45, GSL_RKCK, GSL_RK8PD };
 
 #ifdef WITH_GSL
 static ode_rhs counted_rhs;
@@ -218,7 +218,7 @@ static result run(const problem *p, int method, double knob, int count, double *
     case RK4_SOLVE: return p->rk4(p->T, knob, y);
     case DP54_LOOP: return count ? p->dp54_count(p->T, knob, y) : p->dp54_loop(p->T, knob, y);
     case RK45_SOLVE: return p->rk45(p->T, knob, y);
-    case RK853_SOLVE: return p->rk853(p->T, knob, y);
+    case RK87_SOLVE: return p->rk87(p->T, knob, y);
     default:
 #ifdef WITH_GSL
         return run_gsl(p, method, knob, count, y);
@@ -331,8 +331,8 @@ static void print_problem(const problem *p, const curve *curves, double f_ns)
     printf("  rk4_solve/rk4_loop %.2f (promised 1.05)   to 1e-6: rk45_solve/dp54_loop %.2f (0.9)",
            loop[SETTINGS / 2], ratio(curves, RK45_SOLVE, DP54_LOOP, 1e-6));
 #ifdef WITH_GSL
-    printf(", gsl_rkf45/rk45_solve %.2f (2.5)   to 1e-10: rk853_solve/gsl_rk8pd %.2f (0.5)",
-           ratio(curves, GSL_RKF45, RK45_SOLVE, 1e-6), ratio(curves, RK853_SOLVE, GSL_RK8PD, 1e-10));
+    printf(", gsl_rkf45/rk45_solve %.2f (2.5)   to 1e-10: rk87_solve/gsl_rk8pd %.2f (0.5)",
+           ratio(curves, GSL_RKF45, RK45_SOLVE, 1e-6), ratio(curves, RK87_SOLVE, GSL_RK8PD, 1e-10));
 #endif
     puts("");
 }
@@ -380,7 +380,7 @@ static void turn_sign(double t, double *y, void *ctx)
 /* error after ten periods; way: 0 plain, 1 restarted at x = 0, 2 with the sign kept in between */
 static double non_smooth(int order, double alpha, double period, double tol, int way, long *evals)
 {
-    double y[2] = {1, 0}, work[RK853_WORK(2)];
+    double y[2] = {1, 0}, work[RK87_WORK(2)];
     spring p;
     ode_event zero;
     rk45_options o = {0};
@@ -389,8 +389,8 @@ static double non_smooth(int order, double alpha, double period, double tol, int
     memset(&zero, 0, sizeof zero);
     zero.g = position, zero.ctx = &p, zero.action = ODE_RESTART, zero.change = way == 2 ? turn_sign : NULL;
     o.rtol = o.atol = tol, o.events = &zero, o.n_events = way > 0;
-    if ((order == 5 ? rk45_init : rk853_init)(&s, spring_rhs, &p, 2, 0, y, &o, work) < 0) return -1;
-    if ((order == 5 ? rk45_solve(&s, 10 * period) : rk853_solve(&s, 10 * period)) < 0) puts("failed");
+    if ((order == 5 ? rk45_init : rk87_init)(&s, spring_rhs, &p, 2, 0, y, &o, work) < 0) return -1;
+    if ((order == 5 ? rk45_solve(&s, 10 * period) : rk87_solve(&s, 10 * period)) < 0) puts("failed");
     *evals = s.evals;
     return fmax(fabs(s.y[0] - 1), fabs(s.y[1]));
 }
@@ -412,7 +412,7 @@ static void print_non_smooth(void)
                 double error[3];
                 long evals[3] = {0, 0, 0};
                 int i;
-                printf("  %-5s alpha %-4g %-15s", order == 5 ? "rk45" : "rk853", alpha[k], ways[way]);
+                printf("  %-5s alpha %-4g %-15s", order == 5 ? "rk45" : "rk87", alpha[k], ways[way]);
                 for (i = 0; i < 3; i++) {
                     error[i] = non_smooth(order, alpha[k], period[k], pow(10, -4 - 3 * i), way, evals + i);
                     printf(" %7ld %8.2g", evals[i], error[i] / pow(10, -4 - 3 * i));

@@ -89,33 +89,33 @@ static double rk45_error(vm_real h, double *inside)
                 fmax(fabs((double)s.y[1] - sin(2.)), fabs((double)s.y[2] - exp(-2.))));
 }
 
-/* the same by rk853 */
-static double rk853_error(vm_real h, double *inside)
+/* the same by rk87 */
+static double rk87_error(vm_real h, double *inside)
 {
-    vm_real y0[3] = {1, 0, 1}, y[3], work[RK853_WORK(3)];
-    rk853_options o = {0};
-    rk853 s;
+    vm_real y0[3] = {1, 0, 1}, y[3], work[RK87_WORK(3)];
+    rk87_options o = {0};
+    rk87 s;
     double t;
     o.atol = 1000, o.h0 = o.h_max = h;
-    CHECK(rk853_init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK);
-    CHECK(rk853_solve(&s, 4) == ODE_OK && s.t == 4 && s.rejected == 0 && s.evals == 12 * s.steps + 1);
+    CHECK(rk87_init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK);
+    CHECK(rk87_solve(&s, 4) == ODE_OK && s.t == 4 && s.rejected == 0 && s.evals == 13 * s.steps + 1);
     t = ((double)s.t_old + (double)s.t) / 2;
-    CHECK(rk853_interpolate(&s, R(t), y) == ODE_OK && s.evals == 12 * s.steps + 4);
+    CHECK(rk87_interpolate(&s, R(t), y) == ODE_OK && s.evals == 13 * s.steps + 8);
     *inside = fmax(fabs((double)y[0] - cos(t)), fmax(fabs((double)y[1] - sin(t)), fabs((double)y[2] - exp(-t))));
-    CHECK(rk853_interpolate(&s, s.t_old, y) == ODE_OK && s.evals == 12 * s.steps + 4);
+    CHECK(rk87_interpolate(&s, s.t_old, y) == ODE_OK && s.evals == 13 * s.steps + 8);
     return fmax(fabs((double)s.y[0] - cos(4.)),
                 fmax(fabs((double)s.y[1] - sin(4.)), fabs((double)s.y[2] - exp(-4.))));
 }
 
-/* y' = 2 t y to t = 1 by rk45 and rk853 with steps of fixed size */
+/* y' = 2 t y to t = 1 by rk45 and rk87 with steps of fixed size */
 static double error_of_time(vm_real h, int order)
 {
-    vm_real y0[1] = {1}, work[RK853_WORK(1)];
+    vm_real y0[1] = {1}, work[RK87_WORK(1)];
     rk45_options o = {0};
     rk45 s;
     o.atol = 1000, o.h0 = o.h_max = h;
-    CHECK((order == 5 ? rk45_init : rk853_init)(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
-    CHECK((order == 5 ? rk45_solve(&s, 1) : rk853_solve(&s, 1)) == ODE_OK);
+    CHECK((order == 5 ? rk45_init : rk87_init)(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    CHECK((order == 5 ? rk45_solve(&s, 1) : rk87_solve(&s, 1)) == ODE_OK);
     return fabs((double)s.y[0] - exp(1.));
 }
 
@@ -135,10 +135,10 @@ static void test_orders(void)
     check_order("rk45", log2(a / b), 5, 0.3);
     check_order("rk45_interpolate (local error)", log2(inside_a / inside_b), 5, 0.5);
     check_order("rk45, f of t", log2(error_of_time(R(0.0625), 5) / error_of_time(R(0.03125), 5)), 5, 0.5);
-    a = rk853_error(1, &inside_a), b = rk853_error(0.5, &inside_b);
-    check_order("rk853", log2(a / b), 8, 0.5);
-    check_order("rk853_interpolate (local error)", log2(inside_a / inside_b), 8, 0.7);
-    check_order("rk853, f of t", log2(error_of_time(R(0.25), 8) / error_of_time(R(0.125), 8)), 8, 0.8);
+    a = rk87_error(1, &inside_a), b = rk87_error(0.5, &inside_b);
+    check_order("rk87", log2(a / b), 8, 0.5);
+    check_order("rk87_interpolate (local error)", log2(inside_a / inside_b), 9, 0.7);
+    check_order("rk87, f of t", log2(error_of_time(R(0.25), 8) / error_of_time(R(0.125), 8)), 8.5, 0.8);
 }
 
 /* ---- known solutions ---- */
@@ -376,14 +376,14 @@ static double detest_solution(int k, double t)
 static double run(int order, ode_rhs f, void *ctx, int n, const vm_real *y0, double t_end, double tol,
                   const double *wanted, long *evals)
 {
-    vm_real work[RK853_WORK(4)];
+    vm_real work[RK87_WORK(4)];
     rk45_options o = {0};
     double error = 0;
     rk45 s;
     int i;
     o.rtol = o.atol = R(tol), o.max_steps = -1;
-    CHECK((order == 5 ? rk45_init : rk853_init)(&s, f, ctx, n, 0, y0, &o, work) == ODE_OK);
-    CHECK((order == 5 ? rk45_solve(&s, R(t_end)) : rk853_solve(&s, R(t_end))) == ODE_OK && s.t == R(t_end));
+    CHECK((order == 5 ? rk45_init : rk87_init)(&s, f, ctx, n, 0, y0, &o, work) == ODE_OK);
+    CHECK((order == 5 ? rk45_solve(&s, R(t_end)) : rk87_solve(&s, R(t_end))) == ODE_OK && s.t == R(t_end));
     for (i = 0; i < n; i++) error = fmax(error, fabs((double)s.y[i] - wanted[i]));
     *evals = s.evals;
     return error;
@@ -393,16 +393,16 @@ static double run(int order, ode_rhs f, void *ctx, int n, const vm_real *y0, dou
 static void test_detest(void)
 {
     const double bound_A[2] = {is_float ? 6 : 2, is_float ? 25 : 4}, bound_D[2] = {250, is_float ? 400 : 40};
-    double tol = is_float ? 1e-5 : 1e-9;
     int k, order;
     for (order = 5; order <= 8; order += 3) {
+        const double tol = is_float ? (order == 5 ? 1e-5 : 1e-4) : 1e-9;
         long evals, sum = 0;
         for (k = 1; k <= 4; k++) {
             vm_real y0[1] = {R(detest_solution(k, 0))};
             double wanted = detest_solution(k, 20),
                    error = run(order, detest_rhs, &k, 1, y0, 20, tol, &wanted, &evals);
             sum += evals;
-            check_error("DETEST A", order == 5 ? "rk45" : "rk853", "tol", error / tol / fmax(1, wanted),
+            check_error("DETEST A", order == 5 ? "rk45" : "rk87", "tol", error / tol / fmax(1, wanted),
                         bound_A[order == 8], k, 20);
         }
         for (k = 1; k <= 5; k++) {
@@ -413,7 +413,7 @@ static void test_detest(void)
             for (i = 0; i < 50; i++) E -= (E - e * sin(E) - 20) / (1 - e * cos(E));
             wanted[0] = cos(E) - e, wanted[1] = sqrt(1 - e * e) * sin(E);
             wanted[2] = -sin(E) / (1 - e * cos(E)), wanted[3] = sqrt(1 - e * e) * cos(E) / (1 - e * cos(E));
-            check_error("DETEST D", order == 5 ? "rk45" : "rk853", "tol",
+            check_error("DETEST D", order == 5 ? "rk45" : "rk87", "tol",
                         run(order, kepler_rhs, NULL, 4, y0, 20, tol, wanted, &evals) / tol, bound_D[order == 8], e,
                         20);
             sum += evals;
@@ -434,7 +434,7 @@ static void test_long_runs(void)
     static const vm_real oscillator_y0[2] = {1, 0}, body_y0[3] = {1, R(0.1), R(0.9)};
     int order;
     for (order = 5; order <= 8; order += 3) {
-        const char *name = order == 5 ? "rk45" : "rk853";
+        const char *name = order == 5 ? "rk45" : "rk87";
         double tol, error[2][3], last = 0;
         long evals = 0;
         int k = 0, few = is_float ? 2 : order == 5 ? 40 : 20;
@@ -442,19 +442,27 @@ static void test_long_runs(void)
             tol = order == 5 ? 1e-10 : 1e-12;
             check_error("cn, 20 periods", name, "tol",
                         run(order, cubic_rhs, NULL, 2, oscillator_y0, 20 * period, tol, start, &evals) / tol,
-                        order == 5 ? 600 : 15, 20, tol);
+                        order == 5 ? 600 : 120, 20, tol);
             check_error("cn, 2000", name, "tol",
                         run(order, cubic_rhs, NULL, 2, oscillator_y0, 2000 * period, tol, start, &evals) / tol,
-                        order == 5 ? 6e6 : 1e5, 2000, tol);
+                        order == 5 ? 6e6 : 1e6, 2000, tol);
         }
-        for (tol = is_float ? 1e-3 : 1e-5; tol > (is_float ? 5e-6 : 1e-10); tol /= 100, k++) {
+        for (tol = is_float ? 1e-3 : 1e-5; tol > (is_float ? (order == 5 ? 5e-6 : 5e-4) : 1e-10); tol /= 100, k++) {
             error[k % 2][0] = run(order, cubic_rhs, NULL, 2, oscillator_y0, 100, tol, cubic_at_100, &evals);
             error[k % 2][1] = run(order, varying_mass_rhs, NULL, 2, oscillator_y0, 50, tol, varying_mass_at_50,
                                   &evals);
             error[k % 2][2] = run(order, rigid_body_rhs, NULL, 3, body_y0, 60, tol, rigid_body_at_60, &evals);
-            check_error("x'' = -x^3", name, "tol", error[k % 2][0] / tol, order == 5 ? 2000 : 400, 100, tol);
+            check_error("x'' = -x^3", name, "tol", error[k % 2][0] / tol,
+                        order == 5 ? 2000
+                        : is_float ? 1000
+                                   : 100,
+                        100, tol);
             check_error("varying mass", name, "tol", error[k % 2][1] / tol, order == 5 ? 80 : 20, 50, tol);
-            check_error("rigid body", name, "tol", error[k % 2][2] / tol, order == 5 ? 600 : 15, 60, tol);
+            check_error("rigid body", name, "tol", error[k % 2][2] / tol,
+                        order == 5 ? 600
+                        : is_float ? 200
+                                   : 15,
+                        60, tol);
             if (k) { /* 100 times the tolerance: 100^(1/order) times the steps, and about 100 times the error */
                 int i;
                 CHECK(fabs(log((double)evals / last) / log(100.) * order - 1) < 0.35);
@@ -495,20 +503,20 @@ static int relaxation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* The warning comes where stability limits the step, and only there; the run goes on */
 static void test_stiffness(void)
 {
-    vm_real y0[1] = {0}, work[RK853_WORK(1)], rate = 1000;
+    vm_real y0[1] = {0}, work[RK87_WORK(1)], rate = 1000;
     rk45_options o = {0};
     rk45 s;
     o.rtol = o.atol = R(1e-3);
     CHECK(rk45_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 5) == ODE_STIFF &&
           s.t == 5);
     CHECK(s.stiff && fabs((double)s.y[0] - cos(5.)) < 0.01 && rk45_solve(&s, 6) == ODE_OK && ODE_STIFF > 0);
-    CHECK(rk853_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk853_solve(&s, 5) == ODE_STIFF &&
+    CHECK(rk87_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk87_solve(&s, 5) == ODE_STIFF &&
           s.t == 5);
-    CHECK(s.stiff && fabs((double)s.y[0] - cos(5.)) < 0.01 && rk853_solve(&s, 6) == ODE_OK);
+    CHECK(s.stiff && fabs((double)s.y[0] - cos(5.)) < 0.01 && rk87_solve(&s, 6) == ODE_OK);
     rate = 1, o.max_steps = -1;
     CHECK(rk45_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 1000) == ODE_OK &&
           !s.stiff);
-    CHECK(rk853_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk853_solve(&s, 1000) == ODE_OK &&
+    CHECK(rk87_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk87_solve(&s, 1000) == ODE_OK &&
           !s.stiff);
 }
 
@@ -566,11 +574,11 @@ static void test_refusals(void)
     CHECK(rk45_interpolate(&s, VM_EPSILON * VM_EPSILON, y) == ODE_BAD_ARGUMENT &&
           rk45_interpolate(&s, 0, y) == ODE_OK);
     CHECK(rk45_solve(NULL, 1) == ODE_BAD_ARGUMENT && rk45_step(NULL) == ODE_BAD_ARGUMENT);
-    CHECK(rk853_solve(NULL, 1) == ODE_BAD_ARGUMENT && rk853_step(NULL) == ODE_BAD_ARGUMENT);
+    CHECK(rk87_solve(NULL, 1) == ODE_BAD_ARGUMENT && rk87_step(NULL) == ODE_BAD_ARGUMENT);
     before = s; /* the other method's, and another f or n than the one it was made for */
-    REFUSED(rk853_solve(&s, 1));
-    REFUSED(rk853_step(&s));
-    REFUSED(rk853_interpolate(&s, 0, y));
+    REFUSED(rk87_solve(&s, 1));
+    REFUSED(rk87_step(&s));
+    REFUSED(rk87_interpolate(&s, 0, y));
     REFUSED(rk45_solve_with(&s, time_rhs, 2, 1));
     REFUSED(rk45_solve_with(&s, linear_rhs, 3, 1));
     REFUSED(rk45_solve(&s, VM_NAN));
@@ -612,6 +620,13 @@ static void test_tolerances(void)
     o.atol = -1;
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_RTOL_RAISED && ODE_RTOL_RAISED > 0);
     CHECK(s.options.rtol == 16 * VM_EPSILON && s.options.atol == 0);
+    {
+        vm_real work8[RK87_WORK(1)];
+        rk87 s8;
+        CHECK(rk87_init(&s8, time_rhs, NULL, 1, 0, y0, &o, work8) == ODE_RTOL_RAISED);
+        CHECK(s8.options.rtol == 256 * VM_EPSILON && rk87_solve(&s8, 2) == ODE_OK);
+        check_error("rk87, least", "y = exp(t^2)", "eps", fabs((double)s8.y[0] / exp(4.) - 1) / eps, 1000, 2, 0);
+    }
     CHECK(rk45_solve(&s, 2) == ODE_OK);
     check_error("rtol = eps", "y = exp(t^2)", "eps", fabs((double)s.y[0] / exp(4.) - 1) / eps, 110, 2, 0);
     o.rtol = -1, o.atol = 0, o.atol_each = each;
