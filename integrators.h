@@ -21,13 +21,14 @@
      rk4    the classical method of order 4, fixed step: where every step must cost the same, as in a control loop.
             rk4_solve_compensated keeps the roundings of millions of steps from adding up, for 10 % more time.
      rk45   Tsitouras' pair of orders 5 and 4 [1]: 7 stages of which the last is the next step's first, PI step size
-            control [2], continuous extension of order 4 for nothing. The default: errors of 1e-3 to 1e-6.
-     rk87  Dormand and Prince's pair of order 8 with estimates of orders 5 and 3 [4]: 12 stages, continuous extension
-            of order 7 for 3 more evaluations. For errors of 1e-6 and less, and for an expensive f.
+            control [2], continuous extension of order 4 for nothing. The default: for float, for f that is not
+            smooth, for many events or much dense output.
+     rk87   Verner's pair of orders 8 and 7 [4]: 13 stages, continuous extension of order 8 for 7 more evaluations.
+            The fastest for a smooth f in double; its roundings are larger: rtol >= 256 eps, no use in float.
      microseconds to an error of   1e-4   1e-6   1e-8   1e-10
-       rk4                           29     82    237    732
-       rk45                          27     58    128    304
-       rk87                         28     43     68    103
+       rk4                           29     79    235    720
+       rk45                          26     56    126    299
+       rk87                          16     25     38     61
      Stiff equations want an implicit method, which is not here; the adaptive runs say so (ODE_STIFF).
 
    CONVENTIONS
@@ -40,8 +41,8 @@
    STEP SIZE CONTROL
      A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component, error
      being the difference of the two orders (the higher one is kept). The next step is chosen by PI control; one whose
-     error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1) is followed by one of the same size. Options: an
-     rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they come
+     error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1 .. 0.75) is followed by one of the same size. Options:
+     an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they come
      to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
 
    EVENTS
@@ -52,10 +53,11 @@
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
      The control finds the bad points, where it takes some short steps: at alpha = 0.5, rk45, tolerance 1e-7, 4922
-     evaluations against 2102 of alpha = 1, the end error 1e4 tolerances, and alike for all alpha < 1, so tighten the
-     tolerance and check. rk87 gains nothing there. Where f has branches that are smooth (a sign, x|x|), keep the
-     branch in ctx and change it at an ODE_RESTART event: alpha = 0 takes 160 evaluations instead of 5264, and the
-     error is 3e-4 tolerances, not 4400. A restart alone, f looking for its branch itself, does not pay.
+     evaluations against 2102 of alpha = 1; but the error estimate is too small there, the end error is 1e4 tolerances
+     for alpha < 1, whatever the tolerance: tighten it and check. rk87 makes that 1e5 and more: use rk45. Where f has
+     branches that are smooth (a sign, x|x|), keep the branch in ctx and change it at an ODE_RESTART event: alpha = 0
+     then takes 160 evaluations instead of 5264, and the end error is 5e-4 tolerances, not 4400. A restart alone, f
+     looking for its branch itself, does not pay.
 
    STATUS
      0 (ODE_OK) success, positive numbers information, negative ones errors; ode_strerror() names them. After an error
@@ -67,8 +69,8 @@
      With f static and n <= 8 a constant, and rk45_init's status looked at before rk45_solve in the same function, f
      is inlined and the state is in registers; where the compiler cannot see that s still has that f and n, say
      rk45_solve_with. Otherwise f is called through a pointer, and the state is in work. gcc -O2, against hand-written
-     loops: rk4 0.6 to 0.95 times the loop; rk45 0.55 to 0.7 times a Dormand-Prince loop's time to an error of 1e-6,
-     1/3.1 to 1/3.5 of GSL's rkf45; rk87 0.5 to 0.65 times GSL's rk8pd to 1e-10 (with -march=native: 0.4 to 0.55).
+     loops: rk4 0.62 to 0.95 times the loop; rk45 0.58 to 0.65 times a Dormand-Prince loop's time to an error of 1e-6,
+     1/3.1 to 1/3.5 of GSL's rkf45; rk87 0.36 to 0.48 times GSL's rk8pd to 1e-10 (Arenstorf's orbit: 1e-8).
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -86,8 +88,9 @@
          IV.2 (PI control, stiffness).
      [3] E. Hairer, R. I. McLachlan, A. Razakarivony, Achieving Brouwer's law with implicit Runge-Kutta methods,
          BIT 48 (2008) 231-243 (compensated summation).
-     [4] The method DOP853 of [2], II.5 and II.6, after P. J. Prince and J. R. Dormand. tests/gen/order_conditions.py
-         checks every order condition of all coefficients here. */
+     [4] J. H. Verner, Numerically optimal Runge-Kutta pairs with interpolants, Numerical Algorithms 53 (2010)
+         383-396: the "most efficient" pair of orders 8 and 7. tests/gen/order_conditions.py checks every order
+         condition of all coefficients here. */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
@@ -526,7 +529,7 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
 
 enum { VMI_RK45, VMI_RK87 }; /* the methods */
 
-/* What the roundings within a step allow: rk87 has coefficients of 120 */
+/* What the roundings within a step allow: rk87 has coefficients up to 123 */
 VM_API vm_real vmi_least_rtol(int method) { return (vm_real)(method == VMI_RK45 ? 16 : 256) * VM_EPSILON; }
 
 VM_API rk45_options vmi_defaults(int method, const rk45_options *options_or_NULL)
@@ -759,7 +762,9 @@ VM_INLINE int vmi_rk45_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_
     return 0;
 }
 
-/* Stages 2 to 13 of [4]: z becomes the new state. Its derivative, k_14, is evaluated when the step is accepted. */
+/* Stages 2 to 13 of [4]: z becomes the new state. Its derivative, k_14, is evaluated when the step is accepted. Large
+   coefficients of opposite sign belong to nearly equal times: there differences of k, which are exact, keep the
+   roundings small. */
 VM_INLINE int vmi_rk87_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_new, vm_real h, vm_real *w,
                               ptrdiff_t m, long *evals)
 {
@@ -848,8 +853,8 @@ VM_INLINE int vmi_rk87_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
 #define VMI_WORST VM_C(1e4) /* no error is told from a worse one */
 
-/* An error e of component i, whose state goes from y to z: *worst becomes the largest over the tolerance; *bad stays 0
-   while all is finite: x - x is 0 or NaN */
+/* An error e of component i, whose state goes from y to z: *worst becomes the largest over the tolerance; *bad stays
+   0 while all is finite: x - x is 0 or NaN */
 VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst,
                          vm_real *bad)
 {
@@ -859,8 +864,8 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
     *bad += e - e;
 }
 
-/* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders 5
-   and 4 */
+/* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders
+   5 and 4 */
 VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
 {
     const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,

@@ -1,7 +1,7 @@
 /* Work against precision: for each problem and method the error at the end, evaluations, steps, microseconds and the
    nanoseconds that an evaluation takes beyond f itself, over tolerances from 1e-3 to 1e-14 (or numbers of steps);
-   then the time to given errors, and the ratios that the project promises. Hand-written loops beside (rk_loops.h), and GSL
-   where it is there. Medians of interleaved repeats.
+   then the time to given errors, and the ratios that the project promises. Hand-written loops beside (rk_loops.h),
+   and GSL where it is there. Medians of interleaved repeats.
    usage: integrators [CSV FILE] */
 #if !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200112L
@@ -89,15 +89,15 @@ typedef struct result {
         r.evals = s.evals, r.steps = s.steps + s.rejected;                                        \
         return r;                                                                                 \
     }                                                                                             \
-    static result name##_run_rk87(double T, double knob, double *y)                              \
+    static result name##_run_rk87(double T, double knob, double *y)                               \
     {                                                                                             \
         result r = {0, 0};                                                                        \
-        double work[RK87_WORK(n)];                                                               \
-        rk87_options o = {0};                                                                    \
-        rk87 s;                                                                                  \
+        double work[RK87_WORK(n)];                                                                \
+        rk87_options o = {0};                                                                     \
+        rk87 s;                                                                                   \
         o.rtol = o.atol = knob;                                                                   \
-        if (rk87_init(&s, name##_rhs, NULL, n, 0, y, &o, work) < 0) return r;                    \
-        if (rk87_solve(&s, T) < 0) puts("rk87_solve failed");                                   \
+        if (rk87_init(&s, name##_rhs, NULL, n, 0, y, &o, work) < 0) return r;                     \
+        if (rk87_solve(&s, T) < 0) puts("rk87_solve failed");                                     \
         memcpy(y, s.y, (n) * sizeof *y);                                                          \
         r.evals = s.evals, r.steps = s.steps + s.rejected;                                        \
         return r;                                                                                 \
@@ -331,8 +331,9 @@ static void print_problem(const problem *p, const curve *curves, double f_ns)
     printf("  rk4_solve/rk4_loop %.2f (promised 1.05)   to 1e-6: rk45_solve/dp54_loop %.2f (0.9)",
            loop[SETTINGS / 2], ratio(curves, RK45_SOLVE, DP54_LOOP, 1e-6));
 #ifdef WITH_GSL
-    printf(", gsl_rkf45/rk45_solve %.2f (2.5)   to 1e-10: rk87_solve/gsl_rk8pd %.2f (0.5)",
-           ratio(curves, GSL_RKF45, RK45_SOLVE, 1e-6), ratio(curves, RK87_SOLVE, GSL_RK8PD, 1e-10));
+    printf(", gsl_rkf45/rk45_solve %.2f (2.5)   to 1e-8, 1e-10: rk87_solve/gsl_rk8pd %.2f, %.2f (0.5)",
+           ratio(curves, GSL_RKF45, RK45_SOLVE, 1e-6), ratio(curves, RK87_SOLVE, GSL_RK8PD, 1e-8),
+           ratio(curves, RK87_SOLVE, GSL_RK8PD, 1e-10));
 #endif
     puts("");
 }

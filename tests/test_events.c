@@ -1,6 +1,6 @@
 /* integrators.h: events. Each case names what others get wrong: two of three events missed in one step, a terminal
-   event lost between output times, a root exactly on a step's end, a root found again after a restart, a body on the wrong
-   side of its wall. Everything by both methods. */
+   event lost between output times, a root exactly on a step's end, a root found again after a restart, a body on the
+   wrong side of its wall. Everything by both methods. */
 #include "../integrators.h"
 #include "check.h"
 
