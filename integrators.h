@@ -42,8 +42,8 @@
      A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component, error
      being the difference of the two orders (the higher one is kept). The next step is chosen by PI control; one whose
      error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1 .. 0.75) is followed by one of the same size. Options:
-     an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they come
-     to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
+     an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they
+     come to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
 
    EVENTS
      Zeros of functions g(t, y), found on the continuous extension: recorded, ending the run, or restarting it there.
@@ -1366,11 +1366,12 @@ VM_API int vmi_next_event(const rk45 *s, int method, ode_event *e, vm_real x)
     int i = 1;
     if (e->side) gap = 1;
     e->next = VMI_NONE;
-    while (x < 1) {
-        vm_real to, g;
+    while ((vm_real)i / (vm_real)(checks + 1) <= x) i++;
+    while (i <= checks + 1) {
+        vm_real to = (vm_real)i / (vm_real)(checks + 1), g;
         int side;
-        while ((vm_real)i <= x * (vm_real)(checks + 1)) i++;
-        to = VMI_SMALLER(start + gap, (vm_real)i / (vm_real)(checks + 1));
+        if (start + gap < to) to = start + gap;
+        else i++;
         g = vmi_event_value(s, method, e, to);
         if (g != g) return ODE_NOT_FINITE;
         side = vmi_sign(g);

@@ -454,7 +454,7 @@ static void test_long_runs(void)
             error[k % 2][2] = run(order, rigid_body_rhs, NULL, 3, body_y0, 60, tol, rigid_body_at_60, &evals);
             check_error("x'' = -x^3", name, "tol", error[k % 2][0] / tol,
                         order == 5 ? 2000
-                        : is_float ? 1000
+                        : is_float ? 2000
                                    : 100,
                         100, tol);
             check_error("varying mass", name, "tol", error[k % 2][1] / tol,
