@@ -16,10 +16,10 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators varmass dissertation
+TESTS = jacobi ateb integrators events varmass dissertation
 EXAMPLES = table5 example1 example2
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
-    build/tests/contracted/jacobi build/tests/contracted/ateb
+    build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
@@ -43,9 +43,10 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-BENCHES = double float jacobi ateb ateb_float ateb_wide pairs
+BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs
 bench: $(BENCHES:%=build/bench/%)
-	@for bench in $(BENCHES); do ./build/bench/$$bench || exit 1; echo; done
+	@for bench in $(BENCHES); do ./build/bench/$$bench build/bench/$$bench.csv || exit 1; echo; done
+	@sh bench/plot_integrators.sh build/bench
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
@@ -81,6 +82,7 @@ data:
 	python3 tests/gen/beta_reference.py
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
+	python3 tests/gen/order_conditions.py
 
 clean:
 	rm -rf build
@@ -112,19 +114,17 @@ build/tests/scan_float: tests/scan.c $(TEST_FILES)
 build/examples/%: examples/%.c build/command examples/envelope.h examples/table5_data.h $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
-build/bench/jacobi: bench/bench_jacobi.c bench/timing.h build/command $(HEADERS)
-	@$(IN_BUILD) && if $(GSL_CHECK) >/dev/null 2>&1; then $(COMPILE) -DWITH_GSL $< -o $@ -lgsl -lgslcblas -lm; \
-	else $(COMPILE) $< -o $@ -lm; fi
+# with GSL's functions beside ours where GSL is there
+build/bench/jacobi build/bench/ateb build/bench/integrators: build/bench/%: bench/bench_%.c $(wildcard bench/*.h) \
+    build/command $(HEADERS)
+	@$(IN_BUILD) && if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
+	$(COMPILE) $< -o $@ $$gsl -lm
 
 build/bench/double: bench/bench.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/bench/float: bench/bench.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
-
-build/bench/ateb: bench/bench_ateb.c build/command ateb.h
-	@$(IN_BUILD) && if $(GSL_CHECK) >/dev/null 2>&1; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
-	$(COMPILE) $< -o $@ $$gsl -lm
 
 build/bench/ateb_float: bench/bench_ateb.c build/command ateb.h
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm

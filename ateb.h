@@ -125,6 +125,7 @@ typedef float vm_real;
 #define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
+#define VM_MIN FLT_MIN /* normal */
 #define VM_MANT_DIG FLT_MANT_DIG
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
@@ -136,6 +137,7 @@ typedef double vm_real;
 #define VM_TAG(tag) tag
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
+#define VM_MIN DBL_MIN
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
@@ -240,12 +242,10 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 typedef uint64_t vmi_bits;
 #define VMI_STORED_DIG 52 /* of the mantissa */
 #define VMI_BIAS 1023     /* of the exponent */
-#define VMI_MIN VM_C(2.2250738585072014e-308)
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
-#define VMI_MIN VM_C(1.1754943508e-38)
 #endif
 
 VM_API vmi_bits vmi_to_bits(vm_real x)
@@ -358,7 +358,7 @@ VM_API vm_two vmi_log(vm_real x)
                                      {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
                                      {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
 #endif
-    const int subnormal = x < VMI_MIN;
+    const int subnormal = x < VM_MIN;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
     const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
@@ -1654,7 +1654,7 @@ VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
 {
     const vm_real size = VM_FABS(t);
     const vm_real e = vmi_exp(-size, 0); /* rounded; y = 1 - x holds in two words if its own logarithm is taken */
-    const vm_two ln_e = e > VMI_MIN ? vmi_log(e) : vmi_one_word(-size);
+    const vm_two ln_e = e > VM_MIN ? vmi_log(e) : vmi_one_word(-size);
     const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(ln_e, l);
     at->ln_x = t < 0 ? small : l;
     at->ln_y = t < 0 ? l : small;

@@ -95,6 +95,7 @@ typedef float vm_real;
 #define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
+#define VM_MIN FLT_MIN /* normal */
 #define VM_MANT_DIG FLT_MANT_DIG
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
@@ -106,6 +107,7 @@ typedef double vm_real;
 #define VM_TAG(tag) tag
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
+#define VM_MIN DBL_MIN
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
@@ -210,12 +212,10 @@ VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
 typedef uint64_t vmi_bits;
 #define VMI_STORED_DIG 52 /* of the mantissa */
 #define VMI_BIAS 1023     /* of the exponent */
-#define VMI_MIN VM_C(2.2250738585072014e-308)
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
-#define VMI_MIN VM_C(1.1754943508e-38)
 #endif
 
 VM_API vmi_bits vmi_to_bits(vm_real x)
@@ -328,7 +328,7 @@ VM_API vm_two vmi_log(vm_real x)
                                      {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
                                      {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
 #endif
-    const int subnormal = x < VMI_MIN;
+    const int subnormal = x < VM_MIN;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
     const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
@@ -1494,7 +1494,7 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 }
 
 /* The parameter with k'K = c, or with K = c: k'K of m is K of m/(m - 1), whose complement is 1/(1 - m) */
-VM_API vmi_solution vmi_solve(vm_real c, int inverse_of_K)
+VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
     vmi_solution s;
@@ -1534,7 +1534,7 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     vmi_solution s;
     if (!(c >= 0) || !VM_IS_FINITE(c)) return VM_NAN;
     if (c == 0) return 1;
-    s = vmi_solve(c, 0);
+    s = vmi_solve_parameter(c, 0);
     return vmi_solution_m(&s);
 }
 
@@ -1543,7 +1543,7 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     vmi_solution s;
     if (!(c >= 0) || !VM_IS_FINITE(c)) return VM_NAN;
     if (c == 0) return 0;
-    s = vmi_solve(c, 0);
+    s = vmi_solve_parameter(c, 0);
     return vmi_solution_m1(&s);
 }
 
@@ -1551,7 +1551,7 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;
     if (!(c > 0) || !VM_IS_FINITE(c)) return VM_NAN;
-    s = vmi_solve(c, 1);
+    s = vmi_solve_parameter(c, 1);
     return vmi_solution_m(&s);
 }
 
@@ -1559,7 +1559,7 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
     if (!(c > 0) || !VM_IS_FINITE(c)) return VM_NAN;
-    s = vmi_solve(c, 1);
+    s = vmi_solve_parameter(c, 1);
     return vmi_solution_m1(&s);
 }
 

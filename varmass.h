@@ -90,6 +90,7 @@ typedef float vm_real;
 #define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
+#define VM_MIN FLT_MIN /* normal */
 #define VM_MANT_DIG FLT_MANT_DIG
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
@@ -101,6 +102,7 @@ typedef double vm_real;
 #define VM_TAG(tag) tag
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
+#define VM_MIN DBL_MIN
 #define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA

@@ -29,13 +29,12 @@ for compiler in gcc clang; do
                 compile $compiler $standard "$build/$header.c" -Wstrict-prototypes $precision
             done
         done
-        for source in tests/test_jacobi.c tests/test_ateb.c tests/test_integrators.c tests/test_varmass.c \
-            tests/test_dissertation.c bench/bench.c bench/bench_jacobi.c bench/bench_ateb.c \
-            examples/jacobi_plan.c examples/ateb_plan.c; do
-            compile $compiler c99 $source -Wstrict-prototypes $precision
+        for source in tests/test_*.c bench/bench.c bench/bench_jacobi.c bench/bench_ateb.c examples/*_plan.c; do
+            [ $source = tests/test_gsl.c ] || compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done
-    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c bench/pairs.c; do
+    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c bench/pairs.c \
+        bench/bench_integrators.c; do
         compile $compiler c99 $source -Wstrict-prototypes
     done
     if echo '#include <gsl/gsl_sf.h>' | $compiler -E - >/dev/null 2>&1; then

@@ -261,7 +261,7 @@ static int slow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 static double last_amplitude(const vm_real *p, double t_end, double *t)
 {
     vm_real ctx[4], y0[2] = {1, 0}, y[2], last = -1, work[RK45_WORK(2)];
-    rk45_options o = {0, 0, 0, 0, 0, 0, NULL};
+    rk45_options o = {0};
     rk45 s;
     double amplitude = 1;
     memcpy(ctx, p, sizeof ctx);

@@ -84,6 +84,28 @@ for alpha in 0 0.1 1 1.5 2.7 3 100; do
     check "printed plan, alpha $alpha, float" plan_round_trip $alpha 0 -DVM_USE_FLOAT
 done
 check "printed plan to 1e-4" plan_round_trip 1.5 1e-4
+inlined() { # the right-hand side of the integrators is in the loop: no call of it is left
+    cat >"$build/inlined.c" <<'END'
+#include "integrators.h"
+static int right_hand_side(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t, (void)ctx;
+    dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0];
+    return 0;
+}
+vm_real run(int method, vm_real *y)
+{
+    vm_real work[RK87_WORK(2)], t = 0;
+    rk45 s;
+    if (method == 4) return rk4_solve(right_hand_side, NULL, 2, &t, 10, 100, y, work) ? 0 : y[0];
+    if ((method == 5 ? rk45_init : rk87_init)(&s, right_hand_side, NULL, 2, 0, y, NULL, work) < 0) return 0;
+    return (method == 5 ? rk45_solve_with(&s, right_hand_side, 2, 10) : rk87_solve_with(&s, right_hand_side, 2, 10)) ? 0 : s.y[0];
+}
+END
+    $cc -std=c99 -O2 -I. -S "$build/inlined.c" -o "$build/inlined.s" || return 1
+    ! grep -E '(call|bl|jmp)[a-z]*[[:space:]]+_?right_hand_side' "$build/inlined.s"
+}
+check "integrators.h: the right-hand side is inlined" inlined
 readme_example >"$build/readme.c"
 check "the README's example builds" $cc -std=c99 -I. "$build/readme.c" -o "$build/readme.example" -lm
 "$build/readme.example" | sed 's/^/    /' >"$build/readme.output"

@@ -1,0 +1,339 @@
+/* integrators.h: events. Each case names what others get wrong: two of three events missed in one step, a terminal
+   event lost between output times, a root exactly on a step's end, a root found again after a restart, a body on the
+   wrong side of its wall. Everything by both methods. */
+#include "../integrators.h"
+#include "check.h"
+
+#define R(x) ((vm_real)(x))
+static const double eps = (double)VM_EPSILON;
+static const int is_float = PRECISION[0] == 'f';
+static const double pi = 3.14159265358979323846;
+
+typedef struct method {
+    const char *name;
+    int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0, const rk45_options *o,
+                vm_real *work);
+    int (*step)(rk45 *s);
+    int (*solve)(rk45 *s, vm_real t_end);
+    int (*restart)(rk45 *s, vm_real t, const vm_real *y);
+} method;
+static const method methods[2] = {{"rk45", rk45_init, rk45_step, rk45_solve, rk45_restart},
+                                  {"rk87", rk87_init, rk87_step, rk87_solve, rk87_restart}};
+static const method *m; /* the one under test */
+static double noise;    /* how much more rounding it has than rk45: in float that shows */
+
+/* y = (cos t, sin t) */
+static int circle(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t, (void)ctx;
+    dydt[0] = -y[1], dydt[1] = y[0];
+    return 0;
+}
+
+/* y = (t, ...): uniform motion, whose steps grow as they like */
+static int uniform_motion(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t, (void)y, (void)ctx;
+    dydt[0] = 1;
+    return 0;
+}
+
+/* a ball: y = (height, velocity), unit gravity */
+static int fall(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t, (void)ctx;
+    dydt[0] = y[1], dydt[1] = -1;
+    return 0;
+}
+
+/* y0 minus what ctx points at; null: y0 */
+static vm_real level(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    return ctx ? y[0] - *(const vm_real *)ctx : y[0];
+}
+
+static vm_real second(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t, (void)ctx;
+    return y[1];
+}
+
+static vm_real wave(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t, (void)ctx;
+    return VM_SIN(y[0]);
+}
+
+static vm_real clock_at(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)y;
+    return t - *(const vm_real *)ctx;
+}
+
+static vm_real not_a_number(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)y, (void)ctx;
+    return t > 1 ? VM_NAN : R(1.0);
+}
+
+static ode_event event(ode_event_function g, void *ctx, int direction, int action)
+{
+    ode_event e;
+    memset(&e, 0, sizeof e);
+    e.g = g, e.ctx = ctx, e.direction = direction, e.action = action;
+    return e;
+}
+
+static rk45_options with_events(double tol, ode_event *events, int n)
+{
+    rk45_options o = {0};
+    o.rtol = o.atol = R(tol);
+    if (is_float && tol < 1e-4) o.rtol = o.atol = R(m == methods ? 1e-5 : 1e-4);
+    o.events = events, o.n_events = n;
+    return o;
+}
+
+/* Zeros of cos t and sin t up to t = 20, recorded: all of them, in order, none at the start, where sin t is 0 */
+static void test_record(void)
+{
+    vm_real y0[2] = {1, 0}, work[RK87_WORK(2)], times[2][10], states[2][20];
+    ode_event e[2];
+    double tol = !is_float ? 1e-10 : m == methods ? 1e-5 : 1e-4;
+    rk45_options o;
+    rk45 s;
+    int k;
+    e[0] = event(level, NULL, 0, ODE_RECORD), e[1] = event(second, NULL, 0, ODE_RECORD);
+    for (k = 0; k < 2; k++) e[k].room = 10, e[k].times = times[k], e[k].states = states[k];
+    e[1].room = 4; /* more happen than are kept */
+    o = with_events(tol, e, 2);
+    CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) == ODE_OK && m->solve(&s, 20) == ODE_OK);
+    CHECK(e[0].count == 6 && e[1].count == 6 && s.event == -1);
+    for (k = 0; k < 6; k++) {
+        check_error("event time", m->name, "tol", fabs((double)times[0][k] - (k + 0.5) * pi) / tol, 30, k, 0);
+        check_error("g at the event", m->name, "eps", fabs((double)states[0][2 * k]) / eps, 40 * noise, k, 0);
+        if (k < 4)
+            check_error("event time", m->name, "tol", fabs((double)times[1][k] - (k + 1) * pi) / tol, 30, k, 1);
+    }
+    check_error("event time", m->name, "tol", fabs((double)e[1].t - 6 * pi) / tol, 30, 5, 1);
+    /* directions: cos falls at pi/2, rises at 3 pi/2; backward it is the other way round */
+    e[0] = event(level, NULL, 1, ODE_RECORD), e[1] = event(level, NULL, -1, ODE_RECORD);
+    CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) == ODE_OK && m->solve(&s, 6) == ODE_OK);
+    CHECK(e[0].count == 1 && e[1].count == 1 && fabs((double)e[0].t - 1.5 * pi) < 0.001 &&
+          fabs((double)e[1].t - 0.5 * pi) < 0.001);
+    CHECK(m->solve(&s, 0) == ODE_OK && e[0].count == 2 && e[1].count == 2 &&
+          fabs((double)e[0].t - 0.5 * pi) < 0.001 && fabs((double)e[1].t - 1.5 * pi) < 0.001);
+}
+
+/* Steps of uniform motion are as long as they may be: many events in one step, of several functions and of one */
+static void test_many_in_a_step(void)
+{
+    vm_real y0[1] = {0}, work[RK87_WORK(1)], at[3] = {7, 2, 5}, times[10];
+    ode_event e[3];
+    rk45_options o;
+    rk45 s;
+    int k;
+    for (k = 0; k < 3; k++) e[k] = event(level, at + k, 0, ODE_STOP);
+    o = with_events(1e-6, e, 3), o.h0 = 10;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    CHECK(m->solve(&s, 20) == ODE_EVENT && s.event == 1 && fabs((double)s.t - 2) < 400 * eps && s.steps == 1);
+    CHECK(m->solve(&s, 20) == ODE_EVENT && s.event == 2 && fabs((double)s.t - 5) < 400 * eps);
+    CHECK(m->solve(&s, 20) == ODE_EVENT && s.event == 0 && fabs((double)s.t - 7) < 400 * eps);
+    CHECK(m->solve(&s, 20) == ODE_OK && s.t == 20 && e[0].count == 1 && e[1].count == 1 && e[2].count == 1);
+    for (k = 0; k < 2; k++) { /* one function with three zeros in the step: seen if it is looked at often enough */
+        e[0] = event(wave, NULL, 0, ODE_RECORD), e[0].checks = k ? 9 : -1;
+        e[0].room = 10, e[0].times = times;
+        o = with_events(1e-6, e, 1), o.h0 = 10;
+        CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->step(&s) == ODE_OK);
+        CHECK(s.steps == 1 && s.t == 10 && e[0].count == (k ? 3 : 1));
+        if (k)
+            CHECK(fabs((double)times[0] - pi) < 200 * eps && fabs((double)times[1] - 2 * pi) < 200 * eps &&
+                  fabs((double)times[2] - 3 * pi) < 200 * eps);
+    }
+    for (k = 0; k < 3; k++) at[k] = 3, e[k] = event(level, at + k, 0, k == 1 ? ODE_STOP : ODE_RECORD);
+    o = with_events(1e-6, e, 3), o.h0 = 10; /* at the same time: all happen */
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 20) == ODE_EVENT);
+    CHECK(s.event == 1 && e[0].count == 1 && e[1].count == 1 && e[2].count == 1);
+    CHECK(m->solve(&s, 20) == ODE_OK && e[0].count == 1 && e[1].count == 1 && e[2].count == 1);
+}
+
+/* A terminal event between output times, on one, and at the end of the run */
+static void test_output_times(void)
+{
+    vm_real y0[1] = {0}, work[RK87_WORK(1)], at[2] = {R(0.5), R(0.625)}, t;
+    ode_event e[2];
+    rk45_options o;
+    rk45 s;
+    int stops = 0;
+    e[0] = event(level, at, 0, ODE_STOP), e[1] = event(level, at + 1, 0, ODE_STOP);
+    o = with_events(1e-6, e, 2);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    for (t = R(0.25); t <= 1; t += R(0.25)) {
+        int status;
+        while ((status = m->solve(&s, t)) == ODE_EVENT) {
+            stops++;
+            CHECK(fabs((double)s.t - (stops == 1 ? 0.5 : 0.625)) < 40 * eps);
+        }
+        CHECK(status == ODE_OK && s.t == t);
+    }
+    CHECK(stops == 2 && e[0].count == 1 && e[1].count == 1);
+    at[0] = 1;
+    e[0] = event(clock_at, at, 0, ODE_STOP); /* exactly zero at the end of the step */
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 1) == ODE_EVENT);
+    CHECK(m->solve(&s, 1) == ODE_EVENT && s.event == 0 && s.t == 1);
+    CHECK(m->solve(&s, 2) == ODE_OK && s.t == 2 && e[0].count == 1);
+    CHECK(m->solve(&s, 0) == ODE_EVENT && s.event == 0 && e[0].count == 2); /* and on the way back */
+    CHECK(m->solve(&s, 0) == ODE_EVENT && s.event == 1 && m->solve(&s, 0) == ODE_OK && s.t == 0);
+    e[0] = event(clock_at, at, 0, ODE_RECORD); /* recorded on a step's end */
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 1) == ODE_EVENT);
+    CHECK(m->solve(&s, 1) == ODE_OK && e[0].count == 1 && m->solve(&s, 2) == ODE_OK && e[0].count == 1);
+    /* restarted by hand at a root, unchanged: it is not found again */
+    at[0] = R(0.3), at[1] = 50;
+    e[0] = event(level, at, 0, ODE_STOP);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 1) == ODE_EVENT);
+    CHECK(m->restart(&s, s.t, s.y) == ODE_OK && m->solve(&s, 1) == ODE_OK && e[0].count == 1);
+    y0[0] = R(0.3); /* and a run that starts on one does not find it */
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 1) == ODE_OK);
+    CHECK(e[0].count == 0);
+}
+
+/* A ball bouncing with restitution 0.8 from height 1/2: hits at t = 1, then after 2 v each time. Any direction is an
+   event, so that a hit found again, or one from below, would be counted. */
+static void bounce(int direction, vm_real h_max)
+{
+    vm_real y0[2] = {R(0.5), 0}, work[RK87_WORK(2)], y[2];
+    ode_event e[1];
+    rk45_options o;
+    rk45 s;
+    double v = 1, hit = 1, bound = h_max > 0 ? 0.1 : 1;
+    int k;
+    e[0] = event(level, NULL, direction, ODE_STOP);
+    o = with_events(1e-8, e, 1);
+    if (is_float)
+        o.h_max = 1; /* free fall is exact in any step; one of 100 falls so deep that its eps hides a bounce */
+    CHECK(m->init(&s, fall, NULL, 2, 0, y0, &o, work) == ODE_OK);
+    for (k = 0; k < 25; k++) {
+        CHECK(m->solve(&s, 100) == ODE_EVENT && s.event == 0);
+        CHECK(s.y[0] <= 0 &&
+              (double)s.y[0] > -bound * 1e-8 - 100 * noise * eps); /* the far side, next to the wall */
+        check_error(h_max > 0 ? "bounce: time" : "in one step: time", m->name, "tol",
+                    fabs((double)s.t - hit) / (double)o.rtol, is_float ? 10 * noise : 0.05, k, direction);
+        check_error(h_max > 0 ? "bounce: velocity" : "in one step: v", m->name, "tol",
+                    fabs((double)s.y[1] + v) / (double)o.rtol, is_float ? 10 * noise : bound, k, direction);
+        v *= 0.8, hit += 2 * v;
+        y[0] = s.y[0], y[1] = R(-0.8) * s.y[1];
+        CHECK(m->restart(&s, s.t, y) == ODE_OK);
+    }
+    CHECK(e[0].count == 25);
+}
+
+/* A ball that comes to rest after ever shorter bounces (at t = 9) does not get below the floor */
+static void test_zeno(void)
+{
+    vm_real y0[2] = {R(0.5), 0}, work[RK87_WORK(2)], y[2];
+    ode_event e[1];
+    rk45_options o;
+    rk45 s;
+    long k;
+    int status = ODE_EVENT;
+    e[0] = event(level, NULL, -1, ODE_STOP);
+    o = with_events(1e-6, e, 1);
+    CHECK(m->init(&s, fall, NULL, 2, 0, y0, &o, work) == ODE_OK);
+    for (k = 0; k < 1000 && status == ODE_EVENT && (double)s.t < 8.999; k++) {
+        status = m->solve(&s, 10);
+        CHECK(status == ODE_EVENT && s.y[0] <= 0 && (double)s.y[0] > -1e-4);
+        y[0] = 0, y[1] = R(-0.8) * s.y[1];
+        CHECK(m->restart(&s, s.t, y) == ODE_OK);
+    }
+    CHECK(k > 30 && k < 1000);
+}
+
+/* x'' = -sign(x) jumps at x = 0. Left to the step size control; with the sign kept and changed at the event. */
+typedef struct spring {
+    int kept;
+    vm_real sign;
+} spring;
+
+static int sign_force(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const spring *p = (const spring *)ctx;
+    (void)t;
+    dydt[0] = y[1], dydt[1] = p->kept ? -p->sign : y[0] > 0 ? R(-1.0) : R(1.0);
+    return 0;
+}
+
+static vm_real height(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t, (void)ctx;
+    return y[0];
+}
+
+static void change_sign(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t, (void)y;
+    ((spring *)ctx)->sign *= -1;
+}
+
+static void test_restart_at_a_jump(void)
+{
+    vm_real y0[2] = {R(0.5), 0}, work[RK87_WORK(2)]; /* period 4: four parabolas of duration 1 */
+    double tol = !is_float ? 1e-9 : m == methods ? 1e-5 : 1e-4, error[2];
+    long evals[2];
+    spring p;
+    ode_event e[1];
+    rk45_options o;
+    rk45 s;
+    for (p.kept = 0; p.kept < 2; p.kept++) {
+        p.sign = 1;
+        e[0] = event(height, &p, 0, ODE_RESTART);
+        o = with_events(tol, e, p.kept);
+        e[0].change = change_sign;
+        CHECK(m->init(&s, sign_force, &p, 2, 0, y0, &o, work) == ODE_OK && m->solve(&s, 40) == ODE_OK);
+        evals[p.kept] = s.evals, error[p.kept] = fabs((double)s.y[0] - 0.5);
+    }
+    printf(
+        "x'' = -sign(x), 10 periods, %s, tol %g: %ld evaluations, error %.1e; sign changed at events: %ld, %.1e\n",
+        m->name, tol, evals[0], error[0], evals[1], error[1]);
+    CHECK(e[0].count == 20 && (double)evals[1] * 10 / noise < (double)evals[0]);
+    check_error("sign force", m->name, "tol", error[1] / tol, is_float ? 100 : 2, 40, 0);
+}
+
+static void test_bad_events(void)
+{
+    vm_real y0[1] = {0}, work[RK87_WORK(1)];
+    ode_event e[1];
+    rk45_options o;
+    rk45 s;
+    e[0] = event(not_a_number, NULL, 0, ODE_STOP);
+    o = with_events(1e-6, e, 1);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 5) == ODE_NOT_FINITE);
+    CHECK(VM_IS_FINITE(s.y[0]) && fabs((double)(s.y[0] - s.t)) < 100 * eps);
+    e[0] = event(NULL, NULL, 0, ODE_STOP);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
+    o.events = NULL;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
+    o.events = e, o.n_events = -1;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
+    e[0] = event(level, NULL, 0, ODE_RECORD), e[0].room = -1, o.n_events = 1;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
+}
+
+int main(void)
+{
+    int k;
+    for (k = 0; k < 2; k++) {
+        m = methods + k;
+        noise = is_float && k ? 10 : 1;
+        test_record();
+        test_many_in_a_step();
+        test_output_times();
+        bounce(-1, 1);
+        bounce(0, 1);
+        if (!is_float)
+            bounce(0, 0); /* free fall is exact in any step; one of 100 falls so deep that it costs digits */
+        if (noise == 1) test_zeno();
+        test_restart_at_a_jump();
+        test_bad_events();
+    }
+    return check_finish("events");
+}
