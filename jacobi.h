@@ -496,7 +496,7 @@ VM_API vm_real jacobi_E_m1(vm_real m1);
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn);
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn);
 
-/* The twelve functions one by one: jacobi_pq = theta_p/theta_q, infinite at its poles. */
+/* The twelve functions one by one: jacobi_pq = theta_p/theta_q, infinite at its poles, within 8 ulp as sn, cn, dn. */
 VM_API vm_real jacobi_sn(vm_real u, vm_real m);
 VM_API vm_real jacobi_cn(vm_real u, vm_real m);
 VM_API vm_real jacobi_dn(vm_real u, vm_real m);
@@ -510,7 +510,8 @@ VM_API vm_real jacobi_cs(vm_real u, vm_real m);
 VM_API vm_real jacobi_ds(vm_real u, vm_real m);
 VM_API vm_real jacobi_ns(vm_real u, vm_real m);
 
-/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, am(u + 2K) = am(u) + pi. Radians. */
+/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 2 ulp), am(u + 2K) = am(u) + pi.
+   Radians, within 4 ulp for |u| <= 100 K. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m);
 
 /* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
@@ -534,7 +535,8 @@ VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1);
 /* As jacobi_sncndn, for the plan's m. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn);
 
-/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. */
+/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. Where the compiler
+   fuses multiplications and additions, the last bits may depend on the place in the array. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn);
 
@@ -545,7 +547,7 @@ VM_API vm_real jacobi_kpK(vm_real m);
 VM_API vm_real jacobi_solve_kpK(vm_real c);
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c);
 
-/* The inverse of K: the one m (or m1) with K(m) = c, for any c > 0; m < 0 for c < pi/2. */
+/* The inverse of K: the one m (or m1) with K(m) = c, for any c >= 0; m < 0 for c < pi/2. */
 VM_API vm_real jacobi_solve_K(vm_real c);
 VM_API vm_real jacobi_solve_K_m1(vm_real c);
 
@@ -554,7 +556,7 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6);
 
 /* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
    less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
-   words of pi/2, not of K, so that the error grows with |u|. */
+   words of pi/2, not of K, so that the error grows with |u|: 16 eps max(1, k') for |u| <= 3K. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn);
 VM_API vm_real jacobi_agm_K(vm_real m);
 
@@ -567,6 +569,11 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
     a.lo = lo;
     return a;
 }
+
+VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
+
+/* 1 - m < 0, NaN or infinite */
+VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
 /* The square root: relative error below 2^-(2p - 3), for a > 1 */
 VM_API vm_two vmi_two_sqrt(vm_two a)
@@ -686,14 +693,18 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
 
-/* K as pieces so short that a product with j < VMI_EXACT_QUARTERS is exact, and a last word */
+/* K as three pieces so short that a product with j < VMI_EXACT_QUARTERS is exact, and a last word: multiples of
+   2^(e-21), 2^(e-44), 2^(e-67) where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)) */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
+    const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
+    vm_real large = 3 * VMI_EXACT_QUARTERS * vmi_from_bits(exponent);
     int i;
     for (i = 0; i < 3; i++) {
-        const vm_real large = vmi_rounded(VMI_EXACT_QUARTERS * K.hi), sum = vmi_rounded(K.hi + large);
+        const vm_real sum = vmi_rounded(K.hi + large);
         piece[i] = sum - large;
         K = vmi_three_plus(K, vmi_three_words(-piece[i], 0, 0));
+        large *= VMI_EXACT_QUARTERS * VM_EPSILON / 2;
     }
     piece[3] = K.hi;
 }
@@ -717,7 +728,7 @@ VM_INLINE vm_two vmi_reduce_pieces(vm_real x, const vm_real *K, vm_real per_K, i
 {
     const int count = (int)(x * per_K + VM_C(0.5));
     const vm_real j = (vm_real)count;
-    const vm_real rest = (x - j * K[0]) - j * K[1]; /* exactly: a multiple of 2^-p K, below K */
+    const vm_real rest = (x - j * K[0]) - j * K[1]; /* exact: a multiple of 2^-p K, below K */
     const vm_two s = vmi_two_sum(rest, -j * K[2]), t = vmi_two_sum(s.hi, -j * K[3]);
     *quarter = count & 3;
     return vmi_two(t.hi, s.lo + t.lo);
@@ -815,7 +826,7 @@ VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 VM_API void vmi_theta_refine(vmi_theta_form *t, vmi_roots *r, vm_real m1, vm_real m1_lo)
 {
     const vm_real h = (1 - r->fourth) / 2, rest = 1 - h, head = vmi_head(h), tail = h - head;
-    const vm_real y = (t->q * t->q) * (t->q * t->q);
+    const vm_real y = vmi_fourth_power(t->q);
     vm_two s;
     if (t->form == VMI_RECIPROCAL) {
         t->kp_lo = vmi_two_sqrt(vmi_two(m1, m1_lo)).lo;
@@ -1001,7 +1012,7 @@ VM_API vm_two vmi_theta_quarter(const vmi_theta_form *t, const vmi_roots *roots,
     const vm_real ln_lift = VM_C(27.725887298583984375), ln_lift_lo = VM_C(-7.618616848503734217957e-8);
 #endif
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real y = t->q * t->q * t->q * t->q, scale = m1 > threshold ? 1 / lift : m1 < 1 / threshold ? lift : 1;
+    const vm_real y = vmi_fourth_power(t->q), scale = m1 > threshold ? 1 / lift : m1 < 1 / threshold ? lift : 1;
     vm_two a = vmi_fast_two_sum(1, roots->second), b = vmi_fast_two_sum(1, roots->fourth), p, x, L;
     if (t->form == VMI_CIRCULAR) return vmi_two(half_pi.hi, half_pi.mid);
     p = vmi_two_product(b.hi, b.hi);
@@ -1072,7 +1083,7 @@ VM_API void vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *theta, vm
     vm_real x = VM_FABS(u);
     int quarter;
     if (m1 == 0 && x > VMI_FAR) x = VMI_FAR;
-    if (!(m1 >= 0) || !VM_IS_FINITE(m1) || !VM_IS_FINITE(x)) {
+    if (vmi_refused(m1) || !VM_IS_FINITE(x)) {
         theta[0] = theta[1] = theta[2] = theta[3] = *kp = VM_NAN;
         return;
     }
@@ -1100,24 +1111,24 @@ VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm
     vmi_theta_ratios(theta, kp, sn, cn, dn);
 }
 
-#define VMI_SINGLE(name, p, q)                    \
-    VM_API vm_real name(vm_real u, vm_real m)     \
-    {                                             \
-        vm_real theta[4], kp;                     \
-        const vm_two m1 = vmi_two_sum(1, -m);     \
-        vmi_neville(u, m1.hi, m1.lo, theta, &kp); \
-        return theta[p] / theta[q];               \
-    }
-VMI_SINGLE(jacobi_cd, 1, 2)
-VMI_SINGLE(jacobi_sd, 0, 2)
-VMI_SINGLE(jacobi_nd, 3, 2)
-VMI_SINGLE(jacobi_sc, 0, 1)
-VMI_SINGLE(jacobi_dc, 2, 1)
-VMI_SINGLE(jacobi_nc, 3, 1)
-VMI_SINGLE(jacobi_cs, 1, 0)
-VMI_SINGLE(jacobi_ds, 2, 0)
-VMI_SINGLE(jacobi_ns, 3, 0)
-#undef VMI_SINGLE
+/* theta_p/theta_q; equal ones, which may both have underflown at m = 1, make 1 */
+VM_API vm_real vmi_quotient(vm_real u, vm_real m, int p, int q)
+{
+    vm_real theta[4], kp;
+    const vm_two m1 = vmi_two_sum(1, -m);
+    vmi_neville(u, m1.hi, m1.lo, theta, &kp);
+    return theta[p] == theta[q] ? 1 : theta[p] / theta[q];
+}
+
+VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 1, 2); }
+VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 0, 2); }
+VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 2); }
+VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 0, 1); }
+VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 2, 1); }
+VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 1); }
+VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 1, 0); }
+VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 2, 0); }
+VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 0); }
 
 VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 {
@@ -1146,7 +1157,7 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_roots roots;
     int i;
-    if (!(m1 >= 0) || !VM_IS_FINITE(m1)) return -1;
+    if (vmi_refused(m1)) return -1;
     roots = vmi_theta_choose(&p->theta, m1, m1_lo);
     vmi_theta_refine(&p->theta, &roots, m1, m1_lo);
     vmi_theta_prepare(&p->theta, roots.fourth);
@@ -1229,19 +1240,15 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 
 /* ---- Complete integrals --------------------------------------------------------------------------------------- */
 
-/* H(x) = 4 (1 - E(x)/K(x)) = 2x + x^2/4 + ..., 0 <= x <= 0.0288: relative error 2^-60 (float 2^-30) */
+/* H(x) = 4 (1 - E(x)/K(x)) = 2x + x^2/4 + ..., 0 <= x <= 0.0005: relative error 2^-57 (float 2^-30) */
 VM_API vm_real vmi_E_defect(vm_real x)
 {
 #if VM_MANT_DIG > 24
-    const vm_real xx = x * x;
-    const vm_real H01 = VM_C(2.00000000000000133) + x * VM_C(0.249999999998691019);
-    const vm_real H23 = VM_C(0.125000000389751259) + x * VM_C(0.0800780700334637885);
-    const vm_real H45 = VM_C(0.0576213257025749714) + x * VM_C(0.0442019959451111361);
-    const vm_real H = (H01 + xx * H23) + xx * xx * (H45 + xx * VM_C(0.0393442713217982271));
+    const vm_real more = VM_C(0.12499997073544461) + x * VM_C(0.080148077009501606);
+    return x * (2 + x * (VM_C(0.250000000004824641) + x * more));
 #else
-    const vm_real H = VM_C(2.000000477) + x * (VM_C(0.2499225885) + x * VM_C(0.1295758039));
+    return x * (2 + x * VM_C(0.2500866652));
 #endif
-    return x * H;
 }
 
 /* Two steps of the AGM from 1 and k' = root reach ((1 + r)/2)^2, r = sqrt(k'), and the parameter x <= 0.0063 for m
@@ -1260,7 +1267,7 @@ VM_API vmi_two_steps vmi_agm_two_steps(vm_real m1, vm_real m1_lo)
     fourth = VM_SQRT(s.root.hi);
     s.h = (1 - fourth) / 2 - (vmi_root_residual(s.root.hi, fourth) + s.root.lo) / (4 * fourth);
     ratio = s.h / (1 - s.h);
-    s.x = (ratio * ratio) * (ratio * ratio);
+    s.x = vmi_fourth_power(ratio);
     return s;
 }
 
@@ -1280,63 +1287,64 @@ VM_API vm_real vmi_E_middle(const vmi_two_steps *s)
     return K.hi + (K.lo + K.hi * (more - a2 * a2 * vmi_E_defect(s->x)));
 }
 
-/* For m > 0.9 and m < -1, there of mu = m/(m - 1): K = H/agm(1, k) in two words, E = agm(1, k) + K (1 - E'/K') */
+/* For m > 1/2, or m < -1 and there of mu = m/(m - 1): K = H/agm(1, k), E = agm(1, k) + K (1 - E'/K') */
 typedef struct VM_TAG(vmi_outer) {
-    vm_two K, E, kp;
+    vm_two K, E;
 } vmi_outer;
 
 VM_API vmi_outer vmi_K_outer(vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
-    vmi_roots r = vmi_theta_choose(&t, m1, m1_lo);
+    const vmi_roots r = vmi_theta_choose(&t, m1, m1_lo);
     const vm_two H = vmi_theta_quarter(&t, &r, m1, m1_lo);
     const vm_real h = (1 - r.fourth) / 2, a2 = (1 - h) * (1 - h), ratio = h / (1 - h), limit = 1 - t.defect;
     const vm_real less = r.complement * (3 + r.second) / (4 * (1 + r.second)); /* 1 - ((1 + k)/2)^2 */
     vmi_outer o;
     o.K = vmi_fast_two_sum(H.hi, H.hi * (t.defect / limit) + H.lo);
     o.E = vmi_fast_two_sum(1, -t.defect);
-    o.E.lo += o.K.hi * (less + a2 * a2 * vmi_E_defect((ratio * ratio) * (ratio * ratio)));
+    o.E.lo += o.K.hi * (less + a2 * a2 * vmi_E_defect(vmi_fourth_power(ratio)));
     o.E = vmi_fast_two_sum(o.E.hi, o.E.lo);
-    o.kp = vmi_two_sqrt(vmi_two(m1, m1_lo));
     return o;
 }
 
-VM_API int vmi_is_middle(vm_real m1) { return m1 >= VM_C(0.1) && m1 <= 2; }
+/* a/b, rounded once and a little */
+VM_API vm_real vmi_two_over(vm_two a, vm_two b)
+{
+    const vm_real quotient = a.hi / b.hi;
+    const vm_two p = vmi_two_product(quotient, b.hi);
+    return quotient + (((a.hi - p.hi) - p.lo) + (a.lo - quotient * b.lo)) / b.hi;
+}
+
+VM_API vm_real vmi_two_times(vm_two a, vm_two b)
+{
+    const vm_two p = vmi_two_product(a.hi, b.hi);
+    return p.hi + (p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
 
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
-    vmi_two_steps s;
-    vmi_outer o;
-    vm_real K;
-    vm_two p;
-    if (!(m1 >= 0) || !VM_IS_FINITE(m1)) return VM_NAN;
+    if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    if (vmi_is_middle(m1)) {
-        s = vmi_agm_two_steps(m1, m1_lo);
+    if (m1 >= VM_C(0.1) && m1 <= 2) {
+        const vmi_two_steps s = vmi_agm_two_steps(m1, m1_lo);
         return vmi_K_middle(&s).hi;
+    } else {
+        const vm_two K = vmi_K_outer(m1, m1_lo).K;
+        return m1 < 1 ? K.hi : vmi_two_over(K, vmi_two_sqrt(vmi_two(m1, m1_lo)));
     }
-    o = vmi_K_outer(m1, m1_lo);
-    if (m1 < 1) return o.K.hi;
-    K = o.K.hi / o.kp.hi;
-    p = vmi_two_product(K, o.kp.hi);
-    return K + (((o.K.hi - p.hi) - p.lo) + (o.K.lo - K * o.kp.lo)) / o.kp.hi;
 }
 
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
-    vmi_two_steps s;
-    vmi_outer o;
-    vm_two p;
-    if (!(m1 >= 0) || !VM_IS_FINITE(m1)) return VM_NAN;
+    if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return 1;
-    if (vmi_is_middle(m1) && m1 >= VM_C(0.3)) { /* nearer to m = 1 the sum cancels */
-        s = vmi_agm_two_steps(m1, m1_lo);
+    if (m1 >= VM_C(0.3) && m1 <= 2) { /* nearer to m = 1 the sum cancels */
+        const vmi_two_steps s = vmi_agm_two_steps(m1, m1_lo);
         return vmi_E_middle(&s);
+    } else {
+        const vm_two E = vmi_K_outer(m1, m1_lo).E;
+        return m1 < 1 ? E.hi : vmi_two_times(E, vmi_two_sqrt(vmi_two(m1, m1_lo)));
     }
-    o = vmi_K_outer(m1, m1_lo);
-    if (m1 < 1) return o.E.hi;
-    p = vmi_two_product(o.kp.hi, o.E.hi);
-    return p.hi + (p.lo + (o.kp.hi * o.E.lo + o.kp.lo * o.E.hi));
 }
 
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
@@ -1357,7 +1365,7 @@ VM_API vm_real jacobi_E(vm_real m)
 VM_API vm_real jacobi_kpK(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
-    if (!(m1.hi >= 0) || !VM_IS_FINITE(m1.hi)) return VM_NAN;
+    if (vmi_refused(m1.hi)) return VM_NAN;
     if (m1.hi == 0) return 0;
     if (m1.hi > 2) return vmi_K_outer(m1.hi, m1.lo).K.hi;
     return VM_SQRT(m1.hi) * vmi_K(m1.hi, m1.lo);
@@ -1403,7 +1411,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     K = vmi_K(m1.hi, m1.lo);
     turns = VM_FABS(u) / (2 * K);
     j = VM_FLOOR(turns + VM_C(0.5));
-    if (!(j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
+    if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
     if ((odd > 0) != (theta[1] < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
     am = vmi_arctan(VM_FABS(theta[0]), VM_FABS(theta[1]));
@@ -1413,8 +1421,6 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 }
 
 /* ---- The modulus solver --------------------------------------------------------------------------------------- */
-
-VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
 /* m = 16 q R, R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4, from (1 - R)/q, which rounds less; |q| <= 0.1. With
    b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
@@ -1493,11 +1499,13 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* The parameter with k'K = c, or with K = c: k'K of m is K of m/(m - 1), whose complement is 1/(1 - m) */
+/* The parameter with k'K = c > 0, or with K = c: k'K of m is K of m/(m - 1), whose complement is 1/(1 - m). From
+   c = 1000 on 1 - m is 0 or infinite in double precision, in single precision before. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
     vmi_solution s;
+    if (c > 1000) c = 1000;
     s.circular = c >= least && c <= most;
     s.upside = (c > most) != inverse_of_K;
     s.q = s.L = s.L_lo = 0;
@@ -1547,20 +1555,21 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-VM_API vm_real jacobi_solve_K(vm_real c)
-{
-    vmi_solution s;
-    if (!(c > 0) || !VM_IS_FINITE(c)) return VM_NAN;
-    s = vmi_solve_parameter(c, 1);
-    return vmi_solution_m(&s);
-}
-
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
-    if (!(c > 0) || !VM_IS_FINITE(c)) return VM_NAN;
+    if (!(c >= 0) || !VM_IS_FINITE(c)) return VM_NAN;
+    if (c == 0) return VM_INFINITY;
     s = vmi_solve_parameter(c, 1);
     return vmi_solution_m1(&s);
+}
+
+VM_API vm_real jacobi_solve_K(vm_real c)
+{
+    vmi_solution s;
+    if (!(c > 0) || !VM_IS_FINITE(c)) return 1 - jacobi_solve_K_m1(c);
+    s = vmi_solve_parameter(c, 1);
+    return vmi_solution_m(&s);
 }
 
 /* ---- Means ---------------------------------------------------------------------------------------------------- */
@@ -1592,8 +1601,8 @@ VM_API void vmi_means_from_K(const vmi_outer *o, vm_real m1, vm_real *C2, vm_rea
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
-    *C2 = *C4 = *C6 = m1.hi >= 0 && VM_IS_FINITE(m1.hi) ? 0 : VM_NAN;
-    if (!(m1.hi > 0) || !VM_IS_FINITE(m1.hi)) return;
+    *C2 = *C4 = *C6 = vmi_refused(m1.hi) ? VM_NAN : 0;
+    if (vmi_refused(m1.hi) || m1.hi == 0) return;
     if (m1.hi >= VM_C(0.5) && m1.hi <= 5) {
         const vm_real root = VM_SQRT(m1.hi), fourth = VM_SQRT(root);
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);

@@ -221,6 +221,11 @@ static void test_amplitude(void)
     CHECK(jacobi_am(0, (vm_real)0.5) == 0);
     check_error("am(K) = pi/2", "m = 0.5", "ulp",
                 ERROR_ULP(jacobi_am(jacobi_K((vm_real)0.5), (vm_real)0.5), (double)(VM_PI / 2), 0), 2, 0, 0.5);
+    for (i = 0; i < 200; i++) { /* up to where u holds no phase and beyond */
+        const vm_real u = (vm_real)uniform(1, 40) / VM_EPSILON;
+        check_error("am = u", "m = 0", "ulp", ERROR_ULP(jacobi_am(u, 0), (double)u, 0), 2, (double)u, 0);
+    }
+    check_error("am = gd", "m = 1", "ulp", ERROR_ULP(jacobi_am(VM_INFINITY, 1), (double)(VM_PI / 2), 0), 1, 0, 1);
     CHECK(isnan(jacobi_am(1, 2)) && isnan(jacobi_am(VM_NAN, 0)));
 }
 
@@ -251,6 +256,12 @@ static void test_quotients(void)
         }
     }
     CHECK(jacobi_ns(0, (vm_real)0.3) == VM_INFINITY && jacobi_cs(-(vm_real)0, (vm_real)0.3) == -VM_INFINITY);
+    for (i = 0; i < 4; i++) { /* m = 1 where exp(-u) is 0 */
+        const vm_real far[4] = {(vm_real)745, (vm_real)-1e5, VM_MAX, VM_INFINITY}, u = far[i];
+        CHECK(jacobi_cd(u, 1) == 1 && jacobi_dc(u, 1) == 1 && jacobi_cn(u, 1) == 0 &&
+              VM_FABS(jacobi_sn(u, 1)) == 1);
+        CHECK(jacobi_ns(u, 1) == (u < 0 ? -1 : 1) && jacobi_cs(u, 1) == 0 && VM_FABS(jacobi_nd(u, 1)) > 1e37f);
+    }
     CHECK(jacobi_nd(0, (vm_real)0.3) == 1 && jacobi_dc(0, (vm_real)0.3) == 1 && isnan(jacobi_cd(1, 3)));
 }
 
@@ -385,7 +396,10 @@ static void test_solver(void)
         check_error("solve_K - solve_K_m1", "random", "eps",
                     ERROR_EPS(jacobi_solve_K(target), 1 - (double)m1, 0, 1 + (double)m1), 2, c, (double)m1);
     }
-    CHECK(isnan(jacobi_solve_K(0)) && isnan(jacobi_solve_K_m1(-1)) && isnan(jacobi_solve_K(VM_NAN)));
+    CHECK(jacobi_solve_K(0) == -VM_INFINITY && jacobi_solve_K_m1(0) == VM_INFINITY);
+    CHECK(jacobi_solve_K(VM_MAX) == 1 && jacobi_solve_K_m1(VM_MAX) == 0 &&
+          jacobi_solve_kpK(VM_MAX) == -VM_INFINITY);
+    CHECK(isnan(jacobi_solve_K(-1)) && isnan(jacobi_solve_K_m1(-1)) && isnan(jacobi_solve_K(VM_NAN)));
     for (c = 1; c > 0; c /= 3) { /* down to where k' is subnormal and cannot be moved by its step */
         vm_real m1 = jacobi_solve_kpK_m1((vm_real)c);
         if ((double)m1 > 1e6 * (is_float ? (double)FLT_MIN : DBL_MIN))
