@@ -467,6 +467,26 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
+/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
+VM_API vm_two vmi_two_times(vm_two x, vm_two y)
+{
+    vm_two p = vmi_two_product(x.hi, y.hi);
+    return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
+{
+    vm_two s = vmi_two_sum(x.hi, y.hi);
+    return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
+}
+
+VM_API vm_two vmi_two_over(vm_two x, vm_two y)
+{
+    vm_real z = x.hi / y.hi;
+    vm_two p = vmi_two_product(z, y.hi);
+    return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
+}
+
 /* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
    is below 2^-(3p - 4) */
 typedef struct VM_TAG(vmi_three) {
@@ -591,25 +611,6 @@ VM_API vm_two vmi_minus(vm_two x)
     x.hi = -x.hi;
     x.lo = -x.lo;
     return x;
-}
-
-VM_API vm_two vmi_two_times(vm_two x, vm_two y)
-{
-    vm_two p = vmi_two_product(x.hi, y.hi);
-    return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
-}
-
-VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
-{
-    vm_two s = vmi_two_sum(x.hi, y.hi);
-    return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
-}
-
-VM_API vm_two vmi_two_over(vm_two x, vm_two y)
-{
-    vm_real z = x.hi / y.hi;
-    vm_two p = vmi_two_product(z, y.hi);
-    return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
 /* ---- The quarter period ------------------------------------------------------------------------------------- */

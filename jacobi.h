@@ -437,6 +437,26 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
+/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
+VM_API vm_two vmi_two_times(vm_two x, vm_two y)
+{
+    vm_two p = vmi_two_product(x.hi, y.hi);
+    return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
+{
+    vm_two s = vmi_two_sum(x.hi, y.hi);
+    return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
+}
+
+VM_API vm_two vmi_two_over(vm_two x, vm_two y)
+{
+    vm_real z = x.hi / y.hi;
+    vm_two p = vmi_two_product(z, y.hi);
+    return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
+}
+
 /* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
    is below 2^-(3p - 4) */
 typedef struct VM_TAG(vmi_three) {
@@ -968,8 +988,6 @@ VM_INLINE void vmi_theta_at(const vmi_theta_form *t, int form, vm_two z, int qua
         theta[0] *= vmi_select(odd, half, flipped);
         theta[1] *= vmi_select(odd, flipped, half);
     }
-    theta[1] = theta[0] == 0 ? VM_COPYSIGN(theta[3], theta[1]) : theta[1]; /* cn(0) = dn(0) = 1, not almost */
-    theta[2] = theta[0] == 0 ? theta[3] : theta[2];
 }
 
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high) { return x < low ? low : x > high ? high : x; }
@@ -1092,6 +1110,7 @@ VM_API void vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *theta, vm
     z = vmi_theta_reduced(&t, &roots, m1, m1_lo, x, &quarter);
     if (t.form == VMI_CIRCULAR) vmi_theta_at(&t, VMI_CIRCULAR, z, quarter, theta);
     else vmi_theta_at(&t, t.form, z, quarter, theta);
+    if (theta[0] == 0) theta[1] = VM_COPYSIGN(theta[3], theta[1]), theta[2] = theta[3]; /* not almost */
     theta[0] *= VM_COPYSIGN((vm_real)1, u);
     *kp = t.kp;
 }
@@ -1188,16 +1207,12 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vm_two 
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* The argument's size, in the range of exp where m = 1 */
-VM_INLINE vm_real vmi_plan_size(const jacobi_plan *p, vm_real u)
-{
-    const vm_real most = p->per_K == 0 ? VMI_FAR : VM_INFINITY, size = VM_FABS(u);
-    return size > most ? most : size;
-}
+/* Beyond this size an argument changes nothing: the range of exp where m = 1 */
+VM_API vm_real vmi_plan_longest(const jacobi_plan *p) { return p->per_K == 0 ? VMI_FAR : VM_INFINITY; }
 
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    const vm_real x = vmi_plan_size(p, u);
+    const vm_real longest = vmi_plan_longest(p), size = VM_FABS(u), x = size > longest ? longest : size;
     vm_two v;
     int quarter;
     if (!VM_IS_FINITE(x)) {
@@ -1211,18 +1226,23 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     }
     if (p->theta.form == VMI_CIRCULAR) vmi_plan_point(p, VMI_CIRCULAR, u, v, quarter, sn, cn, dn);
     else vmi_plan_point(p, p->theta.form, u, v, quarter, sn, cn, dn);
+    if (*sn == 0) *cn = VM_COPYSIGN((vm_real)1, *cn), *dn = 1; /* not almost */
 }
 
 /* For |u| < VMI_EXACT_QUARTERS K a loop that compilers vectorise */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
+    const vm_real longest = vmi_plan_longest(p);
     int i;
     for (i = 0; i < n; i++) {
+        const vm_real size = VM_FABS(u[i]), x = size > longest ? longest : size;
         int quarter;
-        const vm_two v = vmi_reduce_pieces(vmi_plan_size(p, u[i]), p->K, p->per_K, &quarter);
+        const vm_two v = vmi_reduce_pieces(x, p->K, p->per_K, &quarter);
         vmi_plan_point(p, form, u[i], v, quarter, sn + i, cn + i, dn + i);
     }
+    for (i = 0; i < n; i++)
+        if (sn[i] == 0) cn[i] = VM_COPYSIGN((vm_real)1, cn[i]), dn[i] = 1; /* not almost */
 }
 
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
@@ -1307,20 +1327,6 @@ VM_API vmi_outer vmi_K_outer(vm_real m1, vm_real m1_lo)
     return o;
 }
 
-/* a/b, rounded once and a little */
-VM_API vm_real vmi_two_over(vm_two a, vm_two b)
-{
-    const vm_real quotient = a.hi / b.hi;
-    const vm_two p = vmi_two_product(quotient, b.hi);
-    return quotient + (((a.hi - p.hi) - p.lo) + (a.lo - quotient * b.lo)) / b.hi;
-}
-
-VM_API vm_real vmi_two_times(vm_two a, vm_two b)
-{
-    const vm_two p = vmi_two_product(a.hi, b.hi);
-    return p.hi + (p.lo + (a.hi * b.lo + a.lo * b.hi));
-}
-
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     if (vmi_refused(m1)) return VM_NAN;
@@ -1330,7 +1336,7 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
         return vmi_K_middle(&s).hi;
     } else {
         const vm_two K = vmi_K_outer(m1, m1_lo).K;
-        return m1 < 1 ? K.hi : vmi_two_over(K, vmi_two_sqrt(vmi_two(m1, m1_lo)));
+        return m1 < 1 ? K.hi : vmi_two_over(K, vmi_two_sqrt(vmi_two(m1, m1_lo))).hi;
     }
 }
 
@@ -1343,7 +1349,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         return vmi_E_middle(&s);
     } else {
         const vm_two E = vmi_K_outer(m1, m1_lo).E;
-        return m1 < 1 ? E.hi : vmi_two_times(E, vmi_two_sqrt(vmi_two(m1, m1_lo)));
+        return m1 < 1 ? E.hi : vmi_two_times(E, vmi_two_sqrt(vmi_two(m1, m1_lo))).hi;
     }
 }
 
