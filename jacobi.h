@@ -136,7 +136,7 @@ typedef struct VM_TAG(vm_two) {
 } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
 /* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
     volatile vm_real stored = x;
