@@ -48,7 +48,7 @@
      continued fractions of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
      A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
 
-   ACCURACY, measured (make test, test-points, scan), inputs taken as exact
+   ACCURACY, measured (make test, points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
                   Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.3 ulp.
      the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha

@@ -75,7 +75,7 @@ static void scan_jacobi(const char *region, double m, double u)
     check_error("cn", region, "eps", (double)fabsq(cn - c) / eps, 4, (double)ur, (double)mr);
     check_error("dn", region, "eps", (double)fabsq(dn - d) / eps / largest, 4, (double)ur, (double)mr);
     if (fabs((double)ur) > 100 * K) return;
-    own = 2e-33 * fabs((double)ur) * largest; /* the reference's own error, felt next to a zero */
+    own = 2e-32 * fabs((double)ur) * largest; /* the reference's own error, felt next to a zero */
     check_error("sn", region, "ulp", fmax(0, ulps(sn, s) - own / ULP((double)s)), 8, (double)ur, (double)mr);
     check_error("cn", region, "ulp", fmax(0, ulps(cn, c) - own / ULP((double)c)), 8, (double)ur, (double)mr);
     check_error("dn", region, "ulp", ulps(dn, d), 8, (double)ur, (double)mr);
