@@ -4,7 +4,7 @@
 #   make run      build and run the examples, draw their figures        make bench   time everything
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
-#   make exhaustive   every float of a period (an hour)                 make data    write the reference tables anew
+#   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make clean    remove build/
 
@@ -61,7 +61,6 @@ exhaustive: $(EXHAUSTIVE)
 	! grep -E 'FAILED|[1-9][0-9]* failed' docs/exhaustive.md
 
 # a campaign of minutes: 20 000 points of each table and more, drawn anew and computed by mpmath
-SEED = 1
 points: build/command
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	mkdir -p build/points && python3 tests/gen/jacobi_reference.py 20 build/points $(SEED)

@@ -50,7 +50,7 @@
 
    ACCURACY, measured (make test, points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.3 ulp.
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.5 ulp.
      the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.

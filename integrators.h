@@ -69,8 +69,8 @@
      With f static and n <= 8 a constant, and rk45_init's status looked at before rk45_solve in the same function, f
      is inlined and the state is in registers; where the compiler cannot see that s still has that f and n, say
      rk45_solve_with. Otherwise f is called through a pointer, and the state is in work. gcc -O2, against hand-written
-     loops: rk4 0.62 to 0.95 times the loop; rk45 0.58 to 0.65 times a Dormand-Prince loop's time to an error of 1e-6,
-     1/3.1 to 1/3.5 of GSL's rkf45; rk87 0.36 to 0.48 times GSL's rk8pd to 1e-10 (Arenstorf's orbit: 1e-8).
+     loops: rk4 0.61 to 0.95 times the loop; rk45 0.57 to 0.66 times a Dormand-Prince loop's time to an error of 1e-6,
+     1/3.1 to 1/3.5 of GSL's rkf45; rk87 0.37 to 0.45 times GSL's rk8pd to 1e-10 (Arenstorf's orbit: 0.49, 1e-8).
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
