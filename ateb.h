@@ -149,11 +149,6 @@ typedef double vm_real;
 #define VM_FABS(x) VM_LIBM(fabs)(x)
 #define VM_FLOOR(x) VM_LIBM(floor)(x)
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
-#define VM_SIN(x) VM_LIBM(sin)(x)
-#define VM_COS(x) VM_LIBM(cos)(x)
-#define VM_EXP(x) VM_LIBM(exp)(x)
-#define VM_LOG(x) VM_LIBM(log)(x)
-#define VM_POW(x, y) VM_LIBM(pow)(x, y)
 #endif
 
 #define VM_NAN ((vm_real)NAN)
@@ -185,45 +180,6 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
-}
-
-/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
-#if VM_MANT_DIG > 24
-#define VM_SPLIT VM_C(134217729.0)
-#else
-#define VM_SPLIT VM_C(4097.0)
-#endif
-VM_API vm_two vmi_two_product(vm_real a, vm_real b)
-{
-    vm_two p;
-#ifdef VM_FAST_FMA
-    p.hi = a * b + 0;
-    p.lo = VM_LIBM(fma)(a, b, -p.hi);
-#else
-    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
-    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
-    p.hi = vmi_rounded(a * b + 0);
-    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
-#endif
-    return p;
-}
-
-/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
-   rest, |rest| <= q/2 but for a rounding, accurate to an ulp of itself plus 2^-(2p) x. From 2^(p-1) quarters on
-   the argument holds no phase: rest 0, quarter 0. */
-VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
-{
-    vm_real scale, j = VM_FLOOR(x / q.hi + VM_C(0.5));
-    vm_two p;
-    *quarter = 0;
-    if (j == 0) return x;
-    if (!(j < 1 / VM_EPSILON)) return 0;
-    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
-    p = vmi_two_product(j, q.hi * scale);
-    return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
 }
 
 #endif
@@ -278,6 +234,54 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     s.hi = vmi_rounded(a + b);
     s.lo = vmi_rounded((a - s.hi) + b);
     return s;
+}
+
+/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
+#if VM_MANT_DIG > 24
+#define VM_SPLIT VM_C(134217729.0)
+#else
+#define VM_SPLIT VM_C(4097.0)
+#endif
+VM_API vm_two vmi_two_product(vm_real a, vm_real b)
+{
+    vm_two p;
+#ifdef VM_FAST_FMA
+    p.hi = a * b + 0;
+    p.lo = VM_LIBM(fma)(a, b, -p.hi);
+#else
+    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
+    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
+    p.hi = vmi_rounded(a * b + 0);
+    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
+#endif
+    return p;
+}
+
+VM_API vm_two vmi_two(vm_real hi, vm_real lo)
+{
+    vm_two x;
+    x.hi = hi, x.lo = lo;
+    return x;
+}
+
+/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
+   rest in two words, |rest| <= q/2 but for a rounding, accurate to 2^-(2p) x. From 2^(p-1) quarters on the argument
+   holds no phase: rest 0, quarter 0. */
+VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
+{
+    const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
+    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
+    vm_two p;
+    *quarter = 0;
+    if (j == 0) return vmi_two(x, 0);
+    if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
+    p = vmi_two_product(j, q.hi * scale);
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* the difference is exact */
+    p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
+    return vmi_two(p.hi / scale, p.lo / scale);
 }
 
 /* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
@@ -598,14 +602,6 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
 
 /* ---- Two words ---------------------------------------------------------------------------------------------- */
 
-VM_API vm_two vmi_one_word(vm_real x)
-{
-    vm_two y;
-    y.hi = x;
-    y.lo = 0;
-    return y;
-}
-
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -677,10 +673,10 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     vm_real tail = vmi_ateb_coefficient(0, VMI_ATEB_DEGREE);
     int i;
     t.hi = 2 * q.hi, t.lo = 2 * q.lo;
-    c = vmi_one_word(-1);
+    c = vmi_two(-1, 0);
     t = vmi_two_plus(c, t);
     for (i = VMI_ATEB_DEGREE - 1; i >= TWO_WORDS; i--) tail = vmi_ateb_coefficient(0, i) + tail * t.hi;
-    sum = vmi_one_word(tail);
+    sum = vmi_two(tail, 0);
     /* each coefficient exceeds what follows, so that the high words take two operations a step */
     for (i = TWO_WORDS - 1; i >= 0; i--) {
         const vm_real high = vmi_ateb_coefficient(0, i), low = vmi_ateb_coefficient(1, i);
@@ -689,7 +685,7 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
         sum.lo = (p.hi - (hi - high)) + (p.lo + (sum.hi * t.lo + sum.lo * t.hi) + low);
         sum.hi = hi;
     }
-    c = vmi_one_word(1);
+    c = vmi_two(1, 0);
     divisor = q = vmi_two_plus(c, q);
     for (i = 2; i <= 3; i++) {
         q = vmi_two_plus(c, q);
@@ -1095,10 +1091,10 @@ VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_r
 VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real near_zero = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
-    vm_real rest = vmi_reduce(s, c->quarter, quarter), j;
+    vm_real rest = vmi_reduce(s, c->quarter, quarter).hi, j;
     if (rest == s || (s <= 256 * c->quarter.hi && VM_FABS(rest) * c->quarter.hi * 256 >= s)) return rest;
     c->quarter = vmi_ateb_fine_quarter(c);
-    rest = vmi_reduce(s, c->quarter, quarter);
+    rest = vmi_reduce(s, c->quarter, quarter).hi;
     j = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
     if (VM_FABS(rest) < near_zero * s && j > 0 && 8 * c->q.hi >= VM_SQRT(VM_EPSILON)) {
         const vmi_three q = vmi_ateb_finest_quarter(c->n);
@@ -1232,7 +1228,7 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vm_real rest, near_zero, far_zero, r, d, odd, even, tau;
     int quarter, beyond;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
-    else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter);
+    else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter).hi;
     else {
         *sa = *ca = VM_NAN;
         return;
@@ -1544,7 +1540,7 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
     if (!vmi_beta_domain(a, b)) return VM_NAN;
-    l = vmi_beta_ln(vmi_one_word(a), vmi_one_word(b));
+    l = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
     return vmi_exp(l.hi, l.lo);
 }
 
@@ -1607,7 +1603,7 @@ VM_API vm_two vmi_beta_ln_tail(vm_real x, vm_real y, vm_two ln_x, vm_two ln_y, v
         f = vmi_two_plus(vmi_two_log(vmi_two_sum(1, a * sum)), vmi_minus(vmi_log(a)));
         ln_y.hi = ln_y.lo = 0;
     } else f = vmi_log(vmi_beta_fraction(x, y, a, b));
-    return vmi_two_plus(vmi_beta_ln_density(vmi_one_word(a), vmi_one_word(b), ln_x, ln_y), f);
+    return vmi_two_plus(vmi_beta_ln_density(vmi_two(a, 0), vmi_two(b, 0), ln_x, ln_y), f);
 }
 
 /* ln I_x(a, b) and ln I_y(b, a) */
@@ -1655,7 +1651,7 @@ VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
 {
     const vm_real size = VM_FABS(t);
     const vm_real e = vmi_exp(-size, 0); /* rounded; y = 1 - x holds in two words if its own logarithm is taken */
-    const vm_two ln_e = e > VM_MIN ? vmi_log(e) : vmi_one_word(-size);
+    const vm_two ln_e = e > VM_MIN ? vmi_log(e) : vmi_two(-size, 0);
     const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(ln_e, l);
     at->ln_x = t < 0 ? small : l;
     at->ln_y = t < 0 ? l : small;
@@ -1668,7 +1664,7 @@ VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
 VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_real *y, vm_two *ln_x, vm_two *ln_y)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
-    const vm_two a2 = vmi_one_word(a), b2 = vmi_one_word(b);
+    const vm_two a2 = vmi_two(a, 0), b2 = vmi_two(b, 0);
     vm_two start = vmi_two_plus(ln_p, vmi_two_plus(vmi_log(a), vmi_beta_ln(a2, b2))), tail, other, density, rest;
     vm_real t = start.hi / a, step;
     vmi_beta_point at;
@@ -1722,7 +1718,7 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
         return VM_NAN;
     n = vmi_two_sum(alpha, 1);
     above = vmi_beta_ln(vmi_half(vmi_two_sum(p, 1)), vmi_two_over(vmi_two_sum(q, 1), n));
-    above = vmi_two_plus(above, vmi_minus(vmi_beta_ln(half, vmi_two_over(vmi_one_word(1), n))));
+    above = vmi_two_plus(above, vmi_minus(vmi_beta_ln(half, vmi_two_over(vmi_two(1, 0), n))));
     return vmi_exp(above.hi, above.lo);
 }
 
@@ -1730,7 +1726,7 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 
 VM_API int vmi_ateb_index(vm_real n) { return n >= 0 && VM_IS_FINITE(n); }
 
-VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_one_word(1), vmi_two_sum(n, 1)); }
+VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
@@ -1769,7 +1765,7 @@ VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *
     ln_pi = vmi_two_log(pi); /* a step of Newton's method for its low word */
     pi.lo += pi.hi * ((l.hi - ln_pi.hi) + (l.lo - ln_pi.lo));
     pi = vmi_half(pi);
-    rest = vmi_reduce(VM_FABS(s), pi, &quarter);
+    rest = vmi_reduce(VM_FABS(s), pi, &quarter).hi;
     d = VM_FABS(rest), r = (pi.hi - d) + pi.lo;
     if (!(quarter & 1)) p = r, r = d, d = p;
     *sa = vmi_ateb_nm_first(r / pi.hi, d / pi.hi, a, b);

@@ -154,11 +154,6 @@ typedef double vm_real;
 #define VM_FABS(x) VM_LIBM(fabs)(x)
 #define VM_FLOOR(x) VM_LIBM(floor)(x)
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
-#define VM_SIN(x) VM_LIBM(sin)(x)
-#define VM_COS(x) VM_LIBM(cos)(x)
-#define VM_EXP(x) VM_LIBM(exp)(x)
-#define VM_LOG(x) VM_LIBM(log)(x)
-#define VM_POW(x, y) VM_LIBM(pow)(x, y)
 #endif
 
 #define VM_NAN ((vm_real)NAN)
@@ -190,45 +185,6 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
-}
-
-/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
-#if VM_MANT_DIG > 24
-#define VM_SPLIT VM_C(134217729.0)
-#else
-#define VM_SPLIT VM_C(4097.0)
-#endif
-VM_API vm_two vmi_two_product(vm_real a, vm_real b)
-{
-    vm_two p;
-#ifdef VM_FAST_FMA
-    p.hi = a * b + 0;
-    p.lo = VM_LIBM(fma)(a, b, -p.hi);
-#else
-    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
-    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
-    p.hi = vmi_rounded(a * b + 0);
-    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
-#endif
-    return p;
-}
-
-/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
-   rest, |rest| <= q/2 but for a rounding, accurate to an ulp of itself plus 2^-(2p) x. From 2^(p-1) quarters on
-   the argument holds no phase: rest 0, quarter 0. */
-VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
-{
-    vm_real scale, j = VM_FLOOR(x / q.hi + VM_C(0.5));
-    vm_two p;
-    *quarter = 0;
-    if (j == 0) return x;
-    if (!(j < 1 / VM_EPSILON)) return 0;
-    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
-    p = vmi_two_product(j, q.hi * scale);
-    return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
 }
 
 #endif

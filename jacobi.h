@@ -126,11 +126,6 @@ typedef double vm_real;
 #define VM_FABS(x) VM_LIBM(fabs)(x)
 #define VM_FLOOR(x) VM_LIBM(floor)(x)
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
-#define VM_SIN(x) VM_LIBM(sin)(x)
-#define VM_COS(x) VM_LIBM(cos)(x)
-#define VM_EXP(x) VM_LIBM(exp)(x)
-#define VM_LOG(x) VM_LIBM(log)(x)
-#define VM_POW(x, y) VM_LIBM(pow)(x, y)
 #endif
 
 #define VM_NAN ((vm_real)NAN)
@@ -162,45 +157,6 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
-}
-
-/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
-#if VM_MANT_DIG > 24
-#define VM_SPLIT VM_C(134217729.0)
-#else
-#define VM_SPLIT VM_C(4097.0)
-#endif
-VM_API vm_two vmi_two_product(vm_real a, vm_real b)
-{
-    vm_two p;
-#ifdef VM_FAST_FMA
-    p.hi = a * b + 0;
-    p.lo = VM_LIBM(fma)(a, b, -p.hi);
-#else
-    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
-    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
-    p.hi = vmi_rounded(a * b + 0);
-    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
-#endif
-    return p;
-}
-
-/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
-   rest, |rest| <= q/2 but for a rounding, accurate to an ulp of itself plus 2^-(2p) x. From 2^(p-1) quarters on
-   the argument holds no phase: rest 0, quarter 0. */
-VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
-{
-    vm_real scale, j = VM_FLOOR(x / q.hi + VM_C(0.5));
-    vm_two p;
-    *quarter = 0;
-    if (j == 0) return x;
-    if (!(j < 1 / VM_EPSILON)) return 0;
-    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
-    p = vmi_two_product(j, q.hi * scale);
-    return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
 }
 
 #endif
@@ -255,6 +211,54 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     s.hi = vmi_rounded(a + b);
     s.lo = vmi_rounded((a - s.hi) + b);
     return s;
+}
+
+/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
+#if VM_MANT_DIG > 24
+#define VM_SPLIT VM_C(134217729.0)
+#else
+#define VM_SPLIT VM_C(4097.0)
+#endif
+VM_API vm_two vmi_two_product(vm_real a, vm_real b)
+{
+    vm_two p;
+#ifdef VM_FAST_FMA
+    p.hi = a * b + 0;
+    p.lo = VM_LIBM(fma)(a, b, -p.hi);
+#else
+    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
+    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
+    p.hi = vmi_rounded(a * b + 0);
+    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
+#endif
+    return p;
+}
+
+VM_API vm_two vmi_two(vm_real hi, vm_real lo)
+{
+    vm_two x;
+    x.hi = hi, x.lo = lo;
+    return x;
+}
+
+/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
+   rest in two words, |rest| <= q/2 but for a rounding, accurate to 2^-(2p) x. From 2^(p-1) quarters on the argument
+   holds no phase: rest 0, quarter 0. */
+VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
+{
+    const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
+    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
+    vm_two p;
+    *quarter = 0;
+    if (j == 0) return vmi_two(x, 0);
+    if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
+    p = vmi_two_product(j, q.hi * scale);
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* the difference is exact */
+    p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
+    return vmi_two(p.hi / scale, p.lo / scale);
 }
 
 /* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
@@ -589,14 +593,6 @@ VM_API vm_real jacobi_agm_K(vm_real m);
 
 /* ---- Sums, products and roots in two and three words ---------------------------------------------------------- */
 
-VM_API vm_two vmi_two(vm_real hi, vm_real lo)
-{
-    vm_two a;
-    a.hi = hi;
-    a.lo = lo;
-    return a;
-}
-
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
 /* 1 - m < 0, NaN or infinite */
@@ -634,10 +630,10 @@ VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
     return vmi_three_words(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
-                          VM_C(-1.497384904859169832944e-33));
+                           VM_C(-1.497384904859169832944e-33));
 #else
     return vmi_three_words(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
-                          VM_C(-1.715124510005881872804e-15));
+                           VM_C(-1.715124510005881872804e-15));
 #endif
 }
 
@@ -736,21 +732,7 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[3] = K.hi;
 }
 
-/* x = j K + rest, x >= 0, K in two words: the rest in two words, |rest| <= K/2 but for a rounding, and j mod 4. From
-   1/eps quarters on the argument holds no phase: rest 0, quarter 0. */
-VM_API vm_two vmi_reduce_words(vm_real x, vm_two K, int *quarter)
-{
-    const vm_real j = VM_FLOOR(x / K.hi + VM_C(0.5));
-    vm_two p, s;
-    *quarter = 0;
-    if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
-    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    p = vmi_two_product(j, K.hi);
-    s = vmi_two_sum(x - p.hi, -p.lo);
-    return vmi_fast_two_sum(s.hi, s.lo - j * K.lo);
-}
-
-/* The same for x < VMI_EXACT_QUARTERS K and K in pieces, per_K = 1/K, so that loops over it vectorise */
+/* As vmi_reduce, for x < VMI_EXACT_QUARTERS K and K in pieces, per_K = 1/K, so that loops over it vectorise */
 VM_INLINE vm_two vmi_reduce_pieces(vm_real x, const vm_real *K, vm_real per_K, int *quarter)
 {
     const int count = (int)(x * per_K + VM_C(0.5));
@@ -1088,7 +1070,7 @@ VM_API vm_two vmi_theta_reduced(vmi_theta_form *t, vmi_roots *roots, vm_real m1,
     if (z.hi < H.hi / 2) return vmi_theta_phase(t, vmi_theta_argument(t, vmi_two(u, 0)));
     if (z.hi < VM_C(2.5) * H.hi && (*quarter = vmi_theta_first_quarters(t, u, H, &z)) != 0) return z;
     H = vmi_K_two_words(m1, m1_lo);
-    v = vmi_reduce_words(u, H, quarter);
+    v = vmi_reduce(u, H, quarter);
     if (VM_FABS(v.hi) < 128 * VM_EPSILON * u && u < VMI_EXACT_QUARTERS * H.hi) {
         vm_real K[4];
         vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
@@ -1229,7 +1211,7 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarter);
     else {
         const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
-        v = vmi_reduce_words(x, K, &quarter);
+        v = vmi_reduce(x, K, &quarter);
     }
     if (p->theta.form == VMI_CIRCULAR) vmi_plan_point(p, VMI_CIRCULAR, u, v, quarter, sn, cn, dn);
     else vmi_plan_point(p, p->theta.form, u, v, quarter, sn, cn, dn);
@@ -1456,10 +1438,11 @@ VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* 1 - theta_4^2 */
-    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));              /* (1 - theta_4)/2 = q - q^4 + q^9 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4)/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
-    for (i = 0; i < 6; i++) q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q); /* each 3 digits more */
+    for (i = 0; i < 6; i++)
+        q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q); /* each 3 digits more */
     return q;
 }
 
@@ -1592,10 +1575,11 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
-    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y)), high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
-    const vm_real series = low + (y * y) * (y * y) * high;                           /* (S - 1)/q^2 */
-    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R);               /* d/m */
-    const vm_real eta = (loss + q * series) / (256 * R * R);                         /* (delta - 1/16)/m */
+    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y)),
+                  high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
+    const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
+    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* d/m */
+    const vm_real eta = (loss + q * series) / (256 * R * R);           /* (delta - 1/16)/m */
     *C2 = VM_C(0.5) - d;
     *C4 = (1 - 4 * d + 2 * delta) / 3;
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
@@ -1660,7 +1644,7 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
     *sn = *cn = *dn = VM_NAN;
     if (!(m < 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) return;
     vmi_agm(&l, kp, steps);
-    phase = vmi_reduce_words(l.a[l.n] * VM_FABS(u), vmi_two(half_pi.hi, half_pi.mid), &quarter).hi;
+    phase = vmi_reduce(l.a[l.n] * VM_FABS(u), vmi_two(half_pi.hi, half_pi.mid), &quarter).hi;
     vmi_descend(&l, phase, &s, &c, &d, &q);
     *sn = quarter & 1 ? c / d : s / q;
     *cn = quarter & 1 ? -kp * s / d : c / q;

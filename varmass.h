@@ -39,7 +39,7 @@
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
      VM_TABLE             storage of the tables, default static const
-     VM_SQRT, VM_SIN ...  the functions of the C library that are used (all of them, if any)
+     VM_SQRT, VM_FABS ... the functions of the C library that are used (all of them, if any)
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where nothing is promised
    Names that begin with vmi_ or VMI_ are internal.
 
@@ -114,11 +114,6 @@ typedef double vm_real;
 #define VM_FABS(x) VM_LIBM(fabs)(x)
 #define VM_FLOOR(x) VM_LIBM(floor)(x)
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
-#define VM_SIN(x) VM_LIBM(sin)(x)
-#define VM_COS(x) VM_LIBM(cos)(x)
-#define VM_EXP(x) VM_LIBM(exp)(x)
-#define VM_LOG(x) VM_LIBM(log)(x)
-#define VM_POW(x, y) VM_LIBM(pow)(x, y)
 #endif
 
 #define VM_NAN ((vm_real)NAN)
@@ -152,45 +147,6 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
-#if VM_MANT_DIG > 24
-#define VM_SPLIT VM_C(134217729.0)
-#else
-#define VM_SPLIT VM_C(4097.0)
-#endif
-VM_API vm_two vmi_two_product(vm_real a, vm_real b)
-{
-    vm_two p;
-#ifdef VM_FAST_FMA
-    p.hi = a * b + 0;
-    p.lo = VM_LIBM(fma)(a, b, -p.hi);
-#else
-    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
-    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
-    p.hi = vmi_rounded(a * b + 0);
-    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
-#endif
-    return p;
-}
-
-/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
-   rest, |rest| <= q/2 but for a rounding, accurate to an ulp of itself plus 2^-(2p) x. From 2^(p-1) quarters on
-   the argument holds no phase: rest 0, quarter 0. */
-VM_API vm_real vmi_reduce(vm_real x, vm_two q, int *quarter)
-{
-    vm_real scale, j = VM_FLOOR(x / q.hi + VM_C(0.5));
-    vm_two p;
-    *quarter = 0;
-    if (j == 0) return x;
-    if (!(j < 1 / VM_EPSILON)) return 0;
-    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
-    p = vmi_two_product(j, q.hi * scale);
-    return ((x * scale - p.hi) - (p.lo + j * (q.lo * scale))) / scale;
-}
-
 #endif
 /* ---- End of the shared block -------------------------------------------------------------------------------- */
 
@@ -207,7 +163,8 @@ enum {
     VM_BAD_ARGUMENT = -1, /* a null pointer */
     VM_NOT_FINITE = -2,   /* a number that is infinite or NaN, given or arising */
     VM_BAD_MASS = -3,     /* a mass that is not positive, the rest's included */
-    VM_BAD_INERTIA = -4   /* an inertia that no body has, the rest's included */
+    VM_BAD_INERTIA = -4,  /* an inertia that no body has, the rest's included */
+    VM_SINGULAR = -5      /* linear equations without a unique solution */
 };
 VM_API const char *vm_strerror(int status);
 
@@ -254,6 +211,18 @@ VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impul
    body's. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole);
 
+/* -- Chapter 3.3.2: the broken rotor -- */
+
+/* -- Chapter 4: Lagrange's equations across a jump -- */
+
+/* -- Free rotation, exact -- */
+
+/* -- Chapter 5: continuous variation of mass -- */
+
+/* -- Chapter 5.2: the drum -- */
+
+/* -- Chapter 6: Lagrange's equations with variable mass -- */
+
 /* -- Chapter 7.2-7.3: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0, x(0) = x0, x'(0) = 0 -- */
 
 /* Exact period (262), s, and largest velocity (267), m/s */
@@ -279,6 +248,16 @@ VM_API vm_real vm_osc_omega_jacobi(vm_real alpha);
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
 
+/* -- Chapter 7.6: Van der Pol -- */
+
+/* -- Chapter 7.7: Laval's rotor -- */
+
+/* -- Chapter 7.8: two bodies with a nonlinear connection -- */
+
+/* -- Chapter 8: harmonic excitation -- */
+
+/* -- Scenes -- */
+
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -288,8 +267,61 @@ VM_API const char *vm_strerror(int status)
     case VM_NOT_FINITE: return "a number is infinite or NaN";
     case VM_BAD_MASS: return "a mass is not positive";
     case VM_BAD_INERTIA: return "no body has this inertia";
+    case VM_SINGULAR: return "linear equations without a unique solution";
     default: return "unknown status";
     }
+}
+
+/* ---- Scalars, linear equations ------------------------------------------------------------------------------ */
+
+/* x^y for x >= 0, within 0.6 ulp, with the limits of pow at 0 and infinity; NaN for x < 0 */
+VM_API vm_real vmi_raised(vm_real x, vm_real y)
+{
+    if (x != x || y != y || x < 0) return VM_NAN;
+    if (y == 0 || x == 1) return 1;
+    if (x == 0 || x > VM_MAX) return (y > 0) == (x > 0) ? VM_INFINITY : 0;
+    if (!VM_IS_FINITE(y)) return (y > 0) == (x > 1) ? VM_INFINITY : 0;
+    return vmi_pow(vmi_two(x, 0), vmi_two(y, 0));
+}
+
+/* sin and cos of any x, reduced by pi/2 in two words; NaN for infinite x */
+VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    int quarter;
+    vm_real s, c;
+    vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
+    if (!VM_IS_FINITE(x)) s = c = VM_NAN;
+    *sine = quarter & 1 ? c : s, *cosine = quarter & 1 ? s : c;
+    if (quarter & 2) *sine = -*sine;
+    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+    if (x < 0) *sine = -*sine;
+}
+
+/* a x = b, a dense and n by n, row after row, by elimination with row pivoting: x replaces b, a is destroyed.
+   VM_SINGULAR, b destroyed, where a column has no pivot. */
+VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
+{
+    int i, j, k;
+    for (k = 0; k < n; k++) {
+        int pivot = k;
+        vm_real x;
+        for (i = k + 1; i < n; i++)
+            if (VM_FABS(a[i * n + k]) > VM_FABS(a[pivot * n + k])) pivot = i;
+        if (!(VM_FABS(a[pivot * n + k]) > 0)) return VM_SINGULAR;
+        for (j = k; j < n; j++) x = a[k * n + j], a[k * n + j] = a[pivot * n + j], a[pivot * n + j] = x;
+        x = b[k], b[k] = b[pivot], b[pivot] = x;
+        for (i = k + 1; i < n; i++) {
+            const vm_real factor = a[i * n + k] / a[k * n + k];
+            for (j = k + 1; j < n; j++) a[i * n + j] -= factor * a[k * n + j];
+            b[i] -= factor * b[k];
+        }
+    }
+    for (k = n - 1; k >= 0; k--) {
+        for (j = k + 1; j < n; j++) b[k] -= a[k * n + j] * b[j];
+        b[k] /= a[k * n + k];
+    }
+    return VM_OK;
 }
 
 /* ---- Vectors, rotations, inertia ---------------------------------------------------------------------------- */
@@ -343,6 +375,17 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
     m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
     m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
     return m;
+}
+
+/* p q: the rotation of q followed by that of p */
+VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
+{
+    vm_quat r;
+    r.w = p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z;
+    r.x = p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y;
+    r.y = p.w * q.y + p.y * q.w + p.z * q.x - p.x * q.z;
+    r.z = p.w * q.z + p.z * q.w + p.x * q.y - p.y * q.x;
+    return r;
 }
 
 VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
@@ -645,6 +688,18 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, added, 1, external_or_NULL, whole);
 }
 
+/* ---- Chapter 3.3.2: the broken rotor ------------------------------------------------------------------------ */
+
+/* ---- Chapter 4: Lagrange's equations across a jump ---------------------------------------------------------- */
+
+/* ---- Free rotation ------------------------------------------------------------------------------------------ */
+
+/* ---- Chapter 5: continuous variation of mass ---------------------------------------------------------------- */
+
+/* ---- Chapter 5.2: the drum ---------------------------------------------------------------------------------- */
+
+/* ---- Chapter 6: Lagrange's equations with variable mass ----------------------------------------------------- */
+
 /* ---- Chapter 7.2-7.3: the oscillator of constant mass ------------------------------------------------------- */
 
 /* ds/dt of the Ateb phase, sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2); NaN outside the domain */
@@ -652,7 +707,7 @@ VM_API vm_real vmi_osc_rate(vm_real x0, vm_real omega0, vm_real alpha)
 {
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(omega0)) return VM_NAN;
     if (omega0 == 0) return 0; /* where the power may be infinite */
-    return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * VM_POW(VM_FABS(x0), (alpha - 1) / 2);
+    return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha - 1) / 2);
 }
 
 VM_API vm_real vm_osc_period(vm_real x0, vm_real omega0, vm_real alpha)
@@ -664,7 +719,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
 {
     vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (rate != rate) return rate;
-    return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * VM_POW(VM_FABS(x0), (alpha + 1) / 2);
+    return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha + 1) / 2);
 }
 
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
@@ -697,7 +752,7 @@ VM_API int vmi_osc_law_domain(vm_real mass_ratio, vm_real damping, vm_real react
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
     if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return VM_POW(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * VM_EXP(-2 * damping / (alpha + 3));
+    return vmi_raised(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
 }
 
 /* xdot_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected */
@@ -705,7 +760,17 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 {
     vm_real share = (alpha + 1) / (alpha + 3);
     if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return VM_POW(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * VM_EXP(-share * damping);
+    return vmi_raised(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
 }
+
+/* ---- Chapter 7.6: Van der Pol ------------------------------------------------------------------------------- */
+
+/* ---- Chapter 7.7: Laval's rotor ----------------------------------------------------------------------------- */
+
+/* ---- Chapter 7.8: two bodies with a nonlinear connection ---------------------------------------------------- */
+
+/* ---- Chapter 8: harmonic excitation ------------------------------------------------------------------------- */
+
+/* ---- Scenes ------------------------------------------------------------------------------------------------- */
 
 #endif

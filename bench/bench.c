@@ -38,7 +38,7 @@ static void fill(vm_real low, vm_real high, vm_real parameter_low, vm_real param
         }                                     \
         sink = sum;                           \
     }
-BODY(run_sin, a = VM_SIN(arg[i]))
+BODY(run_sin, a = VM_LIBM(sin)(arg[i]))
 BODY(run_K, a = jacobi_K(parameter[i]))
 BODY(run_E, a = jacobi_E(parameter[i]))
 BODY(run_sncndn, jacobi_sncndn(arg[i], parameter[i], &a, &b, &c))

@@ -67,7 +67,7 @@ static void fill(vm_real size, vm_real quarters, vm_real low, vm_real high)
         }                                                                         \
         sink = z;                                                                 \
     }
-BODY(sin, a = VM_SIN(x))
+BODY(sin, a = VM_LIBM(sin)(x))
 BODY(K, a = jacobi_K(m))
 BODY(E, a = jacobi_E(m))
 BODY(sncndn, jacobi_sncndn(u, m, &a, &b, &c))

@@ -23,7 +23,7 @@ typedef struct envelope {
 
 static inline vm_real oscillator_mass(const oscillator *o, vm_real t)
 {
-    return VM_POW(1 + VM_C(0.1) * t, o->power);
+    return VM_LIBM(pow)(1 + VM_C(0.1) * t, o->power);
 }
 
 /* y = (x, m x') */
@@ -31,7 +31,7 @@ static inline int oscillator_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 {
     const oscillator *o = (const oscillator *)ctx;
     dydt[0] = y[1] / oscillator_mass(o, t);
-    dydt[1] = -VM_COPYSIGN(VM_POW(VM_FABS(y[0]), o->alpha), y[0]);
+    dydt[1] = -VM_COPYSIGN(VM_LIBM(pow)(VM_FABS(y[0]), o->alpha), y[0]);
     return 0;
 }
 

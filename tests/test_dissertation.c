@@ -114,7 +114,7 @@ static void test_generating_solutions(void)
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {
         double alpha = cases[i].alpha, trig;
         vm_real x0 = R(cases[i].x0), omega0 = R(cases[i].omega0);
-        trig = (double)(vm_osc_omega_trig(R(alpha)) * omega0 * VM_POW(x0, (R(alpha) + 1) / 2));
+        trig = (double)(vm_osc_omega_trig(R(alpha)) * omega0 * VM_LIBM(pow)(x0, (R(alpha) + 1) / 2));
         check_error("period (262)", "R5", "eps",
                     fabs((double)vm_osc_period(x0, omega0, R(alpha)) / cases[i].period - 1) / eps, 6, alpha, 0);
         check_error("vmax (267)", "R5", "eps",
@@ -253,7 +253,7 @@ static int slow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const vm_real *p = (const vm_real *)ctx;
     dydt[0] = y[1];
-    dydt[1] = -(VM_COPYSIGN(VM_POW(VM_FABS(y[0]), p[0]), y[0]) + (p[2] * p[1] + p[3]) * y[1]) / (1 + p[1] * t);
+    dydt[1] = -(VM_COPYSIGN(VM_LIBM(pow)(VM_FABS(y[0]), p[0]), y[0]) + (p[2] * p[1] + p[3]) * y[1]) / (1 + p[1] * t);
     return 0;
 }
 

@@ -62,7 +62,7 @@ static vm_real second(vm_real t, const vm_real *y, void *ctx)
 static vm_real wave(vm_real t, const vm_real *y, void *ctx)
 {
     (void)t, (void)ctx;
-    return VM_SIN(y[0]);
+    return VM_LIBM(sin)(y[0]);
 }
 
 static vm_real clock_at(vm_real t, const vm_real *y, void *ctx)

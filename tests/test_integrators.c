@@ -27,8 +27,8 @@ static int time_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* y'
 static int oscillator_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const vm_real *p = (const vm_real *)ctx;
-    dydt[0] = y[1] / VM_POW(1 + p[1] * t, p[2]);
-    dydt[1] = -VM_COPYSIGN(VM_POW(VM_FABS(y[0]), p[0]), y[0]);
+    dydt[0] = y[1] / VM_LIBM(pow)(1 + p[1] * t, p[2]);
+    dydt[1] = -VM_COPYSIGN(VM_LIBM(pow)(VM_FABS(y[0]), p[0]), y[0]);
     return 0;
 }
 
@@ -361,7 +361,7 @@ static int detest_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     switch (*(const int *)ctx) {
     case 1: dydt[0] = -y[0]; break;
     case 2: dydt[0] = -y[0] * y[0] * y[0] / 2; break;
-    case 3: dydt[0] = y[0] * VM_COS(t); break;
+    case 3: dydt[0] = y[0] * VM_LIBM(cos)(t); break;
     default: dydt[0] = y[0] / 4 * (1 - y[0] / 20); break;
     }
     return 0;
@@ -500,7 +500,7 @@ static void test_compensated(void)
 
 static int relaxation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    dydt[0] = -*(const vm_real *)ctx * (y[0] - VM_COS(t));
+    dydt[0] = -*(const vm_real *)ctx * (y[0] - VM_LIBM(cos)(t));
     return 0;
 }
 
