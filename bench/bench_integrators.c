@@ -27,6 +27,21 @@ typedef struct result {
 
 /* ---- problems ---- */
 
+#define CONTROLLED_RUN(name, n, method, WORK)                                     \
+    static result name##_run_##method(double T, double knob, double *y)           \
+    {                                                                             \
+        result r = {0, 0};                                                        \
+        double work[WORK(n)];                                                     \
+        rk45_options o = {0};                                                     \
+        rk45 s;                                                                   \
+        o.rtol = o.atol = knob;                                                   \
+        if (method##_init(&s, name##_rhs, NULL, n, 0, y, &o, work) < 0) return r; \
+        if (method##_solve(&s, T) < 0) puts(#method "_solve failed");             \
+        memcpy(y, s.y, (n) * sizeof *y);                                          \
+        r.evals = s.evals, r.steps = s.steps + s.rejected;                        \
+        return r;                                                                 \
+    }
+
 /* The right-hand side as each method wants it, inlined, called through a pointer, and counted; and the methods made
    for it. knob: the tolerance, or the number of steps. */
 #define PROBLEM(name, n, ...)                                                                     \
@@ -76,32 +91,8 @@ typedef struct result {
         r.evals = calls, r.steps = calls / 6;                                                     \
         return r;                                                                                 \
     }                                                                                             \
-    static result name##_run_rk45(double T, double knob, double *y)                               \
-    {                                                                                             \
-        result r = {0, 0};                                                                        \
-        double work[RK45_WORK(n)];                                                                \
-        rk45_options o = {0};                                                                     \
-        rk45 s;                                                                                   \
-        o.rtol = o.atol = knob;                                                                   \
-        if (rk45_init(&s, name##_rhs, NULL, n, 0, y, &o, work) < 0) return r;                     \
-        if (rk45_solve(&s, T) < 0) puts("rk45_solve failed");                                     \
-        memcpy(y, s.y, (n) * sizeof *y);                                                          \
-        r.evals = s.evals, r.steps = s.steps + s.rejected;                                        \
-        return r;                                                                                 \
-    }                                                                                             \
-    static result name##_run_rk87(double T, double knob, double *y)                               \
-    {                                                                                             \
-        result r = {0, 0};                                                                        \
-        double work[RK87_WORK(n)];                                                                \
-        rk87_options o = {0};                                                                     \
-        rk87 s;                                                                                   \
-        o.rtol = o.atol = knob;                                                                   \
-        if (rk87_init(&s, name##_rhs, NULL, n, 0, y, &o, work) < 0) return r;                     \
-        if (rk87_solve(&s, T) < 0) puts("rk87_solve failed");                                     \
-        memcpy(y, s.y, (n) * sizeof *y);                                                          \
-        r.evals = s.evals, r.steps = s.steps + s.rejected;                                        \
-        return r;                                                                                 \
-    }                                                                                             \
+    CONTROLLED_RUN(name, n, rk45, RK45_WORK)                                                      \
+    CONTROLLED_RUN(name, n, rk87, RK87_WORK)                                                      \
     static double name##_ns(double *y) /* a call of f whose argument depends on the one before */ \
     {                                                                                             \
         double d[n];                                                                              \
@@ -300,10 +291,12 @@ static double time_to(const curve *c, double goal, double *evals)
     return exp((1 - w) * log(c->us[k]) + w * log(c->us[k + 1]));
 }
 
-static double ratio(const curve *curves, int a, int b, double goal)
+/* the times of methods a and b to an error of goal, as a ratio; "-" where one of them does not reach it */
+static void print_ratio(const char *what, const curve *curves, int a, int b, double goal, const char *promised)
 {
-    double evals, bottom = time_to(curves + b, goal, &evals);
-    return bottom > 0 ? time_to(curves + a, goal, &evals) / bottom : 0;
+    double evals, top = time_to(curves + a, goal, &evals), bottom = time_to(curves + b, goal, &evals);
+    if (top > 0 && bottom > 0) printf("%s %.2f %s", what, top / bottom, promised);
+    else printf("%s - %s", what, promised);
 }
 
 static void print_problem(const problem *p, const curve *curves, double f_ns)
@@ -328,12 +321,12 @@ static void print_problem(const problem *p, const curve *curves, double f_ns)
     }
     for (k = 0; k < SETTINGS; k++) loop[k] = curves[RK4_SOLVE].us[k] / curves[RK4_LOOP].us[k];
     qsort(loop, SETTINGS, sizeof *loop, ascending);
-    printf("  rk4_solve/rk4_loop %.2f (promised 1.05)   to 1e-6: rk45_solve/dp54_loop %.2f (0.9)",
-           loop[SETTINGS / 2], ratio(curves, RK45_SOLVE, DP54_LOOP, 1e-6));
+    printf("  rk4_solve/rk4_loop %.2f (promised 1.05)", loop[SETTINGS / 2]);
+    print_ratio("   to 1e-6: rk45_solve/dp54_loop", curves, RK45_SOLVE, DP54_LOOP, 1e-6, "(0.9)");
 #ifdef WITH_GSL
-    printf(", gsl_rkf45/rk45_solve %.2f (2.5)   to 1e-8, 1e-10: rk87_solve/gsl_rk8pd %.2f, %.2f (0.5)",
-           ratio(curves, GSL_RKF45, RK45_SOLVE, 1e-6), ratio(curves, RK87_SOLVE, GSL_RK8PD, 1e-8),
-           ratio(curves, RK87_SOLVE, GSL_RK8PD, 1e-10));
+    print_ratio(", gsl_rkf45/rk45_solve", curves, GSL_RKF45, RK45_SOLVE, 1e-6, "(2.5)");
+    print_ratio("   to 1e-8: rk87_solve/gsl_rk8pd", curves, RK87_SOLVE, GSL_RK8PD, 1e-8, "(0.5)");
+    print_ratio(", to 1e-10:", curves, RK87_SOLVE, GSL_RK8PD, 1e-10, "(0.5)");
 #endif
     puts("");
 }

@@ -81,19 +81,24 @@ static void scan_jacobi(const char *region, double m, double u)
     check_error("dn", region, "ulp", ulps(dn, d), 8, (double)ur, (double)mr);
 }
 
-/* The root of k' K1(k') = c next to the kit's answer, by Newton's method with a difference quotient */
+/* The root of k' K1(k') = c next to the kit's answer, by Newton's method with a difference quotient; the errors are
+   what is left when what one ulp of c moves m and m1 is taken off */
 static void scan_solver(double c)
 {
     vm_real cr = (vm_real)c, m = jacobi_solve_kpK(cr), m1 = jacobi_solve_kpK_m1(cr);
-    quad kp = sqrtq(m1), E;
+    quad kp = sqrtq(m1), slope = 1, E, exact;
+    double moved;
     int i;
     for (i = 0; i < 4; i++) {
         quad h = 1e-15Q * kp, f = kp * quarter_period(kp * kp, &E);
-        kp -= (f - cr) * h / ((kp + h) * quarter_period((kp + h) * (kp + h), &E) - f);
+        slope = ((kp + h) * quarter_period((kp + h) * (kp + h), &E) - f) / h;
+        kp -= (f - cr) / slope;
     }
-    check_error("solve_kpK_m1", "0 < c < 40", "ulp", ulps(m1, kp * kp), 8, (double)cr, 0);
-    check_error("solve_kpK", "0 < c < 40", "eps",
-                (double)(fabsq(m - (1 - kp * kp)) / fmaxq(1, fabsq(1 - kp * kp))) / eps, 8, (double)cr, 0);
+    moved = (double)fabsq(2 * kp / slope) * ULP((double)cr);
+    exact = 1 - kp * kp;
+    check_error("solve_kpK_m1", "0 < c < 40", "ulp", fmax(0, ulps(m1, kp * kp) - moved / ULP((double)m1)), 4,
+                (double)cr, 0);
+    check_error("solve_kpK", "0 < c < 40", "ulp", fmax(0, ulps(m, exact) - moved / ULP((double)exact)), 4, (double)cr, 0);
 }
 
 /* ---- Ateb: the two series of ateb.h, Newton's method; unknown v = sa, or z = -ln |ca|^(alpha+1) ---- */

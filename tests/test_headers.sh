@@ -3,22 +3,7 @@
 # same everywhere, nothing but a few functions of the C library is needed, nothing is writable, the examples run.
 # usage: CC=compiler test_headers.sh BUILD_FOLDER, from the top of the project
 cc=${CC:-cc} build=$1/headers
-passed=0 failed=0
-rm -rf "$build" && mkdir -p "$build" || exit 1
-
-check() { # check NAME COMMAND...
-    name=$1
-    shift
-    if "$@" >"$build/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name"
-        sed -n '1,5p' "$build/log"
-    fi
-}
-
-fails() { ! "$@"; }
+. tests/check.sh
 
 shared_block() { sed -n '/^\/\* ---- Shared block/,/^\/\* ---- End of the shared block/p' "$1"; }
 
@@ -69,21 +54,6 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h: the manual's example builds" $cc -std=c99 -I. "$build/$header.c" -o "$build/$header.example" -lm
     check "$header.h: the manual's example runs" "$build/$header.example"
 done
-plan_round_trip() { # plan_round_trip ALPHA ACCURACY OPTIONS...: the printed plan has the bits that init computes
-    alpha=$1 accuracy=$2
-    shift 2
-    $cc -std=c99 "$@" examples/ateb_plan.c -o "$build/plan_print" -lm || return 1
-    { printf '#include "ateb.h"\n'
-      "$build/plan_print" $alpha $accuracy
-      printf 'int main(void) { ateb_plan p = plan; ateb_plan_init_to(&p, (vm_real)%s, (vm_real)%s);\n' $alpha $accuracy
-      printf 'return memcmp(&p, &plan, sizeof p) != 0; }\n'; } >"$build/plan.c"
-    $cc -std=c99 "$@" -I. "$build/plan.c" -o "$build/plan" -lm && "$build/plan"
-}
-for alpha in 0 0.1 1 1.5 2.7 3 100; do
-    check "printed plan, alpha $alpha" plan_round_trip $alpha 0
-    check "printed plan, alpha $alpha, float" plan_round_trip $alpha 0 -DVM_USE_FLOAT
-done
-check "printed plan to 1e-4" plan_round_trip 1.5 1e-4
 inlined() { # the right-hand side of the integrators is in the loop: no call of it is left
     cat >"$build/inlined.c" <<'END'
 #include "integrators.h"
@@ -111,5 +81,4 @@ check "the README's example builds" $cc -std=c99 -I. "$build/readme.c" -o "$buil
 "$build/readme.example" | sed 's/^/    /' >"$build/readme.output"
 check "the README's example prints what it says" sh -c 'grep -Fqf "$1" README.md && [ $(grep -cFf "$1" README.md) = 2 ]' sh \
     "$build/readme.output"
-echo "headers: $passed passed, $failed failed, 0 skipped"
-[ $failed = 0 ]
+check_finish headers

@@ -1,25 +1,10 @@
 #!/bin/sh
-# What examples/jacobi_plan prints compiles without a warning, to the bits that jacobi_plan_init computes, into
+# What examples/jacobi_plan and examples/ateb_plan print compiles without a warning, to the bits that init computes, the first into
 # read-only data; in double and float.
 # usage: CC=compiler test_plans.sh BUILD_FOLDER, from the top of the project
 cc=${CC:-cc} build=$1/plans
 parameters="0.3 0.9 -20 1 -1e10"
-passed=0 failed=0
-rm -rf "$build" && mkdir -p "$build" || exit 1
-
-check() { # check NAME COMMAND...
-    name=$1
-    shift
-    if "$@" >"$build/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name"
-        sed -n '1,5p' "$build/log"
-    fi
-}
-
-fails() { ! "$@"; }
+. tests/check.sh
 
 print_plans() { # print_plans PRINTER : the constants plan_0, plan_1, ... and a table of them
     i=0 table=
@@ -91,5 +76,19 @@ for precision in double float; do
         i=$((i + 1))
     done
 done
-echo "plans: $passed passed, $failed failed, 0 skipped"
-[ $failed = 0 ]
+ateb_round_trip() { # ateb_round_trip ALPHA ACCURACY OPTIONS...: the printed plan has the bits that init computes
+    alpha=$1 accuracy=$2
+    shift 2
+    $cc -std=c99 "$@" examples/ateb_plan.c -o "$build/plan_print" -lm || return 1
+    { printf '#include "ateb.h"\n'
+      "$build/plan_print" $alpha $accuracy
+      printf 'int main(void) { ateb_plan p = plan; ateb_plan_init_to(&p, (vm_real)%s, (vm_real)%s);\n' $alpha $accuracy
+      printf 'return memcmp(&p, &plan, sizeof p) != 0; }\n'; } >"$build/plan.c"
+    $cc -std=c99 "$@" -I. "$build/plan.c" -o "$build/plan" -lm && "$build/plan"
+}
+for alpha in 0 0.1 1 1.5 2.7 3 100; do
+    check "printed plan, alpha $alpha" ateb_round_trip $alpha 0
+    check "printed plan, alpha $alpha, float" ateb_round_trip $alpha 0 -DVM_USE_FLOAT
+done
+check "printed plan to 1e-4" ateb_round_trip 1.5 1e-4
+check_finish plans
