@@ -6,6 +6,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
+#   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
 
 CC = cc
@@ -23,7 +24,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -37,6 +38,7 @@ test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi
 	    $(COMPILE) tests/test_gsl.c -o build/tests/gsl -lgsl -lgslcblas -lm && gsl=./build/tests/gsl; \
 	else gsl="echo 'GSL: 0 passed, 0 failed, 9 skipped'"; fi; \
 	CC="$(CC)" sh tests/run.sh build/tests/log "sh tests/test_headers.sh build" "sh tests/test_plans.sh build" \
+	    "sh tests/test_package.sh build" \
 	    $(TEST_PROGRAMS) "./build/tests/exhaustive_jacobi 997" "$$gsl"
 
 lint:
@@ -83,6 +85,25 @@ data:
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
+
+# one file instead of four: the headers in place of their #include lines, what they share only once
+amalgamation: build/amalgamation/varmass.h
+build/amalgamation/varmass.h: $(HEADERS) examples/package/amalgamate.awk
+	@$(IN_BUILD) && mkdir -p $(@D) && awk -f examples/package/amalgamate.awk varmass.h >$@
+
+# headers under PREFIX/include/varmass, found by pkg-config and by CMake's find_package
+PREFIX = /usr/local
+INSTALLED = $(DESTDIR)$(PREFIX)
+VERSION = $(shell awk '/define VARMASS_VERSION/ {gsub("\"", "", $$3); print $$3}' varmass.h)
+install:
+	mkdir -p $(INSTALLED)/include/varmass $(INSTALLED)/share/pkgconfig $(INSTALLED)/share/cmake/varmass
+	cp $(HEADERS) $(INSTALLED)/include/varmass
+	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' examples/package/varmass.pc.in >$(INSTALLED)/share/pkgconfig/varmass.pc
+	cp examples/package/varmassConfig.cmake $(INSTALLED)/share/cmake/varmass
+	sed 's|@VERSION@|$(VERSION)|' examples/package/varmassConfigVersion.cmake.in \
+	    >$(INSTALLED)/share/cmake/varmass/varmassConfigVersion.cmake
+uninstall:
+	rm -rf $(INSTALLED)/include/varmass $(INSTALLED)/share/cmake/varmass $(INSTALLED)/share/pkgconfig/varmass.pc
 
 clean:
 	rm -rf build

@@ -92,6 +92,7 @@
 /* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.sh keeps it so ---------- */
 #ifndef VM_SHARED
 #define VM_SHARED
+#define VARMASS_VERSION "0.1.0"
 
 #include <float.h>
 #include <math.h>
