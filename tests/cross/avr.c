@@ -1,0 +1,29 @@
+/* The same for an ATmega1284P under simavr, which shows what goes out by the first serial port; sleeping without
+   interrupts ends the run. int main of golden.c is called golden_main. */
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <avr/sleep.h>
+
+int golden_main(void);
+
+static void put(char c)
+{
+    while (!(UCSR0A & (1 << UDRE0))) {}
+    UDR0 = (unsigned char)c;
+}
+
+void golden_line(const char *line)
+{
+    while (*line) put(*line++);
+    put('\n');
+}
+
+int main(void)
+{
+    UCSR0B = 1 << TXEN0;
+    golden_main();
+    put('\n');
+    cli();
+    sleep_mode();
+    for (;;) {}
+}
