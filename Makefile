@@ -6,6 +6,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
+#   make test-cross   the same bits on every target (minutes)
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
 
@@ -24,7 +25,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -70,6 +71,10 @@ points: build/command
 	for flags in "" -DVM_USE_FLOAT "-O3 -march=native -ffp-contract=fast"; do for test in jacobi ateb; do \
 	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
 	    done; done
+
+# a campaign of minutes: the same bits on every target that can be had, with emulators
+test-cross:
+	sh tests/cross.sh build docs/cross.md
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES:%=build/bench/%)
 	sh bench/measurements.sh build

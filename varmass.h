@@ -114,7 +114,11 @@ typedef double vm_real;
 #define VM_SQRT(x) VM_LIBM(sqrt)(x)
 #define VM_FABS(x) VM_LIBM(fabs)(x)
 #define VM_FLOOR(x) VM_LIBM(floor)(x)
+#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* gcc's inline code for "x = copysign(x, y)" gives y here */
+#else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
+#endif
 #endif
 
 #define VM_NAN ((vm_real)NAN)
@@ -125,6 +129,12 @@ typedef double vm_real;
 typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+
+VM_API vm_real vmi_copysign(vm_real x, vm_real y)
+{
+    x = VM_FABS(x);
+    return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
+}
 
 /* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)

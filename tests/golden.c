@@ -175,13 +175,19 @@ static void section_oscillators(void)
     end("oscillators");
 }
 
+#ifndef GOLDEN_SECTION /* only this one, where flash is small: 1, 2, ... */
+#define GOLDEN_SECTION 0
+#endif
+#define RUN(number, section) \
+    if (GOLDEN_SECTION == 0 || GOLDEN_SECTION == number) section()
+
 int main(void)
 {
-    section_elementary();
-    section_jacobi();
-    section_ateb();
-    section_integrators();
-    section_jumps();
-    section_oscillators();
+    RUN(1, section_elementary);
+    RUN(2, section_jacobi);
+    RUN(3, section_ateb);
+    RUN(4, section_integrators);
+    RUN(5, section_jumps);
+    RUN(6, section_oscillators);
     return 0;
 }
