@@ -295,6 +295,7 @@ typedef struct VM_TAG(vm_load) {
     vm_real extra;                   /* to be added to the mass that accelerates, (M'(v) (v - u)) of mass laws M(v) */
     vm_real mass_rate;               /* of a mass that is a state */
     vm_real force[6];                /* of each coordinate; 3 to 5 the torque on a free body, inertial axes */
+    vm_real by_v, own;               /* M'(v), and the velocity of what joins or leaves then */
     /* only where there is a book: */
     vm_real reactive[6], brought[6]; /* of force, what is reactive; momentum that streams bring, by the second */
     vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
@@ -453,7 +454,7 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 VM_API int vm_scene_check(const vm_scene *scene, int *culprit);
 VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state */
 enum { VM_BOOK = 15 };
-#define VM_SCENE_WORK(size) RK45_WORK(size)
+#define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 /* Checks the scene, and makes the state at the start: vm_scene_size numbers */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, int *culprit);
 /* An ode_rhs; ctx is the scene, which has been started */
@@ -1292,6 +1293,7 @@ VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *
     const vm_real v = y[b->at + vmi_scene_velocity(b->motion)];
     b->load.mass = now->mass;
     b->load.extra = now->by_v * ((1 - e->p[3]) * v - e->p[0]);
+    b->load.by_v = now->by_v, b->load.own = e->p[0] + e->p[3] * v;
     vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v);
 }
 
@@ -1495,7 +1497,7 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
     const int n = vmi_scene_coordinates(b->motion);
     int i;
     b->load.mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b->motion)] : b->start.mass;
-    b->load.extra = b->load.mass_rate = 0;
+    b->load.extra = b->load.by_v = b->load.mass_rate = 0;
     for (i = 0; i < n; i++) b->load.force[i] = 0;
     if (!book) return;
     for (i = 0; i < 6; i++) b->load.brought[i] = b->load.reactive[i] = 0;
@@ -1583,7 +1585,7 @@ VM_INLINE void vmi_scene_store(vm_vec3 a, vm_real *d) { d[0] += a.x, d[1] += a.y
 
 /* What a body's load adds to the book by the second: impulse, angular impulse, momentum and angular momentum brought,
    work, energy brought, mixing */
-VM_API void vmi_scene_enter(const vm_scene_body *b, const vm_real *y, vm_real *d)
+VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *d)
 {
     const vm_load *load = &b->load;
     const vm_vec3 at = vmi_scene_moving(b, y + b->at);
@@ -1599,6 +1601,19 @@ VM_API void vmi_scene_enter(const vm_scene_body *b, const vm_real *y, vm_real *d
     d[13] += load->brought_energy, d[14] += load->mixing;
 }
 
+VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
+{
+    vm_load *load = &b->load;
+    if (load->by_v != 0) { /* M'(v) v' is known only now */
+        const vm_real rate = load->by_v * (load->force[0] / (load->mass + load->extra));
+        const vm_real faster = load->own - y[b->at + 1];
+        load->brought[0] += rate * load->own;
+        load->brought_energy += rate * load->own * load->own / 2;
+        load->mixing += rate * faster * faster / 2;
+    }
+    vmi_scene_enter_loads(b, y, d);
+}
+
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
@@ -1607,7 +1622,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     vmi_scene_load(s, t, y);
     for (i = 0; book && i < VM_BOOK; i++) book[i] = 0;
     for (i = 0; i < s->n_bodies; i++) {
-        const vm_scene_body *b = s->bodies + i;
+        vm_scene_body *b = s->bodies + i;
         int k;
         if (b->absent) {
             for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
@@ -1715,6 +1730,12 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return vmi_scene_check_order(s, e);
 }
 
+/* A body takes up only what it can move as: on a line or an axle its own kind, a point no spin */
+VM_API int vmi_scene_can_jump(int motion, int other)
+{
+    return motion == other || (other == VM_POINT && motion > VM_AXLE);
+}
+
 VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
     int status = VM_OK;
@@ -1726,8 +1747,7 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
         status = vmi_scene_check_coordinate(s, e->jump_body, 0);
         if (!status) status = vmi_scene_check_coordinate(s, e->other, 0);
         if (!status && e->jump_body == e->other) status = VM_NO_SUCH_BODY;
-        if (!status && (s->bodies[e->jump_body].motion <= VM_AXLE || s->bodies[e->other].motion <= VM_AXLE) &&
-            s->bodies[e->jump_body].motion != s->bodies[e->other].motion)
+        if (!status && !vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion))
             status = VM_BAD_MOTION;
     }
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
@@ -1922,7 +1942,8 @@ VM_API int vmi_scene_jump(const vm_event *e, const vm_body *body, const vm_body 
         int status;
         p.v.x = p.omega.z, q.v.x = q.omega.z, p.r.x = q.r.x = 0;
         status = vmi_scene_jump_line(&p, &q, sign, e->external.couple.z, b);
-        b->r = body->r, b->v = body->v, b->omega.z = status ? 0 : b->v.x;
+        b->omega.z = b->v.x;
+        b->r = body->r, b->v = body->v;
         return status;
     }
     return sign < 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
@@ -2052,10 +2073,14 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     const int n = vm_scene_size(scene);
     const long most_events = 10000;
     long happened = 0, before = -1;
-    int next = 0, status = VM_OK;
+    const int book = scene->book ? VM_BOOK : 0;
+    int i, next = 0, status = VM_OK;
     rk45 r;
-    o.events = scene->located, o.n_events = scene->n_events;
+    vm_real *atol = work + RK45_WORK(n);
     if (!t || !y || !work || !(t_end >= *t)) return VM_BAD_ARGUMENT;
+    o.events = scene->located, o.n_events = scene->n_events;
+    for (i = 0; i < n; i++) atol[i] = i >= n - book ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
+    o.atol_each = atol; /* the book follows the steps of the bodies */
     status = rk45_init(&r, vm_scene_rhs, scene, n, *t, y, &o, work);
     if (status < 0) return scene->ode_status = status, VM_NOT_INTEGRATED;
     while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
