@@ -301,15 +301,21 @@ typedef struct VM_TAG(vm_load) {
     vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
 } vm_load;                           /* what acts on a body at the moment */
 
-typedef struct VM_TAG(vm_scene_body) {
+typedef struct VM_TAG(vm_scene_body) vm_scene_body;
+struct VM_TAG(vm_scene_body) {
     int motion;        /* VM_LINE, ... */
     int mass_is_state; /* so that vm_effect_stream can change it */
     int absent;        /* not there until an event brings it in */
     vm_body start;     /* as it starts: for a line mass, r.x, v.x; for an axle inertia.zz, omega.z and angle, ... */
     vm_real angle;     /* rad, of an axle or in the plane */
-    int at;            /* the scene's own from here on: where its state begins */
+    int positions, coordinates; /* internal from here on: numbers of the state that are positions, velocities */
+    int at;                     /* where its state begins */
     vm_load load;
-} vm_scene_body;
+    /* what the motion needs, so that others are not linked */
+    void (*put)(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
+    int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
+};
 
 /* Position (m), velocity and acceleration of a point that moves as given */
 typedef void (*vm_moving_point)(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx);
@@ -359,8 +365,9 @@ struct VM_TAG(vm_event) {
     vm_scene *scene;
 };
 
-/* What came in from outside: asked for by scene.book */
-typedef struct VM_TAG(vm_book) {
+/* What came in from outside, and whether it balances: vm_scene_keep_book asks for it */
+typedef struct VM_TAG(vm_book) vm_book;
+struct VM_TAG(vm_book) {
     vm_vec3 impulse, angular_impulse;             /* of the effects, about the origin */
     vm_vec3 brought, brought_angular;             /* momentum and angular momentum that streams and mass laws brought */
     vm_real work, brought_energy, mixing;         /* of the effects; of the streams; lost as they mix */
@@ -369,7 +376,11 @@ typedef struct VM_TAG(vm_book) {
     vm_real jump_energy;                          /* that jumps have added */
     vm_vec3 momentum_defect, angular_defect;      /* what is there less what was there and what came */
     vm_real energy_defect;
-} vm_book;
+    /* by pointers, so that without a book they are not linked */
+    void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
+    void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
+    void (*totals)(const vm_scene *scene, const vm_real *y, vm_book *book);
+};
 
 struct VM_TAG(vm_scene) {
     vm_scene_body *bodies;
@@ -379,7 +390,7 @@ struct VM_TAG(vm_scene) {
     vm_event *events;
     ode_event *located; /* n_events of them too, for the integrator */
     int n_events;
-    vm_book *book; /* null, or what was there at the start; then VM_BOOK numbers join the state */
+    vm_book *book; /* of vm_scene_keep_book: what was there at the start; VM_BOOK numbers join the state */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx); /* null, or called after each step; nonzero stops */
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
     int n_times;
@@ -465,6 +476,8 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
                         const rk45_options *options_or_NULL);
 /* A body as it moves in state y */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
+/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy */
+VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book);
 /* Momentum, angular momentum and energy in state y, what came in since the start, and the defects */
 VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book);
 
@@ -996,17 +1009,11 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 enum { VMI_ALL_MOTIONS = 1 << VM_LINE | 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_POINT | 1 << VM_FREE };
 enum { VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, VMI_NOT_FREE = VMI_ALL_MOTIONS & ~(1 << VM_FREE) };
 
-/* Numbers of the state that are positions; velocities follow; coordinates */
-VM_INLINE int vmi_scene_velocity(int motion)
-{
-    return motion <= VM_AXLE ? 1 : motion == VM_FREE ? 7 : 3;
-}
-VM_INLINE int vmi_scene_coordinates(int motion) { return motion <= VM_AXLE ? 1 : motion == VM_FREE ? 6 : 3; }
-VM_INLINE int vmi_scene_mass_at(int motion) { return vmi_scene_velocity(motion) + vmi_scene_coordinates(motion); }
+VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
 VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
 {
-    return vmi_scene_mass_at(b->motion) + (b->mass_is_state ? 1 + (b->motion == VM_PLANE) : 0);
+    return vmi_scene_mass_at(b) + (b->mass_is_state != 0);
 }
 
 /* Position and velocity along a coordinate; the ground's are 0 */
@@ -1017,7 +1024,7 @@ VM_INLINE vm_real vmi_scene_x(const vm_scene *s, const vm_real *y, int body, int
 VM_INLINE vm_real vmi_scene_v(const vm_scene *s, const vm_real *y, int body, int coordinate)
 {
     const vm_scene_body *b = s->bodies + body;
-    return body < 0 ? 0 : y[b->at + vmi_scene_velocity(b->motion) + coordinate];
+    return body < 0 ? 0 : y[b->at + b->positions + coordinate];
 }
 
 /* f on the body of e, -f on what it acts against */
@@ -1029,45 +1036,180 @@ VM_INLINE void vmi_scene_act(vm_scene *s, const vm_effect *e, vm_real f)
 
 /* ---- Scenes: bodies ----------------------------------------------------------------------------------------- */
 
-VM_API vm_scene_body vmi_scene_body(int motion, vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
-                                    vm_real omega)
+VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
 {
     vm_scene_body b;
     memset(&b, 0, sizeof b);
-    b.motion = motion;
-    b.start.mass = mass, b.start.inertia.zz = inertia;
-    b.start.r = r, b.start.v = v, b.start.omega.z = omega;
-    b.angle = angle;
+    b.motion = motion, b.positions = positions, b.coordinates = coordinates;
     return b;
+}
+
+/* A line and an axle: one coordinate */
+VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    rates[0] = state[1];
+    rates[1] = b->load.force[0] / (b->load.mass + b->load.extra);
+    return VM_OK;
+}
+
+VM_API void vmi_line_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    (void)b, (void)angle;
+    state[0] = now->r.x, state[1] = now->v.x;
+}
+
+VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    (void)b;
+    now->r.x = state[0], now->v.x = state[1];
 }
 
 VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v)
 {
-    return vmi_scene_body(VM_LINE, mass, 0, vmi_vec3(x, 0, 0), 0, vmi_vec3(v, 0, 0), 0);
+    vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
+    b.start.mass = mass, b.start.r.x = x, b.start.v.x = v;
+    b.put = vmi_line_put, b.get = vmi_line_get, b.accelerate = vmi_single_accelerate;
+    return b;
+}
+
+VM_API void vmi_axle_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    (void)b;
+    state[0] = angle, state[1] = now->omega.z;
+}
+
+VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    (void)b;
+    now->omega.z = state[1], now->inertia.zz = now->mass;
 }
 
 VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
-    const vm_vec3 zero = {0, 0, 0};
-    return vmi_scene_body(VM_AXLE, inertia, inertia, zero, angle, zero, omega);
+    vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
+    b.start.mass = inertia, b.start.omega.z = omega, b.angle = angle;
+    b.put = vmi_axle_put, b.get = vmi_axle_get, b.accelerate = vmi_single_accelerate;
+    return b;
+}
+
+VM_API int vmi_plane_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    int i;
+    for (i = 0; i < 3; i++) rates[i] = state[3 + i];
+    for (i = 0; i < 2; i++) rates[3 + i] = b->load.force[i] / b->load.mass;
+    rates[5] = b->load.force[2] / b->start.inertia.zz;
+    return VM_OK;
+}
+
+VM_API void vmi_plane_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    (void)b;
+    state[0] = now->r.x, state[1] = now->r.y, state[2] = angle;
+    state[3] = now->v.x, state[4] = now->v.y, state[5] = now->omega.z;
+}
+
+VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    (void)b;
+    now->r.x = state[0], now->r.y = state[1], now->v.x = state[3], now->v.y = state[4];
+    vmi_sincos(state[2] / 2, &now->q.z, &now->q.w);
+    now->omega.z = state[5];
+    now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
 }
 
 VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v, vm_real omega)
 {
-    return vmi_scene_body(VM_PLANE, mass, inertia, r, angle, v, omega);
+    vm_scene_body b = vmi_scene_body(VM_PLANE, 3, 3);
+    b.start.mass = mass, b.start.inertia.zz = inertia;
+    b.start.r = r, b.start.v = v, b.start.omega.z = omega, b.angle = angle;
+    b.put = vmi_plane_put, b.get = vmi_plane_get, b.accelerate = vmi_plane_accelerate;
+    return b;
+}
+
+VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    int i;
+    for (i = 0; i < 3; i++) rates[i] = state[b->positions + i];
+    for (i = 0; i < 3; i++) rates[b->positions + i] = b->load.force[i] / b->load.mass;
+    return VM_OK;
+}
+
+VM_API void vmi_point_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    vm_real *v = state + b->positions;
+    (void)angle;
+    state[0] = now->r.x, state[1] = now->r.y, state[2] = now->r.z;
+    v[0] = now->v.x, v[1] = now->v.y, v[2] = now->v.z;
+}
+
+VM_API void vmi_point_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    const vm_real *v = state + b->positions;
+    now->r = vmi_vec3(state[0], state[1], state[2]);
+    now->v = vmi_vec3(v[0], v[1], v[2]);
 }
 
 VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
-    return vmi_scene_body(VM_POINT, mass, 0, r, 0, v, 0);
+    vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
+    b.start.mass = mass, b.start.r = r, b.start.v = v;
+    b.put = vmi_point_put, b.get = vmi_point_get, b.accelerate = vmi_point_accelerate;
+    return b;
+}
+
+VM_API vm_quat vmi_free_quat(const vm_real *state)
+{
+    vm_quat q;
+    q.w = state[3], q.x = state[4], q.y = state[5], q.z = state[6];
+    return q;
+}
+
+/* Euler's equations in body axes, and the quaternion's, whose length is drawn to 1 (as exp(-t)) */
+VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    const vm_inertia *i = &b->start.inertia;
+    const vm_vec3 w = vmi_vec3(state[10], state[11], state[12]);
+    const vm_quat q = vmi_free_quat(state);
+    const vm_real *f = b->load.force, pull = (1 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)) / 2;
+    const vmi_mat3 axes = vmi_rotation(q);
+    const vm_vec3 torque = vmi_times_transposed(&axes, vmi_vec3(f[3], f[4], f[5]));
+    const vm_vec3 h = vmi_sub(torque, vmi_cross(w, vmi_inertia_times(i, w)));
+    vm_quat spin, turn;
+    vm_real a[9];
+    spin.w = 0, spin.x = w.x / 2, spin.y = w.y / 2, spin.z = w.z / 2;
+    turn = vmi_quat_times(q, spin);
+    vmi_point_accelerate(b, state, rates);
+    rates[3] = turn.w + pull * q.w, rates[4] = turn.x + pull * q.x;
+    rates[5] = turn.y + pull * q.y, rates[6] = turn.z + pull * q.z;
+    a[0] = i->xx, a[4] = i->yy, a[8] = i->zz, a[1] = a[3] = i->xy, a[2] = a[6] = i->xz, a[5] = a[7] = i->yz;
+    rates[10] = h.x, rates[11] = h.y, rates[12] = h.z;
+    return vmi_solve_linear(3, a, rates + 10) ? VM_BAD_INERTIA : VM_OK;
+}
+
+VM_API void vmi_free_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    const vmi_mat3 turn = vmi_rotation(now->q);
+    const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
+    const int none = now->q.w == 0 && now->q.x == 0 && now->q.y == 0 && now->q.z == 0;
+    vmi_point_put(b, now, angle, state);
+    state[3] = none ? 1 : now->q.w, state[4] = now->q.x, state[5] = now->q.y, state[6] = now->q.z;
+    state[10] = omega.x, state[11] = omega.y, state[12] = omega.z;
+}
+
+VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    vmi_mat3 turn;
+    vmi_point_get(b, state, now);
+    now->q = vmi_free_quat(state);
+    turn = vmi_rotation(now->q);
+    now->omega = vmi_times(&turn, vmi_vec3(state[10], state[11], state[12]));
 }
 
 VM_API vm_scene_body vm_scene_free(const vm_body *start)
 {
-    vm_scene_body b;
-    memset(&b, 0, sizeof b);
-    b.motion = VM_FREE;
+    vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
     b.start = *start;
+    b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate;
     return b;
 }
 
@@ -1253,7 +1395,7 @@ VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real freque
 VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_scene_body *b = s->bodies + e->body;
-    const vm_real *v = y + b->at + vmi_scene_velocity(b->motion);
+    const vm_real *v = y + b->at + b->positions;
     (void)t;
     b->load.force[0] -= e->p[0] * v[1];
     b->load.force[1] += e->p[0] * v[0];
@@ -1272,7 +1414,7 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate)
 {
     vm_scene_body *b = s->bodies + e->body;
-    const vm_real *v = y + b->at + vmi_scene_velocity(b->motion), share = e->p[3];
+    const vm_real *v = y + b->at + b->positions, share = e->p[3];
     const int n = b->motion <= VM_AXLE ? 1 : b->motion == VM_PLANE ? 2 : 3;
     int i;
     for (i = 0; i < n; i++) {
@@ -1290,7 +1432,7 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now)
 {
     vm_scene_body *b = s->bodies + e->body;
-    const vm_real v = y[b->at + vmi_scene_velocity(b->motion)];
+    const vm_real v = y[b->at + b->positions];
     b->load.mass = now->mass;
     b->load.extra = now->by_v * ((1 - e->p[3]) * v - e->p[0]);
     b->load.by_v = now->by_v, b->load.own = e->p[0] + e->p[3] * v;
@@ -1360,7 +1502,7 @@ typedef struct VM_TAG(vmi_link_end) {
 VM_API void vmi_link_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
-    const vm_real *r = y + b->at, *v = r + vmi_scene_velocity(b->motion);
+    const vm_real *r = y + b->at, *v = r + b->positions;
     const int n = b->motion == VM_LINE ? 1 : b->motion == VM_PLANE ? 2 : 3;
     int i;
     for (i = 0; i < 3; i++) {
@@ -1432,51 +1574,19 @@ VM_API int vm_scene_size(const vm_scene *scene)
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_scene_body *b = scene->bodies + body;
-    const vm_real *r = y + b->at, *v = r + vmi_scene_velocity(b->motion);
-    vm_body n = b->start;
-    if (b->mass_is_state) n.mass = r[vmi_scene_mass_at(b->motion)];
-    else if (b->load.mass > 0) n.mass = b->load.mass; /* of a law, when the right-hand side was last evaluated */
-    if (b->motion == VM_LINE) n.r.x = r[0], n.v.x = v[0];
-    else if (b->motion == VM_AXLE) n.omega.z = v[0], n.inertia.zz = n.mass;
-    else {
-        n.r = vmi_vec3(r[0], r[1], b->motion == VM_PLANE ? n.r.z : r[2]);
-        n.v = vmi_vec3(v[0], v[1], b->motion == VM_PLANE ? n.v.z : v[2]);
-    }
-    if (b->motion == VM_PLANE) {
-        vmi_sincos(r[2] / 2, &n.q.z, &n.q.w);
-        n.omega.z = v[2];
-        n.inertia.xx = n.inertia.yy = n.inertia.zz / 2; /* of a lamina: any that is possible will do */
-    } else if (b->motion == VM_FREE) {
-        vmi_mat3 turn;
-        n.q.w = r[3], n.q.x = r[4], n.q.y = r[5], n.q.z = r[6];
-        turn = vmi_rotation(n.q);
-        n.omega = vmi_times(&turn, vmi_vec3(v[3], v[4], v[5]));
-    }
-    *now = n;
+    *now = b->start;
+    if (b->mass_is_state) now->mass = y[b->at + vmi_scene_mass_at(b)];
+    else if (b->load.mass > 0) now->mass = b->load.mass; /* of a law, when the right-hand side was last evaluated */
+    b->get(b, y + b->at, now);
 }
 
 /* The state of a body that moves as now; its angle is given apart, since a turn more or less does not show in now */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
-    vm_real *r = y + b->at, *v = r + vmi_scene_velocity(b->motion);
     b->start.mass = now->mass, b->start.inertia = now->inertia;
-    if (b->mass_is_state) r[vmi_scene_mass_at(b->motion)] = now->mass;
-    if (b->motion <= VM_AXLE) {
-        r[0] = b->motion == VM_LINE ? now->r.x : angle;
-        v[0] = b->motion == VM_LINE ? now->v.x : now->omega.z;
-        return;
-    }
-    r[0] = now->r.x, r[1] = now->r.y, v[0] = now->v.x, v[1] = now->v.y;
-    if (b->motion == VM_PLANE) r[2] = angle, v[2] = now->omega.z;
-    else r[2] = now->r.z, v[2] = now->v.z;
-    if (b->motion == VM_FREE) {
-        const vmi_mat3 turn = vmi_rotation(now->q);
-        const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
-        r[3] = now->q.w, r[4] = now->q.x, r[5] = now->q.y, r[6] = now->q.z;
-        if (r[3] == 0 && r[4] == 0 && r[5] == 0 && r[6] == 0) r[3] = 1;
-        v[3] = omega.x, v[4] = omega.y, v[5] = omega.z;
-    }
+    if (b->mass_is_state) y[b->at + vmi_scene_mass_at(b)] = now->mass;
+    b->put(b, now, angle, y + b->at);
 }
 
 /* Effects on bodies that are not there do not act */
@@ -1494,9 +1604,9 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
 {
-    const int n = vmi_scene_coordinates(b->motion);
+    const int n = b->coordinates;
     int i;
-    b->load.mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b->motion)] : b->start.mass;
+    b->load.mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b)] : b->start.mass;
     b->load.extra = b->load.by_v = b->load.mass_rate = 0;
     for (i = 0; i < n; i++) b->load.force[i] = 0;
     if (!book) return;
@@ -1513,49 +1623,36 @@ VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
         if (!s->effects[i].off) s->effects[i].apply(s->effects + i, t, y, s);
 }
 
-/* Euler's equations in body axes, and the quaternion's, whose length is drawn to 1 (to first order, as 1/s) */
-VM_API int vmi_scene_turn(const vm_scene_body *b, const vm_real *q, const vm_real *omega, vm_real *dq, vm_real *domega)
-{
-    const vm_inertia *i = &b->start.inertia;
-    const vm_vec3 w = vmi_vec3(omega[0], omega[1], omega[2]);
-    const vm_real *f = b->load.force;
-    vm_quat turn, spin, rate;
-    vmi_mat3 axes;
-    vm_vec3 h;
-    vm_real a[9], x[3], pull;
-    turn.w = q[0], turn.x = q[1], turn.y = q[2], turn.z = q[3];
-    spin.w = 0, spin.x = w.x, spin.y = w.y, spin.z = w.z;
-    rate = vmi_quat_times(turn, spin);
-    pull = (1 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])) / 2;
-    dq[0] = rate.w / 2 + pull * q[0], dq[1] = rate.x / 2 + pull * q[1];
-    dq[2] = rate.y / 2 + pull * q[2], dq[3] = rate.z / 2 + pull * q[3];
-    axes = vmi_rotation(turn);
-    h = vmi_sub(vmi_times_transposed(&axes, vmi_vec3(f[3], f[4], f[5])), vmi_cross(w, vmi_inertia_times(i, w)));
-    a[0] = i->xx, a[4] = i->yy, a[8] = i->zz, a[1] = a[3] = i->xy, a[2] = a[6] = i->xz, a[5] = a[7] = i->yz;
-    x[0] = h.x, x[1] = h.y, x[2] = h.z;
-    if (vmi_solve_linear(3, a, x)) return VM_BAD_INERTIA;
-    domega[0] = x[0], domega[1] = x[1], domega[2] = x[2];
-    return VM_OK;
-}
-
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
-    const int at = b->at, nv = vmi_scene_velocity(b->motion), n = vmi_scene_coordinates(b->motion);
     const vm_load *load = &b->load;
-    const vm_real *v = y + at + nv, mass = load->mass + load->extra;
-    vm_real *dr = dydt + at, *dv = dr + nv;
-    int i;
     if (!(load->mass > 0)) return VM_BAD_MASS;
-    if (!(mass > 0)) return VM_SINGULAR;
-    if (b->mass_is_state) dr[nv + n] = load->mass_rate;
-    if (n == 1) {
-        dr[0] = v[0], dv[0] = load->force[0] / mass;
-        return VM_OK;
-    }
-    for (i = 0; i < 3; i++) dr[i] = v[i], dv[i] = load->force[i] / mass;
-    if (b->motion == VM_PLANE) dv[2] = load->force[2] / b->start.inertia.zz;
-    return b->motion == VM_FREE ? vmi_scene_turn(b, y + at + 3, v + 3, dr + 3, dv + 3) : VM_OK;
+    if (!(load->mass + load->extra > 0)) return VM_SINGULAR;
+    if (b->mass_is_state) dydt[b->at + vmi_scene_mass_at(b)] = load->mass_rate;
+    return b->accelerate(b, y + b->at, dydt + b->at);
 }
+
+VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vm_scene *s = (vm_scene *)ctx;
+    int i, status = VM_OK;
+    vmi_scene_load(s, t, y);
+    for (i = 0; i < s->n_bodies; i++) {
+        const vm_scene_body *b = s->bodies + i;
+        int k;
+        if (b->absent) {
+            for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
+            continue;
+        }
+        k = vmi_scene_accelerate(b, y, dydt);
+        if (k && !status) status = k, dydt[b->at] = VM_NAN; /* the integrator tries a shorter step */
+    }
+    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BOOK);
+    s->status = status;
+    return 0;
+}
+
+/* ---- Scenes: balance ---------------------------------------------------------------------------------------- */
 
 /* Numbers by coordinate as vectors: the part that moves the mass centre, the part that turns, inertial axes */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
@@ -1572,12 +1669,10 @@ VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 }
 VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
 {
-    const vm_vec3 w = vmi_scene_turning(b, y + b->at + vmi_scene_velocity(b->motion));
-    vm_quat q;
+    const vm_vec3 w = vmi_scene_turning(b, y + b->at + b->positions);
     vmi_mat3 axes;
     if (b->motion != VM_FREE) return w;
-    q.w = y[b->at + 3], q.x = y[b->at + 4], q.y = y[b->at + 5], q.z = y[b->at + 6];
-    axes = vmi_rotation(q);
+    axes = vmi_rotation(vmi_free_quat(y + b->at));
     return vmi_times(&axes, w);
 }
 
@@ -1596,7 +1691,7 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     vmi_scene_store(vmi_add(torque, vmi_cross(at, force)), d + 3);
     vmi_scene_store(brought, d + 6);
     vmi_scene_store(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
-    d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + vmi_scene_velocity(b->motion))) +
+    d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) +
              vmi_dot(torque, vmi_scene_spin(b, y));
     d[13] += load->brought_energy, d[14] += load->mixing;
 }
@@ -1614,29 +1709,13 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
     vmi_scene_enter_loads(b, y, d);
 }
 
-VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
-    vm_scene *s = (vm_scene *)ctx;
-    vm_real *book = s->book ? dydt + vm_scene_size(s) - VM_BOOK : NULL;
-    int i, status = VM_OK;
-    vmi_scene_load(s, t, y);
-    for (i = 0; book && i < VM_BOOK; i++) book[i] = 0;
-    for (i = 0; i < s->n_bodies; i++) {
-        vm_scene_body *b = s->bodies + i;
-        int k;
-        if (b->absent) {
-            for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
-            continue;
-        }
-        k = vmi_scene_accelerate(b, y, dydt);
-        if (k && !status) status = k, dydt[b->at] = VM_NAN; /* the integrator tries a shorter step */
-        if (book) vmi_scene_enter(b, y, book);
-    }
-    s->status = status;
-    return 0;
+    int i;
+    for (i = 0; i < VM_BOOK; i++) rates[i] = 0;
+    for (i = 0; i < s->n_bodies; i++)
+        if (!s->bodies[i].absent) vmi_scene_enter(s->bodies + i, y, rates);
 }
-
-/* ---- Scenes: balance ---------------------------------------------------------------------------------------- */
 
 /* Momentum, angular momentum about the origin and kinetic energy of all bodies that are there */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
@@ -1657,6 +1736,23 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
         book->angular_momentum = vmi_add(book->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
         book->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
     }
+}
+
+VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
+{
+    int i;
+    vm_scene_keep_book(s, s->book);
+    vmi_scene_totals(s, y, s->book);
+    for (i = 0; i < VM_BOOK; i++) sums[i] = 0;
+}
+
+VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
+{
+    memset(book, 0, sizeof *book);
+    book->open = vmi_scene_open_book;
+    book->rates = vmi_scene_rates;
+    book->totals = vmi_scene_totals;
+    scene->book = book;
 }
 
 VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
@@ -1682,7 +1778,7 @@ VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_bo
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
-    if (b->motion < VM_LINE || b->motion > VM_FREE) return VM_BAD_MOTION;
+    if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->motion == VM_PLANE && !(b->start.inertia.zz > 0)) return VM_BAD_INERTIA;
@@ -1699,7 +1795,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
 {
     if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
-    if (coordinate < 0 || coordinate >= vmi_scene_coordinates(s->bodies[body].motion)) return VM_NO_SUCH_COORDINATE;
+    if (coordinate < 0 || coordinate >= s->bodies[body].coordinates) return VM_NO_SUCH_COORDINATE;
     /* of a free body's rotation there is no coordinate */
     return s->bodies[body].motion == VM_FREE && coordinate > 2 ? VM_NO_SUCH_COORDINATE : VM_OK;
 }
@@ -1806,10 +1902,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, int *culprit)
     vmi_scene_presence(scene);
     vmi_scene_load(scene, t, y);
     scene->status = VM_OK;
-    if (!scene->book) return VM_OK;
-    memset(scene->book, 0, sizeof *scene->book);
-    for (i = 0; i < VM_BOOK; i++) y[at + i] = 0;
-    vmi_scene_totals(scene, y, scene->book);
+    if (scene->book) scene->book->open(scene, y, y + at);
     return VM_OK;
 }
 
@@ -1860,7 +1953,7 @@ VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int d
 VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
 {
     const vm_scene_body *b = e->scene->bodies + e->body;
-    if (b->mass_is_state) return y[b->at + vmi_scene_mass_at(b->motion)] - e->value;
+    if (b->mass_is_state) return y[b->at + vmi_scene_mass_at(b)] - e->value;
     vmi_scene_load(e->scene, t, y);
     return b->load.mass - e->value;
 }
@@ -1961,14 +2054,14 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
     vm_scene *s = e->scene;
     vm_book before, after;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
-    if (s->book) vmi_scene_totals(s, y, &before);
+    if (s->book) s->book->totals(s, y, &before);
     s->bodies[e->other].absent = !into_is_new;
     if (into_is_new) vmi_scene_put(s, e->other, other, angle, y);
     vmi_scene_put(s, e->jump_body, b, angle, y);
     vmi_scene_presence(s);
     vmi_scene_load(s, t, y);
     if (!s->book) return;
-    vmi_scene_totals(s, y, &after);
+    s->book->totals(s, y, &after);
     s->book->jump_energy += after.energy - before.energy;
     s->book->impulse = vmi_add(s->book->impulse, e->external.linear);
     s->book->angular_impulse = vmi_add(s->book->angular_impulse,

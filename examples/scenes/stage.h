@@ -21,7 +21,8 @@ static inline void stage_clear(stage *s, double end)
 {
     memset(s, 0, sizeof *s);
     s->scene.bodies = s->bodies, s->scene.effects = s->effects, s->scene.events = s->events;
-    s->scene.located = s->located, s->scene.book = &s->book;
+    s->scene.located = s->located;
+    vm_scene_keep_book(&s->scene, &s->book);
     s->end = (vm_real)end;
 }
 
