@@ -158,23 +158,23 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 
 enum {
     VM_OK = 0,
-    VM_NULL_AXIS = 1,     /* done, but about an axis without inertia (of a rod, a point) the spin stayed as it was,
+    VM_NULL_AXIS = 1,      /* done, but about an axis without inertia (of a rod, a point) the spin stayed as it was,
                              though angular momentum was left for it: that is lost */
-    VM_STOPPED = 2,       /* an event or the caller ended the run */
-    VM_BAD_ARGUMENT = -1, /* a null pointer */
-    VM_NOT_FINITE = -2,   /* a number that is infinite or NaN, given or arising */
-    VM_BAD_MASS = -3,     /* a mass that is not positive, the rest's included */
-    VM_BAD_INERTIA = -4,  /* an inertia that no body has, the rest's included */
-    VM_SINGULAR = -5,     /* linear equations without a unique solution, an effective mass that is not positive */
-    VM_BAD_MOTION = -30, /* a motion that does not exist, or that this effect or event cannot act on */
+    VM_STOPPED = 2,        /* an event or the caller ended the run */
+    VM_BAD_ARGUMENT = -1,  /* a null pointer */
+    VM_NOT_FINITE = -2,    /* a number that is infinite or NaN, given or arising */
+    VM_BAD_MASS = -3,      /* a mass that is not positive, the rest's included */
+    VM_BAD_INERTIA = -4,   /* an inertia that no body has, the rest's included */
+    VM_SINGULAR = -5,      /* linear equations without a unique solution, an effective mass that is not positive */
+    VM_BAD_MOTION = -30,   /* a motion that does not exist, or that this effect or event cannot act on */
     VM_NO_SUCH_BODY = -31, /* no such body, or an event for one that is not there */
     VM_NO_SUCH_COORDINATE = -32, /* the body has no such coordinate */
-    VM_NO_SUCH_EFFECT = -33, /* no such effect */
-    VM_TWO_MASS_LAWS = -34, /* two laws for one mass, or two links of one body */
-    VM_BAD_ORDER = -35, /* a mass law stands after, or a link before, another effect on its body */
-    VM_MASS_IS_NO_STATE = -36, /* a stream needs a body whose mass is a state */
-    VM_TOO_MANY_EVENTS = -37, /* events do not end */
-    VM_NOT_INTEGRATED = -38 /* the integrator failed: scene.ode_status */
+    VM_NO_SUCH_EFFECT = -33,     /* no such effect */
+    VM_TWO_MASS_LAWS = -34,      /* two laws for one mass, or two links of one body */
+    VM_BAD_ORDER = -35,          /* a mass law stands after, or a link before, another effect on its body */
+    VM_MASS_IS_NO_STATE = -36,   /* a stream needs a body whose mass is a state */
+    VM_TOO_MANY_EVENTS = -37,    /* events do not end */
+    VM_NOT_INTEGRATED = -38      /* the integrator failed: scene.ode_status */
 };
 VM_API const char *vm_strerror(int status);
 
@@ -268,9 +268,9 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 
 /* -- Scenes --
 
-   A scene is what a sketch shows: bodies, the effects that act on them, the events that change it. Its right-hand side
-   goes through the effects that are listed, and nothing else; what is not listed is not linked either, since each
-   constructor below binds the one function that it needs. All arrays are the caller's.
+   A scene is what a sketch shows: bodies, the effects that act on them, the events that change it. Its right-hand
+   side goes through the effects that are listed, and nothing else; what is not listed is not linked either, since
+   each constructor below binds the one function that it needs. All arrays are the caller's.
 
        vm_scene_body bodies[] = {vm_scene_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
@@ -291,11 +291,11 @@ enum { VM_LINE = 1, VM_AXLE, VM_PLANE, VM_POINT, VM_FREE }; /* how a body can mo
 enum { VM_GROUND = -1 };                                    /* instead of a body */
 
 typedef struct VM_TAG(vm_load) {
-    vm_real mass;                    /* now */
-    vm_real extra;                   /* to be added to the mass that accelerates, (M'(v) (v - u)) of mass laws M(v) */
-    vm_real mass_rate;               /* of a mass that is a state */
-    vm_real force[6];                /* of each coordinate; 3 to 5 the torque on a free body, inertial axes */
-    vm_real by_v, own;               /* M'(v), and the velocity of what joins or leaves then */
+    vm_real mass;      /* now */
+    vm_real extra;     /* to be added to the mass that accelerates, (M'(v) (v - u)) of mass laws M(v) */
+    vm_real mass_rate; /* of a mass that is a state */
+    vm_real force[6];  /* of each coordinate; 3 to 5 the torque on a free body, inertial axes */
+    vm_real by_v, own; /* M'(v), and the velocity of what joins or leaves then */
     /* only where there is a book: */
     vm_real reactive[6], brought[6]; /* of force, what is reactive; momentum that streams bring, by the second */
     vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
@@ -331,9 +331,9 @@ typedef struct VM_TAG(vm_mass_now) {
 
 struct VM_TAG(vm_effect) {
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene);
-    int body, coordinate;             /* on what it acts */
-    int other, other_coordinate;      /* against what: another body or VM_GROUND */
-    vm_real p[6];                     /* parameters, in the order of the constructor's arguments */
+    int body, coordinate;        /* on what it acts */
+    int other, other_coordinate; /* against what: another body or VM_GROUND */
+    vm_real p[6];                /* parameters, in the order of the constructor's arguments */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_user, N or N m */
     vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
     vm_moving_point point;                                          /* of vm_effect_link */
@@ -353,7 +353,7 @@ struct VM_TAG(vm_event) {
     vm_real value;                 /* this value */
     int switches, effect, off;     /* set where it switches an effect on or off */
     int jumps, jump_body, other;   /* set where other separates from jump_body or is attached to it */
-    vm_body part;                  /* what separates; its motion relative to the body, in its axes, where relative is set */
+    vm_body part; /* what separates; its motion relative to the body, in its axes, where relative is set */
     int relative;
     vm_impulse external; /* acts during the jump */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
@@ -368,13 +368,13 @@ struct VM_TAG(vm_event) {
 /* What came in from outside, and whether it balances: vm_scene_keep_book asks for it */
 typedef struct VM_TAG(vm_book) vm_book;
 struct VM_TAG(vm_book) {
-    vm_vec3 impulse, angular_impulse;             /* of the effects, about the origin */
-    vm_vec3 brought, brought_angular;             /* momentum and angular momentum that streams and mass laws brought */
-    vm_real work, brought_energy, mixing;         /* of the effects; of the streams; lost as they mix */
-    vm_vec3 momentum, angular_momentum;           /* of all bodies */
-    vm_real energy;                               /* kinetic */
-    vm_real jump_energy;                          /* that jumps have added */
-    vm_vec3 momentum_defect, angular_defect;      /* what is there less what was there and what came */
+    vm_vec3 impulse, angular_impulse;        /* of the effects, about the origin */
+    vm_vec3 brought, brought_angular;        /* momentum and angular momentum that streams and mass laws brought */
+    vm_real work, brought_energy, mixing;    /* of the effects; of the streams; lost as they mix */
+    vm_vec3 momentum, angular_momentum;      /* of all bodies */
+    vm_real energy;                          /* kinetic */
+    vm_real jump_energy;                     /* that jumps have added */
+    vm_vec3 momentum_defect, angular_defect; /* what is there less what was there and what came */
     vm_real energy_defect;
     /* by pointers, so that without a book they are not linked */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
@@ -391,7 +391,8 @@ struct VM_TAG(vm_scene) {
     ode_event *located; /* n_events of them too, for the integrator */
     int n_events;
     vm_book *book; /* of vm_scene_keep_book: what was there at the start; VM_BOOK numbers join the state */
-    int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx); /* null, or called after each step; nonzero stops */
+    int (*output)(vm_real t, const vm_real *y, vm_scene *scene,
+                  void *ctx); /* null, or called after each step; nonzero stops */
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
     int n_times;
     void *output_ctx;
@@ -401,7 +402,8 @@ struct VM_TAG(vm_scene) {
 /* Bodies. Of an axle the inertia is about it, kg m^2. */
 VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v);
 VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega);
-VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v, vm_real omega);
+VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
+                                    vm_real omega);
 VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v);
 VM_API vm_scene_body vm_scene_free(const vm_body *start);
 VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, its mass a state */
@@ -409,24 +411,24 @@ VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, 
 
 /* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
    rate. A spring's force (248), that of Van der Pol's damper (404). */
-VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x);           /* -k x |x|^(alpha-1) */
-VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v);                          /* -b v */
+VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x);             /* -k x |x|^(alpha-1) */
+VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v);                            /* -b v */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v); /* (b - c x^2) v */
-VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega);   /* torque - kappa omega */
+VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega);     /* torque - kappa omega */
 VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t);
 VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v); /* rate (u + share v - v) */
 
 /* Effects; a mass law of a body stands before what else acts on it */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g);
-VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k, vm_real alpha,
-                                  vm_real rest);
+VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
+                                  vm_real alpha, vm_real rest);
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b);
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c);
 VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa);
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase);
-VM_API vm_effect vm_effect_user(int body, int coordinate, vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx),
-                                void *ctx);
-/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a body in the plane or a point */
+VM_API vm_effect vm_effect_user(int body, int coordinate,
+                                vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
+/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a plane's body, a point */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha);
 /* an unbalance m e (kg m) that turns: m e Omega^2 (cos, sin)(Omega t + phase) */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase);
@@ -437,11 +439,11 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force (-c 
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
-/* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has the
-   body's velocity, no reactive force; 0: its own velocity is u. x and v are those of a line or an axle (J(phi),
+/* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
+   the body's velocity, no reactive force; 0: its own velocity is u. x and v are those of a line or an axle (J(phi),
    J(omega)); for a body in the plane or a point the law is M(t). */
-VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx,
-                                    vm_vec3 u, vm_real share);
+VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
+                                    void *ctx, vm_vec3 u, vm_real share);
 enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2 */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share);
 /* A stream, for a body whose mass is a state: rate kg/s */
@@ -460,8 +462,8 @@ VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_bo
 VM_API vm_event vm_then_attach(vm_event event, int body, int added);
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx);
 
-/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) the index of the body,
-   effect or event. */
+/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) the index of the
+   body, effect or event. */
 VM_API int vm_scene_check(const vm_scene *scene, int *culprit);
 VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state */
 enum { VM_BOOK = 15 };
@@ -470,8 +472,8 @@ enum { VM_BOOK = 15 };
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, int *culprit);
 /* An ode_rhs; ctx is the scene, which has been started */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
-/* On from *t to t_end by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y are where
-   the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. */
+/* On from *t to t_end by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y are
+   where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
 /* A body as it moves in state y */
@@ -1011,10 +1013,7 @@ enum { VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, VMI_NOT_FREE = VMI_ALL_MOTIONS 
 
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
-VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
-{
-    return vmi_scene_mass_at(b) + (b->mass_is_state != 0);
-}
+VM_INLINE int vmi_scene_body_size(const vm_scene_body *b) { return vmi_scene_mass_at(b) + (b->mass_is_state != 0); }
 
 /* Position and velocity along a coordinate; the ground's are 0 */
 VM_INLINE vm_real vmi_scene_x(const vm_scene *s, const vm_real *y, int body, int coordinate)
@@ -1117,7 +1116,8 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
 }
 
-VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v, vm_real omega)
+VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
+                                    vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_PLANE, 3, 3);
     b.start.mass = mass, b.start.inertia.zz = inertia;
@@ -1282,8 +1282,8 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_scene_act(s, e, vm_force_spring(e->p[0], e->p[1], x - e->p[2]));
 }
 
-VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k, vm_real alpha,
-                                  vm_real rest)
+VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
+                                  vm_real alpha, vm_real rest)
 {
     vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, alpha, rest);
     e.apply = vmi_apply_spring;
@@ -1307,8 +1307,9 @@ VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other
 VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
-    vmi_scene_act(s, e, vm_force_van_der_pol(e->p[0], e->p[1], vmi_scene_x(s, y, e->body, e->coordinate),
-                                             vmi_scene_v(s, y, e->body, e->coordinate)));
+    vmi_scene_act(s, e,
+                  vm_force_van_der_pol(e->p[0], e->p[1], vmi_scene_x(s, y, e->body, e->coordinate),
+                                       vmi_scene_v(s, y, e->body, e->coordinate)));
 }
 
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
@@ -1346,12 +1347,13 @@ VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_
 
 VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vmi_scene_act(s, e, e->force(t, vmi_scene_x(s, y, e->body, e->coordinate),
-                                 vmi_scene_v(s, y, e->body, e->coordinate), e->ctx));
+    vmi_scene_act(
+        s, e,
+        e->force(t, vmi_scene_x(s, y, e->body, e->coordinate), vmi_scene_v(s, y, e->body, e->coordinate), e->ctx));
 }
 
-VM_API vm_effect vm_effect_user(int body, int coordinate, vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx),
-                                void *ctx)
+VM_API vm_effect vm_effect_user(int body, int coordinate,
+                                vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, 0, 0, 0);
     e.apply = force ? vmi_apply_user : NULL;
@@ -1445,8 +1447,8 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_follow(e, y, s, &now);
 }
 
-VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx,
-                                    vm_vec3 u, vm_real share)
+VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
+                                    void *ctx, vm_vec3 u, vm_real share)
 {
     vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_NOT_FREE, u.x, u.y, u.z);
     e.p[3] = share;
@@ -1691,8 +1693,7 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     vmi_scene_store(vmi_add(torque, vmi_cross(at, force)), d + 3);
     vmi_scene_store(brought, d + 6);
     vmi_scene_store(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
-    d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) +
-             vmi_dot(torque, vmi_scene_spin(b, y));
+    d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) + vmi_dot(torque, vmi_scene_spin(b, y));
     d[13] += load->brought_energy, d[14] += load->mixing;
 }
 
@@ -1806,7 +1807,8 @@ VM_API int vmi_scene_check_order(const vm_scene *s, const vm_effect *e)
     const vm_effect *before;
     if (e->order == 0 && s->bodies[e->body].mass_is_state) return VM_TWO_MASS_LAWS;
     for (before = s->effects; before < e; before++) {
-        if (before->body != e->body && before->other != e->body && (e->other < 0 || before->body != e->other)) continue;
+        if (before->body != e->body && before->other != e->body && (e->other < 0 || before->body != e->other))
+            continue;
         if (before->order == e->order && e->order != 1) return VM_TWO_MASS_LAWS;
         if (before->order > e->order) return VM_BAD_ORDER;
     }
@@ -1854,11 +1856,13 @@ VM_API int vm_scene_check(const vm_scene *scene, int *culprit)
 {
     int i = 0, status = VM_OK;
     const int missing = !scene || scene->n_bodies < 1 || !scene->bodies || (scene->n_effects && !scene->effects) ||
-                        (scene->n_events && (!scene->events || !scene->located)) || scene->n_effects < 0 || scene->n_events < 0;
+                        (scene->n_events && (!scene->events || !scene->located)) || scene->n_effects < 0 ||
+                        scene->n_events < 0;
     if (missing) status = VM_BAD_ARGUMENT;
     for (i = 0; !status && i < scene->n_bodies; i++) status = vmi_scene_check_body(scene->bodies + i);
     if (!status)
-        for (i = 0; !status && i < scene->n_effects; i++) status = vmi_scene_check_effect(scene, scene->effects + i);
+        for (i = 0; !status && i < scene->n_effects; i++)
+            status = vmi_scene_check_effect(scene, scene->effects + i);
     if (!status)
         for (i = 0; !status && i < scene->n_events; i++) status = vmi_scene_check_event(scene, scene->events + i);
     if (culprit) *culprit = status && !missing ? i - 1 : -1;
@@ -1965,10 +1969,7 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
     return e;
 }
 
-VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y)
-{
-    return e->user_when(t, y, e->ctx);
-}
+VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
@@ -2049,7 +2050,8 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + 2] : y[b->at];
 }
 
-VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new, const vm_body *b, const vm_body *other)
+VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new, const vm_body *b,
+                             const vm_body *other)
 {
     vm_scene *s = e->scene;
     vm_book before, after;
@@ -2190,7 +2192,8 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
         before = -1;
         {
             const vm_real stop = scene->times && next < scene->n_times && scene->times[next] < t_end
-                                     ? scene->times[next] : t_end;
+                                     ? scene->times[next]
+                                     : t_end;
             const int ode = vmi_run(&r, VMI_RK45, vm_scene_rhs, n, vmi_scene_due(scene, stop), 1);
             if (ode < 0) scene->ode_status = ode, status = scene->status ? scene->status : (int)VM_NOT_INTEGRATED;
         }

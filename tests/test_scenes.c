@@ -1,5 +1,6 @@
 /* varmass.h, scenes: the machines of the dissertation's chapter 1 as scenes, by reference numbers (36-digit
-   integration or closed forms), balances and limits; jumps, simultaneous and endless events; what the check refuses. */
+   integration or closed forms), balances and limits; jumps, simultaneous and endless events; what the check refuses.
+   */
 #include "../examples/scenes/chains.h"
 #include "../examples/scenes/crane.h"
 #include "../examples/scenes/dosing.h"
@@ -87,10 +88,14 @@ static void turned(turner_data a, double lam, const char *name, const double *wa
 
 static void check_turner(void)
 {
-    static const double turner1[] = {0.935243640966713213, 1.72148286930201990, 1.84635466780631226, 3.49657701427779438};
-    static const double turner0[] = {0.935243640966713213, 1.57096928895626423, 1.65266180857531229, 5.08838958676841132};
-    static const double tippler1[] = {2.29797127153406406, 2.82799467054110647, 2.94061464196003694, 2.94501866090748102};
-    static const double tippler0[] = {2.29797127153406406, 2.78060294422291351, 2.87481763951049489, 3.41954037098936233};
+    static const double turner1[] = {0.935243640966713213, 1.72148286930201990, 1.84635466780631226,
+                                     3.49657701427779438};
+    static const double turner0[] = {0.935243640966713213, 1.57096928895626423, 1.65266180857531229,
+                                     5.08838958676841132};
+    static const double tippler1[] = {2.29797127153406406, 2.82799467054110647, 2.94061464196003694,
+                                      2.94501866090748102};
+    static const double tippler0[] = {2.29797127153406406, 2.78060294422291351, 2.87481763951049489,
+                                      3.41954037098936233};
     turned(turner, 1, "turner", turner1);
     turned(turner, 0, "turner", turner0);
     turned(tippler, 1, "tippler", tippler1);
@@ -145,11 +150,12 @@ static void check_regulator(void)
     stage s;
     regulator(&s), begin(&s);
     run(&s, 10, VM_OK);
-    CHECK(s.events[0].count >= 3 && (s.events[0].count == s.events[1].count || s.events[0].count == s.events[1].count + 1));
+    CHECK(s.events[0].count >= 3 &&
+          (s.events[0].count == s.events[1].count || s.events[0].count == s.events[1].count + 1));
     agrees("regulator", "w_off", s.events[0].value, 13.2060592153753422, 13, 1e-13);
     agrees("regulator", "w_on", s.events[1].value, 11.0489818535465068, 11, 1e-13);
-    agrees("regulator", "last off", s.located[0].t,
-           first + 4. / 3 * falling * (double)(s.events[0].count - 1), 10, 1e-9);
+    agrees("regulator", "last off", s.located[0].t, first + 4. / 3 * falling * (double)(s.events[0].count - 1), 10,
+           1e-9);
     balanced(&s, "regulator", 1, 10);
     regulator_full(&s), begin(&s);
     run(&s, 1, VM_OK);
@@ -246,11 +252,12 @@ static void check_chains(void)
 
 static void check_stator(void)
 {
-    static const double cases[][5] = {{0.625, 0.52, 2.69065227937326525, 1.24995121123773292, 0.0990239304713355932},
-                                      {1, 0.75, 15.3868768963174277, 10.2020433132844704, 0.807430717100258197},
-                                      {1, 1, 27.8469926624210166, 20.1496622923554057, 0.808077960202119468},
-                                      {2.5, 0.75, 1.76538215351939092, 2.66447677062291154, 1.64488471636640090},
-                                      {2.5, 1.5, 10.0667375197206978, 18.8738526581898339, 1.18004751653762534}};
+    static const double cases[][5] = {
+        {0.625, 0.52, 2.69065227937326525, 1.24995121123773292, 0.0990239304713355932},
+        {1, 0.75, 15.3868768963174277, 10.2020433132844704, 0.807430717100258197},
+        {1, 1, 27.8469926624210166, 20.1496622923554057, 0.808077960202119468},
+        {2.5, 0.75, 1.76538215351939092, 2.66447677062291154, 1.64488471636640090},
+        {2.5, 1.5, 10.0667375197206978, 18.8738526581898339, 1.18004751653762534}};
     size_t i;
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {
         const stator_data a = {cases[i][0], cases[i][1]};
@@ -409,7 +416,8 @@ static void check_chain(void) /* a thousand bodies between springs: the wave tra
         const vm_real d = (i < N ? y[2 * i] : 0) - (i ? y[2 * i - 2] : 0);
         energy += d * d / 2;
     }
-    check_error("chain", "energy", "rel", fabs((double)energy - 0.5) / 0.5, is_float ? 1e-2 : 1e-4, 0, 0); /* rtol 1e-6, 1e-4 */
+    check_error("chain", "energy", "rel", fabs((double)energy - 0.5) / 0.5, is_float ? 1e-2 : 1e-4, 0,
+                0);                                                        /* rtol 1e-6, 1e-4 */
     CHECK(y[2 * 18] > (vm_real)0.3 && VM_FABS(y[2 * 28]) < (vm_real)1e-4); /* the front is at 20 */
 }
 
@@ -428,9 +436,9 @@ static void check_refusals(void)
 {
     const vm_vec3 zero = {0, 0, 0};
     stage s;
-#define GOOD                                                                                                           \
-    (stage_clear(&s, 1), stage_body(&s, vm_scene_line(1, 0, 0)), stage_body(&s, vm_scene_axle(1, 0, 0)),               \
-     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 0)), stage_effect(&s, vm_effect_drive(1, 0, 1, 0)),        \
+#define GOOD                                                                                                    \
+    (stage_clear(&s, 1), stage_body(&s, vm_scene_line(1, 0, 0)), stage_body(&s, vm_scene_axle(1, 0, 0)),        \
+     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 0)), stage_effect(&s, vm_effect_drive(1, 0, 1, 0)), \
      stage_event(&s, vm_then_stop(vm_event_position(0, 0, 1, 1))))
     GOOD, CHECK(vm_scene_check(&s.scene, NULL) == VM_OK);
     CHECK(vm_scene_check(NULL, NULL) == VM_BAD_ARGUMENT);
@@ -445,7 +453,8 @@ static void check_refusals(void)
     GOOD, s.effects[1].body = -1, refused(&s, VM_NO_SUCH_BODY, 1);
     GOOD, s.effects[1].other = 7, refused(&s, VM_NO_SUCH_BODY, 1);
     GOOD, s.effects[1].coordinate = 1, refused(&s, VM_NO_SUCH_COORDINATE, 1);
-    GOOD, s.effects[1] = vm_effect_gravity(1, 0, 1), refused(&s, VM_BAD_MOTION, 1); /* has no torque about an axle */
+    GOOD, s.effects[1] = vm_effect_gravity(1, 0, 1),
+          refused(&s, VM_BAD_MOTION, 1); /* has no torque about an axle */
     GOOD, s.effects[1] = vm_effect_shaft(0, 1, 1), refused(&s, VM_BAD_MOTION, 1);
     GOOD, s.effects[1].p[0] = VM_NAN, refused(&s, VM_NOT_FINITE, 1);
     GOOD, s.effects[1] = s.effects[0], refused(&s, VM_TWO_MASS_LAWS, 1);

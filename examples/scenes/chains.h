@@ -1,5 +1,6 @@
-/* Cayley's chains: a heap at the edge of a table, whose links are taken up from rest, (M v)' = M g, M = mu x; a mass over a
-   drum that pulls a chain along a plane, straight or from a heap; a chain with an end mass that winds on a fixed drum. */
+/* Cayley's chains: a heap at the edge of a table, whose links are taken up from rest, (M v)' = M g, M = mu x; a mass
+   over a drum that pulls a chain along a plane, straight or from a heap; a chain with an end mass that winds on a
+   fixed drum. */
 #include "stage.h"
 
 static inline void chain_heap(stage *s)

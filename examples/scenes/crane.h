@@ -1,6 +1,6 @@
-/* A crane and its load on a cord (Fig. 11): the crane, 8 t, on an elastic ground contact, the load, 200 kg, on a link of
-   6 m. When the swing first passes the vertical it picks up 1500 kg at rest, then leaks 40 kg/s; at the next passage
-   700 kg drop and the leak stops. */
+/* A crane and its load on a cord (Fig. 11): the crane, 8 t, on an elastic ground contact, the load, 200 kg, on a
+   link of 6 m. When the swing first passes the vertical it picks up 1500 kg at rest, then leaks 40 kg/s; at the next
+   passage 700 kg drop and the leak stops. */
 #include "stage.h"
 
 static inline vm_real crane_swing(vm_real t, const vm_real *y, void *ctx) /* the load's x less the crane's */
@@ -26,9 +26,10 @@ static inline void crane(stage *s)
     vm_body part;
     stage_clear(s, 12);
     carriage = stage_body(s, vm_scene_line(8000, 0, 0));
-    load = stage_body(s, vm_scene_with_mass_state(
-                             vm_scene_point(200, stage_vec(6 * sin(0.3), -6 * cos(0.3), 0), zero)));
-    heap = stage_body(s, vm_scene_point(1500, stage_vec(0, -6, 0), zero)); /* lies on the ground: nothing acts on it */
+    load = stage_body(
+        s, vm_scene_with_mass_state(vm_scene_point(200, stage_vec(6 * sin(0.3), -6 * cos(0.3), 0), zero)));
+    heap = stage_body(s,
+                      vm_scene_point(1500, stage_vec(0, -6, 0), zero)); /* lies on the ground: nothing acts on it */
     stage_effect(s, vm_effect_spring(carriage, 0, VM_GROUND, 0, 200000, 1, 0));
     stage_effect(s, vm_effect_gravity(load, 1, REAL(-gravity)));
     leak = stage_effect(s, vm_effect_stream(load, -40, zero, 1));

@@ -1,4 +1,5 @@
-/* A belt dosing device (Fig. 12): a lever with a belt on its arm, whose load m opens or closes the gate that feeds it.
+/* A belt dosing device (Fig. 12): a lever with a belt on its arm, whose load m opens or closes the gate that feeds
+   it.
 
      (J0 + m R^2) theta'' = g R (m - m_S) - k theta - b theta' + q_in (R w_i - R^2 theta'),    m' = q_in - nu m
      q_in = q* (1 - theta/theta_c), from 0 to 2 q*;  what leaves has the lever's velocity */
@@ -12,7 +13,8 @@ static inline void belt_feed(const vm_effect *e, vm_real t, const vm_real *y, vm
     vm_load *load = &scene->bodies[e->body].load;
     const double R = belt_R, m = ((double)load->mass - 12) / (R * R), theta = (double)y[scene->bodies[e->body].at];
     const double opening = 1 - theta / belt_gate, q = belt_q * (opening < 0 ? 0 : opening > 2 ? 2 : opening);
-    const double omega = (double)y[scene->bodies[e->body].at + 1], balance = belt_q / belt_nu + belt_q * belt_w / gravity;
+    const double omega = (double)y[scene->bodies[e->body].at + 1],
+                 balance = belt_q / belt_nu + belt_q * belt_w / gravity;
     (void)t;
     load->mass_rate += REAL(R * R * (q - belt_nu * m));
     load->force[0] += REAL(gravity * R * (m - balance) + q * (R * belt_w - R * R * omega));

@@ -1,5 +1,5 @@
-/* A wagon on a bar mechanism (Fig. 7): crank angle theta, x = r (1 - cos theta); the mass grows on the way out, from rest,
-   and falls on the way back, with the wagon's velocity. G = J + M x1^2, x1 = r sin theta, x2 = r cos theta:
+/* A wagon on a bar mechanism (Fig. 7): crank angle theta, x = r (1 - cos theta); the mass grows on the way out, from
+   rest, and falls on the way back, with the wagon's velocity. G = J + M x1^2, x1 = r sin theta, x2 = r cos theta:
 
      G omega' + (M x1 x2 + mu x1^3) omega^2 = T  out,     G omega' + M x1 x2 omega^2 = T  back */
 #include "stage.h"
@@ -11,7 +11,8 @@ static inline vm_mass_now crank_inertia(vm_real t, vm_real theta, vm_real omega,
     const double x1 = crank_r * sin((double)theta), x = crank_r * (1 - cos((double)theta));
     vm_mass_now now = {0, 0, 0, 0};
     (void)t, (void)omega, (void)ctx;
-    now.mass = REAL(crank_J + (crank_mass + crank_mu * x) * x1 * x1); /* no reactive torque: what changes it is below */
+    now.mass = REAL(crank_J +
+                    (crank_mass + crank_mu * x) * x1 * x1); /* no reactive torque: what changes it is below */
     return now;
 }
 

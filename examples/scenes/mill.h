@@ -1,6 +1,6 @@
-/* A rolling mill (Fig. 8): drum 1 unwinds strip of thickness h1, drum 3 winds it, h2 <= h1 thick. The strip, of length s1
-   off drum 1 and speed v1, moves as a line whose mass is G = J1/r1^2 + kap J3/r3^2 + m1 + kap m2, kap = h1/h2; what
-   joins or leaves a drum has its velocity, but the radii change:
+/* A rolling mill (Fig. 8): drum 1 unwinds strip of thickness h1, drum 3 winds it, h2 <= h1 thick. The strip, of
+   length s1 off drum 1 and speed v1, moves as a line whose mass is G = J1/r1^2 + kap J3/r3^2 + m1 + kap m2, kap =
+   h1/h2; what joins or leaves a drum has its velocity, but the radii change:
 
      G v1' = T3/r3 - T_b/r1 + F_r - rho b h1 (kap - 1) v1^2 + kap^2 h2 J3 v1^2/(2 pi r3^4) - h1 J1 v1^2/(2 pi r1^4) */
 #include "stage.h"
@@ -20,7 +20,8 @@ static inline mill_now mill_at(const mill_data *a, double s1)
     const double pi = 3.14159265358979324, rho = 7800, core = 0.25, strip = rho * a->h1 * 4, kap = a->h1 / a->h2;
     mill_now m;
     m.r1 = sqrt(0.75 * 0.75 - a->h1 * s1 / pi), m.r3 = sqrt(0.25 * 0.25 + a->h1 * s1 / pi);
-    m.J1 = 25 + pi / 2 * rho * (pow(m.r1, 4) - pow(core, 4)), m.J3 = 25 + pi / 2 * rho * (pow(m.r3, 4) - pow(core, 4));
+    m.J1 = 25 + pi / 2 * rho * (pow(m.r1, 4) - pow(core, 4)),
+    m.J3 = 25 + pi / 2 * rho * (pow(m.r3, 4) - pow(core, 4));
     m.G = m.J1 / (m.r1 * m.r1) + kap * m.J3 / (m.r3 * m.r3) + strip + kap * (rho * a->h2 * 4);
     return m;
 }
@@ -41,8 +42,9 @@ static inline vm_real mill_force(vm_real t, vm_real s1, vm_real v1, void *ctx)
     const double kap = a->h1 / a->h2;
     (void)t;
     return REAL(a->T3 / m.r3 - a->Tb / m.r1 + a->Fr -
-                v * v * (7800 * a->h1 * (kap - 1) - kap * kap * a->h2 * m.J3 / (two_pi * pow(m.r3, 4)) +
-                         a->h1 * m.J1 / (two_pi * pow(m.r1, 4))));
+                v * v *
+                    (7800 * a->h1 * (kap - 1) - kap * kap * a->h2 * m.J3 / (two_pi * pow(m.r3, 4)) +
+                     a->h1 * m.J1 / (two_pi * pow(m.r1, 4))));
 }
 
 static inline void mill(stage *s, const mill_data *a, double v0, double length)

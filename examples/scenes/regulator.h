@@ -1,6 +1,7 @@
-/* A centrifugal mercury regulator (Fig. 9): mercury in a central tube and four outer ones. Quasi-static, the inertia is
-   J0 + c omega^2, (J omega)' = T; the motor is switched off where the mercury leaves the contact, on where it is back.
-   In full, z is the rise outside: mu z'' + b z' + 2 rho g nA z = rho nA R^2 omega^2/2, ((J0 + rho nA R^2 z) omega)' = T */
+/* A centrifugal mercury regulator (Fig. 9): mercury in a central tube and four outer ones. Quasi-static, the inertia
+   is J0 + c omega^2, (J omega)' = T; the motor is switched off where the mercury leaves the contact, on where it is
+   back. In full, z is the rise outside: mu z'' + b z' + 2 rho g nA z = rho nA R^2 omega^2/2, ((J0 + rho nA R^2 z)
+   omega)' = T */
 #include "stage.h"
 
 static const double mercury_nA = 13595 * 4 * 4e-4, mercury_R = 0.15, mercury_H = 0.12; /* rho n A, kg/m */

@@ -1,5 +1,5 @@
-/* An excavator's scoop (Fig. 10): on an arm of 3 m it cuts soil, at rest before, from phi = -0.6 to 0.6, m = m1 (phi +
-   0.6), then carries it, and at phi = 1.6 the bottom opens: the soil separates with the velocity that it has.
+/* An excavator's scoop (Fig. 10): on an arm of 3 m it cuts soil, at rest before, from phi = -0.6 to 0.6, m = m1 (phi
+   + 0.6), then carries it, and at phi = 1.6 the bottom opens: the soil separates with the velocity that it has.
 
      (J_a + m L^2) omega' = T - T_c - g (S_a + m L) sin phi - m1 L^2 omega^2 */
 #include "stage.h"

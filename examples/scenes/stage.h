@@ -13,7 +13,7 @@ typedef struct stage {
     ode_event located[STAGE_EVENTS];
     vm_book book;
     vm_real t, y[STAGE_STATE], work[VM_SCENE_WORK(STAGE_STATE)];
-    vm_real end;   /* when the run is over at the latest */
+    vm_real end;    /* when the run is over at the latest */
     vm_real memory; /* what an event has to remember */
 } stage;
 
@@ -27,7 +27,10 @@ static inline void stage_clear(stage *s, double end)
 }
 
 /* Each returns the index */
-static inline int stage_body(stage *s, vm_scene_body body) { return s->bodies[s->scene.n_bodies] = body, s->scene.n_bodies++; }
+static inline int stage_body(stage *s, vm_scene_body body)
+{
+    return s->bodies[s->scene.n_bodies] = body, s->scene.n_bodies++;
+}
 static inline int stage_effect(stage *s, vm_effect effect)
 {
     s->effects[s->scene.n_effects] = effect;
@@ -61,7 +64,10 @@ static inline int stage_kink(vm_real t, vm_real *y, void *ctx)
     return VM_OK;
 }
 
-static inline vm_vec3 stage_vec(double x, double y, double z) { return vmi_vec3((vm_real)x, (vm_real)y, (vm_real)z); }
+static inline vm_vec3 stage_vec(double x, double y, double z)
+{
+    return vmi_vec3((vm_real)x, (vm_real)y, (vm_real)z);
+}
 #define REAL(x) ((vm_real)(x))
 
 static const double gravity = 9.81;

@@ -1,4 +1,5 @@
-/* The broken rotor whose remainder meets the stator (3.3.2, (68)): S1 = (x, y), shaft centre W = S1 + s (cos psi, sin psi).
+/* The broken rotor whose remainder meets the stator (3.3.2, (68)): S1 = (x, y), shaft centre W = S1 + s (cos psi,
+   sin psi).
 
      x'' + w2 x = -s w2 cos psi,  y'' + w2 y = -s w2 sin psi,  psi'' + k psi' = M + s p2 w2 (x sin psi - y cos psi) */
 #include "stage.h"

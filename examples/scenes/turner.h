@@ -1,5 +1,5 @@
-/* A wagon turner (Fig. 4) and a tippler with counterweights (Fig. 5): a load m(phi) at the distance e from a fixed axle
-   is poured out between the angles fa and fb; what leaves has lam rho^2 omega of angular momentum a kilogram.
+/* A wagon turner (Fig. 4) and a tippler with counterweights (Fig. 5): a load m(phi) at the distance e from a fixed
+   axle is poured out between the angles fa and fb; what leaves has lam rho^2 omega of angular momentum a kilogram.
 
      (J + m rho^2) omega' = Q - (1 - lam) m'(phi) rho^2 omega^2,     Q = T - g (S0 + m e) sin(phi + phase) */
 #include "stage.h"
@@ -10,7 +10,8 @@ typedef struct turner_data {
 } turner_data;
 
 static const turner_data turner = {60000, 1.06, 0.4, 5000, 60000, 0.9, 2.5, 2.9, 300000, 0, FULL};
-static const turner_data tippler = {99000, 1.14, 0.8, 12000, 40000, 0.8, 1.6, 1.9, 468290, 1.5707963267948966, FULL};
+static const turner_data tippler = {99000, 1.14, 0.8, 12000, 40000, 0.8, 1.6, 1.9, 468290, 1.5707963267948966,
+                                    FULL};
 
 static inline double turner_load(const turner_data *a, double phi)
 {

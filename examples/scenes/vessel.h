@@ -38,7 +38,8 @@ static inline metal metal_at(double phi)
 static inline double vessel_weight(double phi, double px, double py)
 {
     const metal f = metal_at(phi);
-    const double x = f.Sx - f.m * px + vessel_mass * (vessel_x - px), y = f.Sy - f.m * py + vessel_mass * (vessel_y - py);
+    const double x = f.Sx - f.m * px + vessel_mass * (vessel_x - px),
+                 y = f.Sy - f.m * py + vessel_mass * (vessel_y - py);
     return gravity * (x * cos(phi) + y * sin(phi));
 }
 
@@ -60,8 +61,8 @@ static inline double hook_force(double t)
     const double q = 1260, a = vessel_a, h = vessel_h, rb = vessel_rho_b, t1 = rb * a * h / (2 * q);
     const double phi = t <= t1 ? atan(2 * q * t / (rb * a * a)) : atan(rb * h * h / (2 * (rb * a * h - q * t)));
     const metal f = metal_at(phi);
-    const double rate = 2 * q / (rb * f.L * f.L), slope = t <= t1 ? a * sin(phi) / (cos(phi) * cos(phi))
-                                                                  : -h * cos(phi) / (sin(phi) * sin(phi));
+    const double rate = 2 * q / (rb * f.L * f.L),
+                 slope = t <= t1 ? a * sin(phi) / (cos(phi) * cos(phi)) : -h * cos(phi) / (sin(phi) * sin(phi));
     const double turning = -2 * rate * rate * slope / f.L; /* phi'' */
     const double L4 = f.L * f.L * f.L * f.L;
     return ((5000 + f.I) * turning - vessel_weight(phi, 0, 0) - rb * L4 / 4 * rate * rate) /
@@ -78,7 +79,8 @@ static inline vm_real hook_torque(vm_real t, vm_real phi, vm_real omega, void *c
 static inline void vessel_on_hook(stage *s)
 {
     int body;
-    stage_clear(s, 5); /* later the surface is at the bottom, and this way of tipping is unstable: errors grow 1e6-fold */
+    stage_clear(
+        s, 5); /* later the surface is at the bottom, and this way of tipping is unstable: errors grow 1e6-fold */
     body = stage_body(s, vm_scene_axle(5000, 0, REAL(0.25)));
     stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 0));
     stage_effect(s, vm_effect_user(body, 0, hook_torque, NULL));
@@ -115,7 +117,8 @@ static inline void vessel_by_motor(stage *s)
     stage_effect(s, vm_effect_mass_law(body, trunnion_inertia, NULL, stage_vec(0, 0, 0), 0));
     stage_effect(s, vm_effect_drive(body, 0, 14000, 20000));
     stage_effect(s, vm_effect_user(body, 0, trunnion_torque, NULL));
-    stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(0.89605538457134395), 1), stage_kink, NULL)); /* atan(h/a) */
+    stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(0.89605538457134395), 1), stage_kink,
+                                NULL)); /* atan(h/a) */
     stage_event(s, vm_then_stop(vm_event_position(body, 0, REAL(1.4), 1)));
     stage_event(s, vm_then_stop(vm_event_velocity(body, 0, 0, -1))); /* the stream closes */
 }

@@ -1,15 +1,17 @@
-/* Automatic weighing of a liquid (Fig. 13): a vessel on one arm fills, a weight pulls on the other, the bar rests on a stop
-   until the liquid lifts it; when it has turned by theta_s the tap shuts at once.
+/* Automatic weighing of a liquid (Fig. 13): a vessel on one arm fills, a weight pulls on the other, the bar rests on
+   a stop until the liquid lifts it; when it has turned by theta_s the tap shuts at once.
 
      (J0 + m R^2) theta'' = g (m R - D) cos theta - g e sin theta + q (w cos theta - R theta') R,    m' = q */
 #include "stage.h"
 
-static const double scale_J0 = 4, scale_R = 0.6, scale_D = 12, scale_q = 2, scale_w = 2, scale_e = 3, scale_shut = 0.02;
+static const double scale_J0 = 4, scale_R = 0.6, scale_D = 12, scale_q = 2, scale_w = 2, scale_e = 3,
+                    scale_shut = 0.02;
 
 static inline void scale_weight(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     vm_load *load = &scene->bodies[e->body].load;
-    const double theta = (double)y[scene->bodies[e->body].at], m = ((double)load->mass - scale_J0) / (scale_R * scale_R);
+    const double theta = (double)y[scene->bodies[e->body].at],
+                 m = ((double)load->mass - scale_J0) / (scale_R * scale_R);
     (void)t;
     load->force[0] += REAL(gravity * ((m * scale_R - scale_D) * cos(theta) - scale_e * sin(theta)));
 }
