@@ -18,11 +18,12 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation
-EXAMPLES = table5 example1 example2
+TESTS = jacobi ateb integrators events varmass dissertation scenes
+SCRIPTS = headers plans package scene_cost
+EXAMPLES = table5 example1 example2 scenes
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
-TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
+TEST_FILES = build/command $(HEADERS) tests/check.h $(wildcard tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
 .PHONY: test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
@@ -32,21 +33,22 @@ run: $(EXAMPLES:%=build/examples/%)
 	@./build/examples/table5
 	@echo; ./build/examples/example1 build/figures/example1.csv
 	@echo; ./build/examples/example2 build/figures/example2.csv
+	@echo; ./build/examples/scenes build/figures
 	@sh examples/figures.sh build/figures
+	@sh examples/scenes.sh build/figures
 
 test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi
 	@if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then \
 	    $(COMPILE) tests/test_gsl.c -o build/tests/gsl -lgsl -lgslcblas -lm && gsl=./build/tests/gsl; \
 	else gsl="echo 'GSL: 0 passed, 0 failed, 9 skipped'"; fi; \
-	CC="$(CC)" sh tests/run.sh build/tests/log "sh tests/test_headers.sh build" "sh tests/test_plans.sh build" \
-	    "sh tests/test_package.sh build" \
+	CC="$(CC)" sh tests/run.sh build/tests/log $(SCRIPTS:%="sh tests/test_%.sh build") \
 	    $(TEST_PROGRAMS) "./build/tests/exhaustive_jacobi 997" "$$gsl"
 
 lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs
+BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs scenes
 bench: $(BENCHES:%=build/bench/%)
 	@for bench in $(BENCHES); do ./build/bench/$$bench build/bench/$$bench.csv || exit 1; echo; done
 	@sh bench/plot_integrators.sh build/bench
@@ -137,7 +139,7 @@ build/tests/scan: tests/scan.c $(TEST_FILES)
 build/tests/scan_float: tests/scan.c $(TEST_FILES)
 	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) -DVM_USE_FLOAT $< -o $@ -lquadmath -lm
 
-build/examples/%: examples/%.c build/command examples/envelope.h examples/table5_data.h $(HEADERS)
+build/examples/%: examples/%.c build/command $(wildcard examples/*.h examples/scenes/*.h) $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 # with GSL's functions beside ours where GSL is there
@@ -157,6 +159,9 @@ build/bench/ateb_float: bench/bench_ateb.c build/command ateb.h
 
 build/bench/ateb_wide: bench/bench_ateb.c build/command ateb.h
 	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -fno-math-errno $< -o $@ -lm
+
+build/bench/scenes: bench/bench_scenes.c bench/timing.h build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/bench/pairs: bench/pairs.c build/command
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

@@ -169,13 +169,23 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 
 enum {
     VM_OK = 0,
-    VM_NULL_AXIS = 1,     /* done, but about an axis without inertia (of a rod, a point) the spin stayed as it was,
+    VM_NULL_AXIS = 1,      /* done, but about an axis without inertia (of a rod, a point) the spin stayed as it was,
                              though angular momentum was left for it: that is lost */
-    VM_BAD_ARGUMENT = -1, /* a null pointer */
-    VM_NOT_FINITE = -2,   /* a number that is infinite or NaN, given or arising */
-    VM_BAD_MASS = -3,     /* a mass that is not positive, the rest's included */
-    VM_BAD_INERTIA = -4,  /* an inertia that no body has, the rest's included */
-    VM_SINGULAR = -5      /* linear equations without a unique solution */
+    VM_STOPPED = 2,        /* an event or the caller ended the run */
+    VM_BAD_ARGUMENT = -1,  /* a null pointer */
+    VM_NOT_FINITE = -2,    /* a number that is infinite or NaN, given or arising */
+    VM_BAD_MASS = -3,      /* a mass that is not positive, the rest's included */
+    VM_BAD_INERTIA = -4,   /* an inertia that no body has, the rest's included */
+    VM_SINGULAR = -5,      /* linear equations without a unique solution, an effective mass that is not positive */
+    VM_BAD_MOTION = -30,   /* a motion that does not exist, or that this effect or event cannot act on */
+    VM_NO_SUCH_BODY = -31, /* no such body, or an event for one that is not there */
+    VM_NO_SUCH_COORDINATE = -32, /* the body has no such coordinate */
+    VM_NO_SUCH_EFFECT = -33,     /* no such effect */
+    VM_TWO_MASS_LAWS = -34,      /* two laws for one mass, or two links of one body */
+    VM_BAD_ORDER = -35,          /* a mass law stands after, or a link before, another effect on its body */
+    VM_MASS_IS_NO_STATE = -36,   /* a stream needs a body whose mass is a state */
+    VM_TOO_MANY_EVENTS = -37,    /* events do not end */
+    VM_NOT_INTEGRATED = -38      /* the integrator failed: scene.ode_status */
 };
 VM_API const char *vm_strerror(int status);
 
@@ -267,7 +277,222 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 
 /* -- Chapter 8: harmonic excitation -- */
 
-/* -- Scenes -- */
+/* -- Scenes --
+
+   A scene is what a sketch shows: bodies, the effects that act on them, the events that change it. Its right-hand
+   side goes through the effects that are listed, and nothing else; what is not listed is not linked either, since
+   each constructor below binds the one function that it needs. All arrays are the caller's.
+
+       vm_scene_body bodies[] = {vm_scene_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
+       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
+                              vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
+       vm_scene scene = {bodies, 1, effects, 2, NULL, NULL, 0};
+       vm_real y[2], work[VM_SCENE_WORK(2)];
+       vm_scene_run(&scene, 0, 10, y, NULL, work);
+
+   The state has so many numbers a body: a line, an axle 2 (angle and angular velocity), the plane 6, a point 6, free
+   in space 13; one more where the mass is itself a state (two in the plane: mass and inertia). Positions come first:
+     line   x, v                                     point  r (3), v (3)
+     axle   angle, omega                             free   r (3), q (4), v (3), omega (3, in body axes)
+     plane  x, y, angle, vx, vy, omega               then the mass, in the plane the inertia too
+   An effect acts on coordinates: 0 of a line or an axle; x, y, angle = 0, 1, 2 in the plane; x, y, z = 0, 1, 2 of a
+   point or a free body. What is called mass is the moment of inertia on an axle, and then a force is a torque. */
+
+enum { VM_LINE = 1, VM_AXLE, VM_PLANE, VM_POINT, VM_FREE }; /* how a body can move */
+enum { VM_GROUND = -1 };                                    /* instead of a body */
+
+typedef struct VM_TAG(vm_load) {
+    vm_real mass;      /* now */
+    vm_real extra;     /* to be added to the mass that accelerates, (M'(v) (v - u)) of mass laws M(v) */
+    vm_real mass_rate; /* of a mass that is a state */
+    vm_real force[6];  /* of each coordinate; 3 to 5 the torque on a free body, inertial axes */
+    vm_real by_v, own; /* M'(v), and the velocity of what joins or leaves then */
+    /* only where there is a book: */
+    vm_real reactive[6], brought[6]; /* of force, what is reactive; momentum that streams bring, by the second */
+    vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
+} vm_load;                           /* what acts on a body at the moment */
+
+typedef struct VM_TAG(vm_scene_body) vm_scene_body;
+struct VM_TAG(vm_scene_body) {
+    int motion;        /* VM_LINE, ... */
+    int mass_is_state; /* so that vm_effect_stream can change it */
+    int absent;        /* not there until an event brings it in */
+    vm_body start;     /* as it starts: for a line mass, r.x, v.x; for an axle inertia.zz, omega.z and angle, ... */
+    vm_real angle;     /* rad, of an axle or in the plane */
+    int positions, coordinates; /* internal from here on: numbers of the state that are positions, velocities */
+    int at;                     /* where its state begins */
+    vm_load load;
+    /* what the motion needs, so that others are not linked */
+    void (*put)(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
+    int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
+};
+
+/* Position (m), velocity and acceleration of a point that moves as given */
+typedef void (*vm_moving_point)(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx);
+
+typedef struct VM_TAG(vm_scene) vm_scene;
+typedef struct VM_TAG(vm_effect) vm_effect;
+typedef struct VM_TAG(vm_event) vm_event;
+
+/* What a mass law returns: the mass now, kg (on an axle kg m^2), and its derivatives, M(t, x, v) */
+typedef struct VM_TAG(vm_mass_now) {
+    vm_real mass, by_t, by_x, by_v;
+} vm_mass_now;
+
+struct VM_TAG(vm_effect) {
+    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene);
+    int body, coordinate;        /* on what it acts */
+    int other, other_coordinate; /* against what: another body or VM_GROUND */
+    vm_real p[6];                /* parameters, in the order of the constructor's arguments */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_user, N or N m */
+    vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
+    vm_moving_point point;                                          /* of vm_effect_link */
+    void *ctx;
+    unsigned motions;     /* bit (1 << motion) for each motion that it can act on */
+    int needs_mass_state; /* streams do */
+    int order;            /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
+    int off;              /* switched off: 1 by events, 2 since its body is absent */
+};
+
+struct VM_TAG(vm_event) {
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; null: at time */
+    int (*then)(vm_event *event, vm_real t, vm_real *y);                 /* a status; VM_STOPPED ends the run */
+    vm_real time;                                                        /* s, where when is null */
+    int direction;                                                       /* > 0 rising, < 0 falling, 0 both */
+    int watches, body, coordinate; /* set where it watches a body: what passes */
+    vm_real value;                 /* this value */
+    int switches, effect, off;     /* set where it switches an effect on or off */
+    int jumps, jump_body, other;   /* set where other separates from jump_body or is attached to it */
+    vm_body part; /* what separates; its motion relative to the body, in its axes, where relative is set */
+    int relative;
+    vm_impulse external; /* acts during the jump */
+    vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
+    int (*user_then)(vm_real t, vm_real *y, void *ctx);
+    void *ctx;
+    long most;  /* it happens so often; 0: as often as it may */
+    long count; /* it has happened so often */
+    long seen;  /* the scene's own from here on */
+    vm_scene *scene;
+};
+
+/* What came in from outside, and whether it balances: vm_scene_keep_book asks for it */
+typedef struct VM_TAG(vm_book) vm_book;
+struct VM_TAG(vm_book) {
+    vm_vec3 impulse, angular_impulse;        /* of the effects, about the origin */
+    vm_vec3 brought, brought_angular;        /* momentum and angular momentum that streams and mass laws brought */
+    vm_real work, brought_energy, mixing;    /* of the effects; of the streams; lost as they mix */
+    vm_vec3 momentum, angular_momentum;      /* of all bodies */
+    vm_real energy;                          /* kinetic */
+    vm_real jump_energy;                     /* that jumps have added */
+    vm_vec3 momentum_defect, angular_defect; /* what is there less what was there and what came */
+    vm_real energy_defect;
+    /* by pointers, so that without a book they are not linked */
+    void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
+    void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
+    void (*totals)(const vm_scene *scene, const vm_real *y, vm_book *book);
+};
+
+struct VM_TAG(vm_scene) {
+    vm_scene_body *bodies;
+    int n_bodies;
+    vm_effect *effects;
+    int n_effects;
+    vm_event *events;
+    ode_event *located; /* n_events of them too, for the integrator */
+    int n_events;
+    vm_book *book; /* of vm_scene_keep_book: what was there at the start; VM_BOOK numbers join the state */
+    int (*output)(vm_real t, const vm_real *y, vm_scene *scene,
+                  void *ctx); /* null, or called after each step; nonzero stops */
+    const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
+    int n_times;
+    void *output_ctx;
+    int status, ode_status; /* of the right-hand side, of the integrator */
+};
+
+/* Bodies. Of an axle the inertia is about it, kg m^2. */
+VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v);
+VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega);
+VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
+                                    vm_real omega);
+VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v);
+VM_API vm_scene_body vm_scene_free(const vm_body *start);
+VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, its mass a state */
+VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
+
+/* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
+   rate. A spring's force (248), that of Van der Pol's damper (404). */
+VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x);             /* -k x |x|^(alpha-1) */
+VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v);                            /* -b v */
+VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v); /* (b - c x^2) v */
+VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega);     /* torque - kappa omega */
+VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t);
+VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v); /* rate (u + share v - v) */
+
+/* Effects; a mass law of a body stands before what else acts on it */
+VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g);
+VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
+                                  vm_real alpha, vm_real rest);
+VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b);
+VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c);
+VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa);
+VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase);
+VM_API vm_effect vm_effect_user(int body, int coordinate,
+                                vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
+/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a plane's body, a point */
+VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha);
+/* an unbalance m e (kg m) that turns: m e Omega^2 (cos, sin)(Omega t + phase) */
+VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase);
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force (-c vy, c vx) */
+/* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
+   another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
+   body, one of them for a body. Deviations of the length die out as exp(-rate t). */
+VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
+                                vm_real rate);
+
+/* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
+   the body's velocity, no reactive force; 0: its own velocity is u. x and v are those of a line or an axle (J(phi),
+   J(omega)); for a body in the plane or a point the law is M(t). */
+VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
+                                    void *ctx, vm_vec3 u, vm_real share);
+enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2 */
+VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share);
+/* A stream, for a body whose mass is a state: rate kg/s */
+VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share);
+
+/* Events */
+VM_API vm_event vm_event_at(vm_real time);
+VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
+VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
+VM_API vm_event vm_event_mass(int body, vm_real value, int direction);
+VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction);
+/* ... and what happens then */
+VM_API vm_event vm_then_stop(vm_event event);
+VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
+VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative);
+VM_API vm_event vm_then_attach(vm_event event, int body, int added);
+VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx);
+
+/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) the index of the
+   body, effect or event. */
+VM_API int vm_scene_check(const vm_scene *scene, int *culprit);
+VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state */
+enum { VM_BOOK = 15 };
+#define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
+/* Checks the scene, and makes the state at the start: vm_scene_size numbers */
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, int *culprit);
+/* An ode_rhs; ctx is the scene, which has been started */
+VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
+/* On from *t to t_end by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y are
+   where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. */
+VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
+                        const rk45_options *options_or_NULL);
+/* A body as it moves in state y */
+VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
+/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy */
+VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book);
+/* Momentum, angular momentum and energy in state y, what came in since the start, and the defects */
+VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book);
 
 VM_API const char *vm_strerror(int status)
 {
@@ -279,6 +504,16 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_MASS: return "a mass is not positive";
     case VM_BAD_INERTIA: return "no body has this inertia";
     case VM_SINGULAR: return "linear equations without a unique solution";
+    case VM_STOPPED: return "an event or the caller ended the run";
+    case VM_BAD_MOTION: return "a motion that does not exist, or that this effect or event cannot act on";
+    case VM_NO_SUCH_BODY: return "no such body, or an event for one that is not there";
+    case VM_NO_SUCH_COORDINATE: return "the body has no such coordinate";
+    case VM_NO_SUCH_EFFECT: return "no such effect";
+    case VM_TWO_MASS_LAWS: return "two laws for one mass, or two links of one body";
+    case VM_BAD_ORDER: return "a mass law stands after, or a link before, another effect on its body";
+    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state";
+    case VM_TOO_MANY_EVENTS: return "events do not end";
+    case VM_NOT_INTEGRATED: return "the integrator failed: scene.ode_status";
     default: return "unknown status";
     }
 }
@@ -783,5 +1018,1201 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 /* ---- Chapter 8: harmonic excitation ------------------------------------------------------------------------- */
 
 /* ---- Scenes ------------------------------------------------------------------------------------------------- */
+
+enum { VMI_ALL_MOTIONS = 1 << VM_LINE | 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_POINT | 1 << VM_FREE };
+enum { VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, VMI_NOT_FREE = VMI_ALL_MOTIONS & ~(1 << VM_FREE) };
+
+VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
+
+VM_INLINE int vmi_scene_body_size(const vm_scene_body *b) { return vmi_scene_mass_at(b) + (b->mass_is_state != 0); }
+
+/* Position and velocity along a coordinate; the ground's are 0 */
+VM_INLINE vm_real vmi_scene_x(const vm_scene *s, const vm_real *y, int body, int coordinate)
+{
+    return body < 0 ? 0 : y[s->bodies[body].at + coordinate];
+}
+VM_INLINE vm_real vmi_scene_v(const vm_scene *s, const vm_real *y, int body, int coordinate)
+{
+    const vm_scene_body *b = s->bodies + body;
+    return body < 0 ? 0 : y[b->at + b->positions + coordinate];
+}
+
+/* f on the body of e, -f on what it acts against */
+VM_INLINE void vmi_scene_act(vm_scene *s, const vm_effect *e, vm_real f)
+{
+    s->bodies[e->body].load.force[e->coordinate] += f;
+    if (e->other >= 0) s->bodies[e->other].load.force[e->other_coordinate] -= f;
+}
+
+/* ---- Scenes: bodies ----------------------------------------------------------------------------------------- */
+
+VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
+{
+    vm_scene_body b;
+    memset(&b, 0, sizeof b);
+    b.motion = motion, b.positions = positions, b.coordinates = coordinates;
+    return b;
+}
+
+/* A line and an axle: one coordinate */
+VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    rates[0] = state[1];
+    rates[1] = b->load.force[0] / (b->load.mass + b->load.extra);
+    return VM_OK;
+}
+
+VM_API void vmi_line_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    (void)b, (void)angle;
+    state[0] = now->r.x, state[1] = now->v.x;
+}
+
+VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    (void)b;
+    now->r.x = state[0], now->v.x = state[1];
+}
+
+VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v)
+{
+    vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
+    b.start.mass = mass, b.start.r.x = x, b.start.v.x = v;
+    b.put = vmi_line_put, b.get = vmi_line_get, b.accelerate = vmi_single_accelerate;
+    return b;
+}
+
+VM_API void vmi_axle_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    (void)b;
+    state[0] = angle, state[1] = now->omega.z;
+}
+
+VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    (void)b;
+    now->omega.z = state[1], now->inertia.zz = now->mass;
+}
+
+VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega)
+{
+    vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
+    b.start.mass = inertia, b.start.omega.z = omega, b.angle = angle;
+    b.put = vmi_axle_put, b.get = vmi_axle_get, b.accelerate = vmi_single_accelerate;
+    return b;
+}
+
+VM_API int vmi_plane_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    int i;
+    for (i = 0; i < 3; i++) rates[i] = state[3 + i];
+    for (i = 0; i < 2; i++) rates[3 + i] = b->load.force[i] / b->load.mass;
+    rates[5] = b->load.force[2] / b->start.inertia.zz;
+    return VM_OK;
+}
+
+VM_API void vmi_plane_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    (void)b;
+    state[0] = now->r.x, state[1] = now->r.y, state[2] = angle;
+    state[3] = now->v.x, state[4] = now->v.y, state[5] = now->omega.z;
+}
+
+VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    (void)b;
+    now->r.x = state[0], now->r.y = state[1], now->v.x = state[3], now->v.y = state[4];
+    vmi_sincos(state[2] / 2, &now->q.z, &now->q.w);
+    now->omega.z = state[5];
+    now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
+}
+
+VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
+                                    vm_real omega)
+{
+    vm_scene_body b = vmi_scene_body(VM_PLANE, 3, 3);
+    b.start.mass = mass, b.start.inertia.zz = inertia;
+    b.start.r = r, b.start.v = v, b.start.omega.z = omega, b.angle = angle;
+    b.put = vmi_plane_put, b.get = vmi_plane_get, b.accelerate = vmi_plane_accelerate;
+    return b;
+}
+
+VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    int i;
+    for (i = 0; i < 3; i++) rates[i] = state[b->positions + i];
+    for (i = 0; i < 3; i++) rates[b->positions + i] = b->load.force[i] / b->load.mass;
+    return VM_OK;
+}
+
+VM_API void vmi_point_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    vm_real *v = state + b->positions;
+    (void)angle;
+    state[0] = now->r.x, state[1] = now->r.y, state[2] = now->r.z;
+    v[0] = now->v.x, v[1] = now->v.y, v[2] = now->v.z;
+}
+
+VM_API void vmi_point_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    const vm_real *v = state + b->positions;
+    now->r = vmi_vec3(state[0], state[1], state[2]);
+    now->v = vmi_vec3(v[0], v[1], v[2]);
+}
+
+VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v)
+{
+    vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
+    b.start.mass = mass, b.start.r = r, b.start.v = v;
+    b.put = vmi_point_put, b.get = vmi_point_get, b.accelerate = vmi_point_accelerate;
+    return b;
+}
+
+VM_API vm_quat vmi_free_quat(const vm_real *state)
+{
+    vm_quat q;
+    q.w = state[3], q.x = state[4], q.y = state[5], q.z = state[6];
+    return q;
+}
+
+/* Euler's equations in body axes, and the quaternion's, whose length is drawn to 1 (as exp(-t)) */
+VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    const vm_inertia *i = &b->start.inertia;
+    const vm_vec3 w = vmi_vec3(state[10], state[11], state[12]);
+    const vm_quat q = vmi_free_quat(state);
+    const vm_real *f = b->load.force, pull = (1 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)) / 2;
+    const vmi_mat3 axes = vmi_rotation(q);
+    const vm_vec3 torque = vmi_times_transposed(&axes, vmi_vec3(f[3], f[4], f[5]));
+    const vm_vec3 h = vmi_sub(torque, vmi_cross(w, vmi_inertia_times(i, w)));
+    vm_quat spin, turn;
+    vm_real a[9];
+    spin.w = 0, spin.x = w.x / 2, spin.y = w.y / 2, spin.z = w.z / 2;
+    turn = vmi_quat_times(q, spin);
+    vmi_point_accelerate(b, state, rates);
+    rates[3] = turn.w + pull * q.w, rates[4] = turn.x + pull * q.x;
+    rates[5] = turn.y + pull * q.y, rates[6] = turn.z + pull * q.z;
+    a[0] = i->xx, a[4] = i->yy, a[8] = i->zz, a[1] = a[3] = i->xy, a[2] = a[6] = i->xz, a[5] = a[7] = i->yz;
+    rates[10] = h.x, rates[11] = h.y, rates[12] = h.z;
+    return vmi_solve_linear(3, a, rates + 10) ? VM_BAD_INERTIA : VM_OK;
+}
+
+VM_API void vmi_free_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    const vmi_mat3 turn = vmi_rotation(now->q);
+    const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
+    const int none = now->q.w == 0 && now->q.x == 0 && now->q.y == 0 && now->q.z == 0;
+    vmi_point_put(b, now, angle, state);
+    state[3] = none ? 1 : now->q.w, state[4] = now->q.x, state[5] = now->q.y, state[6] = now->q.z;
+    state[10] = omega.x, state[11] = omega.y, state[12] = omega.z;
+}
+
+VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    vmi_mat3 turn;
+    vmi_point_get(b, state, now);
+    now->q = vmi_free_quat(state);
+    turn = vmi_rotation(now->q);
+    now->omega = vmi_times(&turn, vmi_vec3(state[10], state[11], state[12]));
+}
+
+VM_API vm_scene_body vm_scene_free(const vm_body *start)
+{
+    vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
+    b.start = *start;
+    b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate;
+    return b;
+}
+
+VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body)
+{
+    body.mass_is_state = 1;
+    return body;
+}
+
+VM_API vm_scene_body vm_scene_absent(vm_scene_body body)
+{
+    body.absent = 1;
+    return body;
+}
+
+/* ---- Scenes: effects ---------------------------------------------------------------------------------------- */
+
+VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
+{
+    if (alpha == 1) return -k * x;
+    if (alpha == 3) return -k * (x * x * x);
+    if (alpha == 2) return -k * (x * VM_FABS(x));
+    return -VM_COPYSIGN(k, x) * vmi_raised(VM_FABS(x), alpha) * (x != 0);
+}
+VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v) { return -b * v; }
+VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v) { return (b - c * (x * x)) * v; }
+VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
+VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t)
+{
+    vm_real s, c;
+    vmi_sincos(frequency * t + phase, &s, &c);
+    return force * c;
+}
+VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v)
+{
+    return rate * (u + (share - 1) * v);
+}
+
+/* An effect on one coordinate, against another */
+VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coordinate, unsigned motions, vm_real p0,
+                            vm_real p1, vm_real p2)
+{
+    vm_effect e;
+    memset(&e, 0, sizeof e);
+    e.body = body, e.coordinate = coordinate, e.other = other, e.other_coordinate = other_coordinate;
+    e.motions = motions;
+    e.order = 1;
+    e.p[0] = p0, e.p[1] = p1, e.p[2] = p2;
+    return e;
+}
+
+VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_load *load = &s->bodies[e->body].load;
+    (void)t, (void)y;
+    load->force[e->coordinate] += load->mass * e->p[0];
+}
+
+VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
+{
+    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS & ~(1 << VM_AXLE), g, 0, 0);
+    e.apply = vmi_apply_gravity;
+    return e;
+}
+
+VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_real x = vmi_scene_x(s, y, e->body, e->coordinate) - vmi_scene_x(s, y, e->other, e->other_coordinate);
+    (void)t;
+    vmi_scene_act(s, e, vm_force_spring(e->p[0], e->p[1], x - e->p[2]));
+}
+
+VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
+                                  vm_real alpha, vm_real rest)
+{
+    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, alpha, rest);
+    e.apply = vmi_apply_spring;
+    return e;
+}
+
+VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_real v = vmi_scene_v(s, y, e->body, e->coordinate) - vmi_scene_v(s, y, e->other, e->other_coordinate);
+    (void)t;
+    vmi_scene_act(s, e, vm_force_damper(e->p[0], v));
+}
+
+VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b)
+{
+    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, b, 0, 0);
+    e.apply = vmi_apply_damper;
+    return e;
+}
+
+VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    (void)t;
+    vmi_scene_act(s, e,
+                  vm_force_van_der_pol(e->p[0], e->p[1], vmi_scene_x(s, y, e->body, e->coordinate),
+                                       vmi_scene_v(s, y, e->body, e->coordinate)));
+}
+
+VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
+{
+    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, b, c, 0);
+    e.apply = vmi_apply_van_der_pol;
+    return e;
+}
+
+VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    (void)t;
+    vmi_scene_act(s, e, vm_force_drive(e->p[0], e->p[1], vmi_scene_v(s, y, e->body, e->coordinate)));
+}
+
+VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa)
+{
+    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, torque, kappa, 0);
+    e.apply = vmi_apply_drive;
+    return e;
+}
+
+VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    (void)y;
+    vmi_scene_act(s, e, vm_force_harmonic(e->p[0], e->p[1], e->p[2], t));
+}
+
+VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
+{
+    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, force, frequency, phase);
+    e.apply = vmi_apply_harmonic;
+    return e;
+}
+
+VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vmi_scene_act(
+        s, e,
+        e->force(t, vmi_scene_x(s, y, e->body, e->coordinate), vmi_scene_v(s, y, e->body, e->coordinate), e->ctx));
+}
+
+VM_API vm_effect vm_effect_user(int body, int coordinate,
+                                vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
+{
+    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, 0, 0, 0);
+    e.apply = force ? vmi_apply_user : NULL;
+    e.force = force, e.ctx = ctx;
+    return e;
+}
+
+VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_scene_body *b = s->bodies + e->body;
+    const vm_real *r = y + b->at, size = VM_SQRT(r[0] * r[0] + r[1] * r[1]);
+    const vm_real k = size > 0 ? vm_force_spring(e->p[0], e->p[1], size) / size : 0;
+    (void)t;
+    b->load.force[0] += k * r[0];
+    b->load.force[1] += k * r[1];
+}
+
+VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, k, alpha, 0);
+    e.apply = vmi_apply_shaft;
+    return e;
+}
+
+VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_real *force = s->bodies[e->body].load.force, sine, cosine;
+    (void)y;
+    vmi_sincos(e->p[1] * t + e->p[2], &sine, &cosine);
+    force[0] += e->p[0] * (e->p[1] * e->p[1]) * cosine;
+    force[1] += e->p[0] * (e->p[1] * e->p[1]) * sine;
+}
+
+VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, unbalance, frequency, phase);
+    e.apply = vmi_apply_unbalance;
+    return e;
+}
+
+VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_scene_body *b = s->bodies + e->body;
+    const vm_real *v = y + b->at + b->positions;
+    (void)t;
+    b->load.force[0] -= e->p[0] * v[1];
+    b->load.force[1] += e->p[0] * v[0];
+}
+
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, coupling, 0, 0);
+    e.apply = vmi_apply_gyroscopic;
+    return e;
+}
+
+/* ---- Scenes: mass that varies ------------------------------------------------------------------------------- */
+
+/* rate (u + (share - 1) v) on each coordinate that moves the mass; p = u, share */
+VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate)
+{
+    vm_scene_body *b = s->bodies + e->body;
+    const vm_real *v = y + b->at + b->positions, share = e->p[3];
+    const int n = b->motion <= VM_AXLE ? 1 : b->motion == VM_PLANE ? 2 : 3;
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_real own = e->p[i] + share * v[i];
+        b->load.force[i] += rate * (own - v[i]);
+        if (!s->book) continue;
+        b->load.reactive[i] += rate * (own - v[i]);
+        b->load.brought[i] += rate * own;
+        b->load.brought_energy += rate * own * own / 2;
+        b->load.mixing += rate * (own - v[i]) * (own - v[i]) / 2;
+    }
+}
+
+/* The mass is now that of the law; M' = by_t + by_x v + by_v v' */
+VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now)
+{
+    vm_scene_body *b = s->bodies + e->body;
+    const vm_real v = y[b->at + b->positions];
+    b->load.mass = now->mass;
+    b->load.extra = now->by_v * ((1 - e->p[3]) * v - e->p[0]);
+    b->load.by_v = now->by_v, b->load.own = e->p[0] + e->p[3] * v;
+    vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v);
+}
+
+VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_mass_now now = e->law(t, vmi_scene_x(s, y, e->body, 0), vmi_scene_v(s, y, e->body, 0), e->ctx);
+    vmi_scene_follow(e, y, s, &now);
+}
+
+VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
+                                    void *ctx, vm_vec3 u, vm_real share)
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_NOT_FREE, u.x, u.y, u.z);
+    e.p[3] = share;
+    e.order = 0;
+    e.apply = law ? vmi_apply_mass_law : NULL;
+    e.law = law, e.ctx = ctx;
+    return e;
+}
+
+VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_real x = vmi_scene_x(s, y, e->body, 0), v = vmi_scene_v(s, y, e->body, 0), c = e->p[4];
+    vm_mass_now now = {0, 0, 0, 0};
+    now.mass = s->bodies[e->body].start.mass;
+    if (e->other_coordinate == VM_MASS_OF_T) now.mass += c * t, now.by_t = c;
+    else if (e->other_coordinate == VM_MASS_OF_X) now.mass += c * x, now.by_x = c;
+    else now.mass += c * v * v, now.by_v = 2 * c * v;
+    vmi_scene_follow(e, y, s, &now);
+}
+
+VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)
+{
+    const unsigned motions = kind == VM_MASS_OF_T ? VMI_NOT_FREE : 1 << VM_LINE | 1 << VM_AXLE;
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, kind, motions, u, 0, 0);
+    e.p[3] = share, e.p[4] = c;
+    e.order = 0;
+    e.apply = vmi_apply_mass;
+    return e;
+}
+
+VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    (void)t;
+    s->bodies[e->body].load.mass_rate += e->p[4];
+    vmi_scene_reactive(e, y, s, e->p[4]);
+}
+
+VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_NOT_FREE, u.x, u.y, u.z);
+    e.p[3] = share, e.p[4] = rate;
+    e.needs_mass_state = 1;
+    e.apply = vmi_apply_stream;
+    return e;
+}
+
+/* The far end of a link: a point that moves as given, or another body, which can accelerate */
+typedef struct VM_TAG(vmi_link_end) {
+    vm_real r[3], v[3], a[3]; /* a: without the link */
+    vm_real mobility[3];      /* acceleration by force, of each coordinate */
+} vmi_link_end;
+
+VM_API void vmi_link_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
+{
+    const vm_scene_body *b = s->bodies + body;
+    const vm_real *r = y + b->at, *v = r + b->positions;
+    const int n = b->motion == VM_LINE ? 1 : b->motion == VM_PLANE ? 2 : 3;
+    int i;
+    for (i = 0; i < 3; i++) {
+        end->r[i] = i < n ? r[i] : 0, end->v[i] = i < n ? v[i] : 0;
+        end->mobility[i] = i < n ? 1 / b->load.mass : 0;
+        end->a[i] = i < n ? b->load.force[i] / b->load.mass : 0;
+    }
+}
+
+VM_API void vmi_link_point(const vm_effect *e, vm_real t, vmi_link_end *end)
+{
+    vm_vec3 r, v, a;
+    int i;
+    e->point(t, &r, &v, &a, e->ctx);
+    end->r[0] = r.x, end->r[1] = r.y, end->r[2] = r.z;
+    end->v[0] = v.x, end->v[1] = v.y, end->v[2] = v.z;
+    end->a[0] = a.x, end->a[1] = a.y, end->a[2] = a.z;
+    for (i = 0; i < 3; i++) end->mobility[i] = 0;
+}
+
+/* The link pulls with lambda d, d = r - far end: C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0, which gives
+   lambda from what else acts on its ends. p = length, rate, cord */
+VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_scene_body *b = s->bodies + e->body;
+    vm_real *force = b->load.force, *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
+    const int n = b->motion == VM_PLANE ? 2 : 3;
+    const vm_real rate = e->p[1];
+    vmi_link_end near, far;
+    vm_real d[3], dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C, lambda;
+    int i;
+    vmi_link_body(s, e->body, y, &near);
+    if (far_force) vmi_link_body(s, e->other, y, &far);
+    else vmi_link_point(e, t, &far);
+    for (i = 0; i < n; i++) {
+        const vm_real v = near.v[i] - far.v[i];
+        d[i] = near.r[i] - far.r[i];
+        dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (near.a[i] - far.a[i]);
+        mobility += d[i] * d[i] * (near.mobility[i] + far.mobility[i]);
+    }
+    C = (dd - e->p[0] * e->p[0]) / 2;
+    lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
+    if (e->p[2] != 0 && (lambda > 0 || C < -VM_C(1e-6) * dd)) return; /* slack */
+    for (i = 0; i < n; i++) {
+        force[i] += lambda * d[i];
+        if (far_force && far.mobility[i] > 0) far_force[i] -= lambda * d[i];
+    }
+}
+
+VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
+                                vm_real rate)
+{
+    vm_effect e = vmi_effect(body, 0, other, 0, VMI_FLAT, length, rate, (vm_real)(cord != 0));
+    e.order = 2;
+    e.apply = point || other >= 0 ? vmi_apply_link : NULL;
+    e.point = point, e.ctx = ctx;
+    return e;
+}
+
+/* ---- Scenes: bodies and state ------------------------------------------------------------------------------- */
+
+VM_API int vm_scene_size(const vm_scene *scene)
+{
+    int i, size = scene->book ? VM_BOOK : 0;
+    for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
+    return size;
+}
+
+VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
+{
+    const vm_scene_body *b = scene->bodies + body;
+    *now = b->start;
+    if (b->mass_is_state) now->mass = y[b->at + vmi_scene_mass_at(b)];
+    else if (b->load.mass > 0) now->mass = b->load.mass; /* of a law, when the right-hand side was last evaluated */
+    b->get(b, y + b->at, now);
+}
+
+/* The state of a body that moves as now; its angle is given apart, since a turn more or less does not show in now */
+VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
+{
+    vm_scene_body *b = s->bodies + body;
+    b->start.mass = now->mass, b->start.inertia = now->inertia;
+    if (b->mass_is_state) y[b->at + vmi_scene_mass_at(b)] = now->mass;
+    b->put(b, now, angle, y + b->at);
+}
+
+/* Effects on bodies that are not there do not act */
+VM_API void vmi_scene_presence(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_effects; i++) {
+        vm_effect *e = s->effects + i;
+        const int gone = s->bodies[e->body].absent || (e->other >= 0 && s->bodies[e->other].absent);
+        e->off = (e->off & 1) | (gone ? 2 : 0);
+    }
+}
+
+/* ---- Scenes: the right-hand side ---------------------------------------------------------------------------- */
+
+VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
+{
+    const int n = b->coordinates;
+    int i;
+    b->load.mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b)] : b->start.mass;
+    b->load.extra = b->load.by_v = b->load.mass_rate = 0;
+    for (i = 0; i < n; i++) b->load.force[i] = 0;
+    if (!book) return;
+    for (i = 0; i < 6; i++) b->load.brought[i] = b->load.reactive[i] = 0;
+    b->load.brought_energy = b->load.mixing = 0;
+}
+
+/* What acts on each body now */
+VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
+{
+    int i;
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
+    for (i = 0; i < s->n_effects; i++)
+        if (!s->effects[i].off) s->effects[i].apply(s->effects + i, t, y, s);
+}
+
+VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
+{
+    const vm_load *load = &b->load;
+    if (!(load->mass > 0)) return VM_BAD_MASS;
+    if (!(load->mass + load->extra > 0)) return VM_SINGULAR;
+    if (b->mass_is_state) dydt[b->at + vmi_scene_mass_at(b)] = load->mass_rate;
+    return b->accelerate(b, y + b->at, dydt + b->at);
+}
+
+VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vm_scene *s = (vm_scene *)ctx;
+    int i, status = VM_OK;
+    vmi_scene_load(s, t, y);
+    for (i = 0; i < s->n_bodies; i++) {
+        const vm_scene_body *b = s->bodies + i;
+        int k;
+        if (b->absent) {
+            for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
+            continue;
+        }
+        k = vmi_scene_accelerate(b, y, dydt);
+        if (k && !status) status = k, dydt[b->at] = VM_NAN; /* the integrator tries a shorter step */
+    }
+    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BOOK);
+    s->status = status;
+    return 0;
+}
+
+/* ---- Scenes: balance ---------------------------------------------------------------------------------------- */
+
+/* Numbers by coordinate as vectors: the part that moves the mass centre, the part that turns, inertial axes */
+VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) return vmi_vec3(a[0], 0, 0);
+    return vmi_vec3(a[0], a[1], b->motion == VM_PLANE ? 0 : a[2]);
+}
+VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, a[2]);
+    return b->motion == VM_FREE ? vmi_vec3(a[3], a[4], a[5]) : vmi_vec3(0, 0, 0);
+}
+VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
+{
+    const vm_vec3 w = vmi_scene_turning(b, y + b->at + b->positions);
+    vmi_mat3 axes;
+    if (b->motion != VM_FREE) return w;
+    axes = vmi_rotation(vmi_free_quat(y + b->at));
+    return vmi_times(&axes, w);
+}
+
+VM_INLINE void vmi_scene_store(vm_vec3 a, vm_real *d) { d[0] += a.x, d[1] += a.y, d[2] += a.z; }
+
+/* What a body's load adds to the book by the second: impulse, angular impulse, momentum and angular momentum brought,
+   work, energy brought, mixing */
+VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *d)
+{
+    const vm_load *load = &b->load;
+    const vm_vec3 at = vmi_scene_moving(b, y + b->at);
+    const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
+    const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
+    const vm_vec3 brought = vmi_scene_moving(b, load->brought);
+    vmi_scene_store(force, d);
+    vmi_scene_store(vmi_add(torque, vmi_cross(at, force)), d + 3);
+    vmi_scene_store(brought, d + 6);
+    vmi_scene_store(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
+    d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) + vmi_dot(torque, vmi_scene_spin(b, y));
+    d[13] += load->brought_energy, d[14] += load->mixing;
+}
+
+VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
+{
+    vm_load *load = &b->load;
+    if (load->by_v != 0) { /* M'(v) v' is known only now */
+        const vm_real rate = load->by_v * (load->force[0] / (load->mass + load->extra));
+        const vm_real faster = load->own - y[b->at + 1];
+        load->brought[0] += rate * load->own;
+        load->brought_energy += rate * load->own * load->own / 2;
+        load->mixing += rate * faster * faster / 2;
+    }
+    vmi_scene_enter_loads(b, y, d);
+}
+
+VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
+{
+    int i;
+    for (i = 0; i < VM_BOOK; i++) rates[i] = 0;
+    for (i = 0; i < s->n_bodies; i++)
+        if (!s->bodies[i].absent) vmi_scene_enter(s->bodies + i, y, rates);
+}
+
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are there */
+VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    int i;
+    book->momentum = book->angular_momentum = zero;
+    book->energy = 0;
+    for (i = 0; i < s->n_bodies; i++) {
+        const vm_scene_body *b = s->bodies + i;
+        vm_body now;
+        vm_vec3 p, spin;
+        if (b->absent) continue;
+        vm_scene_body_at(s, i, y, &now);
+        if (b->motion == VM_AXLE) now.mass = 0;
+        p = vmi_scale(now.mass, now.v), spin = vmi_spin_momentum(&now);
+        book->momentum = vmi_add(book->momentum, p);
+        book->angular_momentum = vmi_add(book->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
+        book->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
+    }
+}
+
+VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
+{
+    int i;
+    vm_scene_keep_book(s, s->book);
+    vmi_scene_totals(s, y, s->book);
+    for (i = 0; i < VM_BOOK; i++) sums[i] = 0;
+}
+
+VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
+{
+    memset(book, 0, sizeof *book);
+    book->open = vmi_scene_open_book;
+    book->rates = vmi_scene_rates;
+    book->totals = vmi_scene_totals;
+    scene->book = book;
+}
+
+VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
+{
+    const vm_real *d = y + vm_scene_size(scene) - VM_BOOK;
+    const vm_book *start = scene->book;
+    vm_book b = *start;
+    vmi_scene_load(scene, t, y);
+    vmi_scene_totals(scene, y, &b);
+    b.impulse = vmi_add(start->impulse, vmi_vec3(d[0], d[1], d[2]));
+    b.angular_impulse = vmi_add(start->angular_impulse, vmi_vec3(d[3], d[4], d[5]));
+    b.brought = vmi_vec3(d[6], d[7], d[8]);
+    b.brought_angular = vmi_vec3(d[9], d[10], d[11]);
+    b.work = d[12], b.brought_energy = d[13], b.mixing = d[14];
+    b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
+    b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
+                               vmi_add(b.angular_impulse, b.brought_angular));
+    b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
+    *book = b;
+}
+
+/* ---- Scenes: the check -------------------------------------------------------------------------------------- */
+
+VM_API int vmi_scene_check_body(const vm_scene_body *b)
+{
+    if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
+    if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
+    if (!(b->start.mass > 0)) return VM_BAD_MASS;
+    if (b->motion == VM_PLANE && !(b->start.inertia.zz > 0)) return VM_BAD_INERTIA;
+    if (b->motion == VM_FREE) {
+        const vmi_principal p = vmi_principal_axes(&b->start.inertia);
+        int k;
+        for (k = 0; k < 3; k++)
+            if (!(p.moment[k] > vmi_slack(&b->start.inertia))) return VM_BAD_INERTIA; /* a rod: use a point */
+        return vmi_check_body(&b->start);
+    }
+    return VM_OK;
+}
+
+VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
+{
+    if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
+    if (coordinate < 0 || coordinate >= s->bodies[body].coordinates) return VM_NO_SUCH_COORDINATE;
+    /* of a free body's rotation there is no coordinate */
+    return s->bodies[body].motion == VM_FREE && coordinate > 2 ? VM_NO_SUCH_COORDINATE : VM_OK;
+}
+
+/* Mass laws (order 0) first, links (order 2) last, at most one of either kind for a body */
+VM_API int vmi_scene_check_order(const vm_scene *s, const vm_effect *e)
+{
+    const vm_effect *before;
+    if (e->order == 0 && s->bodies[e->body].mass_is_state) return VM_TWO_MASS_LAWS;
+    for (before = s->effects; before < e; before++) {
+        if (before->body != e->body && before->other != e->body && (e->other < 0 || before->body != e->other))
+            continue;
+        if (before->order == e->order && e->order != 1) return VM_TWO_MASS_LAWS;
+        if (before->order > e->order) return VM_BAD_ORDER;
+    }
+    return VM_OK;
+}
+
+VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
+{
+    int k, status = vmi_scene_check_coordinate(s, e->body, e->coordinate);
+    if (!status && e->other != VM_GROUND) status = vmi_scene_check_coordinate(s, e->other, e->other_coordinate);
+    if (status) return status;
+    if (!e->apply) return VM_BAD_ARGUMENT;
+    if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
+    for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
+        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
+    if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
+    return vmi_scene_check_order(s, e);
+}
+
+/* A body takes up only what it can move as: on a line or an axle its own kind, a point no spin */
+VM_API int vmi_scene_can_jump(int motion, int other)
+{
+    return motion == other || (other == VM_POINT && motion > VM_AXLE);
+}
+
+VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
+{
+    int status = VM_OK;
+    if (e->watches && (status = vmi_scene_check_coordinate(s, e->body, e->coordinate)) != 0) return status;
+    if (!e->when && !VM_IS_FINITE(e->time)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
+    if (!e->then) return VM_BAD_ARGUMENT;
+    if (e->jumps) {
+        status = vmi_scene_check_coordinate(s, e->jump_body, 0);
+        if (!status) status = vmi_scene_check_coordinate(s, e->other, 0);
+        if (!status && e->jump_body == e->other) status = VM_NO_SUCH_BODY;
+        if (!status && !vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion))
+            status = VM_BAD_MOTION;
+    }
+    if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
+    return status;
+}
+
+VM_API int vm_scene_check(const vm_scene *scene, int *culprit)
+{
+    int i = 0, status = VM_OK;
+    const int missing = !scene || scene->n_bodies < 1 || !scene->bodies || (scene->n_effects && !scene->effects) ||
+                        (scene->n_events && (!scene->events || !scene->located)) || scene->n_effects < 0 ||
+                        scene->n_events < 0;
+    if (missing) status = VM_BAD_ARGUMENT;
+    for (i = 0; !status && i < scene->n_bodies; i++) status = vmi_scene_check_body(scene->bodies + i);
+    if (!status)
+        for (i = 0; !status && i < scene->n_effects; i++)
+            status = vmi_scene_check_effect(scene, scene->effects + i);
+    if (!status)
+        for (i = 0; !status && i < scene->n_events; i++) status = vmi_scene_check_event(scene, scene->events + i);
+    if (culprit) *culprit = status && !missing ? i - 1 : -1;
+    return status;
+}
+
+VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
+{
+    const vm_event *e = (const vm_event *)ctx;
+    return e->when ? e->when(e, t, y) : 1;
+}
+
+VM_API void vmi_scene_locate(vm_scene *s, int i)
+{
+    ode_event *located = s->located + i;
+    memset(located, 0, sizeof *located);
+    located->g = vmi_scene_when;
+    located->ctx = s->events + i;
+    located->direction = s->events[i].direction;
+    located->action = ODE_STOP;
+}
+
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, int *culprit)
+{
+    int i, at = 0, status = vm_scene_check(scene, culprit);
+    if (status) return status;
+    if (!y) return VM_BAD_ARGUMENT;
+    for (i = 0; i < scene->n_bodies; i++) {
+        vm_scene_body *b = scene->bodies + i;
+        const vm_body start = b->start;
+        b->at = at;
+        at += vmi_scene_body_size(b);
+        b->load.mass = 0;
+        vmi_scene_put(scene, i, &start, b->angle, y);
+    }
+    for (i = 0; i < scene->n_events; i++) {
+        scene->events[i].scene = scene, scene->events[i].count = 0;
+        scene->events[i].seen = 0;
+        vmi_scene_locate(scene, i);
+    }
+    vmi_scene_presence(scene);
+    vmi_scene_load(scene, t, y);
+    scene->status = VM_OK;
+    if (scene->book) scene->book->open(scene, y, y + at);
+    return VM_OK;
+}
+
+/* ---- Scenes: events ----------------------------------------------------------------------------------------- */
+
+VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
+{
+    vm_event e;
+    memset(&e, 0, sizeof e);
+    e.body = body, e.coordinate = coordinate, e.value = value, e.direction = direction;
+    e.watches = 1;
+    return e;
+}
+
+VM_API vm_event vm_event_at(vm_real time)
+{
+    vm_event e = vmi_event(0, 0, 0, 0);
+    e.time = time, e.watches = 0, e.most = 1;
+    return e;
+}
+
+VM_API vm_real vmi_when_position(const vm_event *e, vm_real t, const vm_real *y)
+{
+    (void)t;
+    return vmi_scene_x(e->scene, y, e->body, e->coordinate) - e->value;
+}
+
+VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction)
+{
+    vm_event e = vmi_event(body, coordinate, value, direction);
+    e.when = vmi_when_position;
+    return e;
+}
+
+VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
+{
+    (void)t;
+    return vmi_scene_v(e->scene, y, e->body, e->coordinate) - e->value;
+}
+
+VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
+{
+    vm_event e = vmi_event(body, coordinate, value, direction);
+    e.when = vmi_when_velocity;
+    return e;
+}
+
+VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
+{
+    const vm_scene_body *b = e->scene->bodies + e->body;
+    if (b->mass_is_state) return y[b->at + vmi_scene_mass_at(b)] - e->value;
+    vmi_scene_load(e->scene, t, y);
+    return b->load.mass - e->value;
+}
+
+VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
+{
+    vm_event e = vmi_event(body, 0, value, direction);
+    e.when = vmi_when_mass;
+    return e;
+}
+
+VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
+
+VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
+{
+    vm_event e = vmi_event(0, 0, 0, direction);
+    e.watches = 0;
+    e.when = vmi_when_user;
+    e.user_when = when, e.ctx = ctx;
+    return e;
+}
+
+VM_API int vmi_then_stop(vm_event *e, vm_real t, vm_real *y)
+{
+    (void)e, (void)t, (void)y;
+    return VM_STOPPED;
+}
+
+VM_API vm_event vm_then_stop(vm_event event)
+{
+    event.then = vmi_then_stop;
+    return event;
+}
+
+VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
+{
+    vm_effect *effect = e->scene->effects + e->effect;
+    (void)t, (void)y;
+    effect->off = (effect->off & ~1) | e->off;
+    return VM_OK;
+}
+
+VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
+{
+    event.then = vmi_then_switch;
+    event.effect = effect, event.off = off != 0, event.switches = 1;
+    return event;
+}
+
+VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->ctx); }
+
+VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
+{
+    event.then = then ? vmi_then_user : NULL;
+    event.user_then = then, event.ctx = ctx;
+    return event;
+}
+
+/* On a line or an axle a jump is one of a single number: (M v + sign m v2 + impulse)/(M + sign m) */
+VM_API int vmi_scene_jump_line(const vm_body *body, const vm_body *other, vm_real sign, vm_real impulse, vm_body *b)
+{
+    *b = *body;
+    b->mass = body->mass + sign * other->mass;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    b->v.x = (body->mass * body->v.x + sign * other->mass * other->v.x + impulse) / b->mass;
+    b->r.x = body->r.x + sign * other->mass / b->mass * (other->r.x - body->r.x);
+    return VM_OK;
+}
+
+VM_API int vmi_scene_jump(const vm_event *e, const vm_body *body, const vm_body *other, vm_real sign, vm_body *b)
+{
+    const int motion = e->scene->bodies[e->jump_body].motion;
+    if (motion == VM_LINE) return vmi_scene_jump_line(body, other, sign, e->external.linear.x, b);
+    if (motion == VM_AXLE) { /* angular velocities by way of v */
+        vm_body p = *body, q = *other;
+        int status;
+        p.v.x = p.omega.z, q.v.x = q.omega.z, p.r.x = q.r.x = 0;
+        status = vmi_scene_jump_line(&p, &q, sign, e->external.couple.z, b);
+        b->omega.z = b->v.x;
+        b->r = body->r, b->v = body->v;
+        return status;
+    }
+    return sign < 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
+}
+
+/* The angle of a body in the plane or on an axle goes on */
+VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
+{
+    const vm_scene_body *b = s->bodies + body;
+    return b->motion == VM_PLANE ? y[b->at + 2] : y[b->at];
+}
+
+VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new, const vm_body *b,
+                             const vm_body *other)
+{
+    vm_scene *s = e->scene;
+    vm_book before, after;
+    const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
+    if (s->book) s->book->totals(s, y, &before);
+    s->bodies[e->other].absent = !into_is_new;
+    if (into_is_new) vmi_scene_put(s, e->other, other, angle, y);
+    vmi_scene_put(s, e->jump_body, b, angle, y);
+    vmi_scene_presence(s);
+    vmi_scene_load(s, t, y);
+    if (!s->book) return;
+    s->book->totals(s, y, &after);
+    s->book->jump_energy += after.energy - before.energy;
+    s->book->impulse = vmi_add(s->book->impulse, e->external.linear);
+    s->book->angular_impulse = vmi_add(s->book->angular_impulse,
+                                       vmi_add(e->external.couple, vmi_cross(e->external.at, e->external.linear)));
+}
+
+VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
+{
+    vm_body body, part = e->part, rest;
+    int status;
+    if (!e->scene->bodies[e->other].absent) return VM_NO_SUCH_BODY;
+    vmi_scene_load(e->scene, t, y);
+    vm_scene_body_at(e->scene, e->jump_body, y, &body);
+    if (e->relative) {
+        const vmi_mat3 turn = vmi_rotation(body.q);
+        const vm_vec3 d = vmi_times(&turn, part.r);
+        part.r = vmi_add(body.r, d);
+        part.v = vmi_add(vmi_times(&turn, part.v), vmi_add(body.v, vmi_cross(body.omega, d)));
+        part.omega = vmi_add(vmi_times(&turn, part.omega), body.omega);
+        part.q = vmi_quat_times(body.q, part.q);
+    }
+    status = vmi_scene_jump(e, &body, &part, -1, &rest);
+    if (status < 0) return status;
+    vmi_scene_jumped(e, t, y, 1, &rest, &part);
+    return VM_OK;
+}
+
+VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
+{
+    event.then = vmi_then_separate;
+    event.jump_body = body, event.other = into, event.jumps = 1, event.relative = relative;
+    event.part = *part;
+    return event;
+}
+
+VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
+{
+    vm_body body, added, whole;
+    int status;
+    if (e->scene->bodies[e->other].absent || e->scene->bodies[e->jump_body].absent) return VM_NO_SUCH_BODY;
+    vmi_scene_load(e->scene, t, y);
+    vm_scene_body_at(e->scene, e->jump_body, y, &body);
+    vm_scene_body_at(e->scene, e->other, y, &added);
+    status = vmi_scene_jump(e, &body, &added, 1, &whole);
+    if (status < 0) return status;
+    vmi_scene_jumped(e, t, y, 0, &whole, NULL);
+    return VM_OK;
+}
+
+VM_API vm_event vm_then_attach(vm_event event, int body, int added)
+{
+    event.then = vmi_then_attach;
+    event.jump_body = body, event.other = added, event.jumps = 1;
+    return event;
+}
+
+/* ---- Scenes: runs ------------------------------------------------------------------------------------------- */
+
+/* The next time at which an event is due, or limit */
+VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real limit)
+{
+    int i;
+    for (i = 0; i < s->n_events; i++) {
+        const vm_event *e = s->events + i;
+        if (!e->when && e->count == 0 && e->time < limit) limit = e->time;
+    }
+    return limit;
+}
+
+/* What has happened at t happens to y: events at this time, and those that the integrator has counted anew */
+VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, long *happened)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < s->n_events && status >= 0; i++) {
+        vm_event *e = s->events + i;
+        const int now = e->when ? s->located[i].count > e->seen : e->count == 0 && e->time <= t;
+        int result;
+        if (e->when) e->seen = s->located[i].count;
+        if (!now || (e->most && e->count >= e->most)) continue;
+        e->count++, ++*happened;
+        result = e->then(e, t, y);
+        if (result < 0 || status == VM_OK) status = result;
+    }
+    return status;
+}
+
+VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
+{
+    if (!s->output) return VM_OK;
+    if (s->times) {
+        if (*next >= s->n_times || t < s->times[*next]) return VM_OK;
+        while (*next < s->n_times && s->times[*next] <= t) ++*next;
+    }
+    vmi_scene_load(s, t, y);
+    return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
+}
+
+VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
+                        const rk45_options *options_or_NULL)
+{
+    rk45_options o = rk45_defaults(options_or_NULL);
+    const int n = vm_scene_size(scene);
+    const long most_events = 10000;
+    long happened = 0, before = -1;
+    const int book = scene->book ? VM_BOOK : 0;
+    int i, next = 0, status = VM_OK;
+    rk45 r;
+    vm_real *atol = work + RK45_WORK(n);
+    if (!t || !y || !work || !(t_end >= *t)) return VM_BAD_ARGUMENT;
+    o.events = scene->located, o.n_events = scene->n_events;
+    for (i = 0; i < n; i++) atol[i] = i >= n - book ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
+    o.atol_each = atol; /* the book follows the steps of the bodies */
+    status = rk45_init(&r, vm_scene_rhs, scene, n, *t, y, &o, work);
+    if (status < 0) return scene->ode_status = status, VM_NOT_INTEGRATED;
+    while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
+    r.attempts = -1;
+    for (status = VM_OK; status == VM_OK;) {
+        while (happened != before && status == VM_OK) { /* events may cause events */
+            before = happened;
+            status = vmi_scene_happen(scene, r.t, r.y, &happened);
+            if (happened != before) rk45_restart(&r, r.t, r.y);
+            if (happened > most_events) status = VM_TOO_MANY_EVENTS;
+        }
+        if (status == VM_OK) status = vmi_scene_output(scene, r.t, r.y, &next);
+        if (status != VM_OK || r.t == t_end) break;
+        before = -1;
+        {
+            const vm_real stop = scene->times && next < scene->n_times && scene->times[next] < t_end
+                                     ? scene->times[next]
+                                     : t_end;
+            const int ode = vmi_run(&r, VMI_RK45, vm_scene_rhs, n, vmi_scene_due(scene, stop), 1);
+            if (ode < 0) scene->ode_status = ode, status = scene->status ? scene->status : (int)VM_NOT_INTEGRATED;
+        }
+    }
+    *t = r.t;
+    vmi_copy(n, r.y, y);
+    vmi_scene_load(scene, *t, y);
+    return status;
+}
 
 #endif

@@ -1,0 +1,82 @@
+/* The machines of chapter 1 as scenes: what each comes to, beside the reference (36-digit integration or a closed
+   form), and its curves.
+
+   usage: scenes [folder]      a file scene_NAME.csv for each machine is written there: t, then the state */
+#include "scenes/chains.h"
+#include "scenes/crane.h"
+#include "scenes/dosing.h"
+#include "scenes/mechanism.h"
+#include "scenes/mill.h"
+#include "scenes/regulator.h"
+#include "scenes/scoop.h"
+#include "scenes/stator.h"
+#include "scenes/turner.h"
+#include "scenes/vessel.h"
+#include "scenes/wagon.h"
+#include "scenes/weighing.h"
+#include <stdio.h>
+
+enum { POINTS = 400 };
+static const char *folder;
+
+static int write_row(vm_real t, const vm_real *y, vm_scene *scene, void *file)
+{
+    const int n = vm_scene_size(scene) - VM_BOOK;
+    int i;
+    fprintf((FILE *)file, "%.6g", (double)t);
+    for (i = 0; i < n; i++) fprintf((FILE *)file, ",%.6g", (double)y[i]);
+    fputc('\n', (FILE *)file);
+    return 0;
+}
+
+/* Runs the scene to its end, and says where it came to: at time t, number i of the state */
+static void play(stage *s, const char *name, const char *what, int i, double wanted_t, double wanted)
+{
+    vm_real times[POINTS];
+    char path[256];
+    FILE *file = NULL;
+    int k, status;
+    for (k = 0; k < POINTS; k++) times[k] = s->end * (vm_real)k / (POINTS - 1);
+    sprintf(path, "%.200s/scene_%.30s.csv", folder ? folder : "", name);
+    if (folder && (file = fopen(path, "w")) != NULL) {
+        s->scene.output = write_row, s->scene.output_ctx = file;
+        s->scene.times = times, s->scene.n_times = POINTS;
+    }
+    status = stage_start(s);
+    if (!status) status = stage_run(s, (double)s->end);
+    printf("  %-10s %-44s %9.6f s %13.9g   (%9.6f s %13.9g)%s\n", name, what, (double)s->t, (double)s->y[i],
+           wanted_t, wanted, status < 0 ? vm_strerror(status) : "");
+    if (file) fclose(file);
+}
+
+int main(int argc, char **argv)
+{
+    turner_data turn = turner, tip = tippler;
+    stator_data gap = {2.5, 1.5};
+    stage s;
+    int full;
+    folder = argc > 1 ? argv[1] : NULL;
+    puts("The machines of chapter 1 as scenes: where they come to (reference)");
+    vessel_by_motor(&s),
+        play(&s, "vessel", "tipped by a motor to 1.4 rad: rad/s", 1, 4.23898704805918765, 0.372068251670792583);
+    turner_scene(&s, &turn, 1),
+        play(&s, "turner", "a wagon is turned over: rad/s", 1, 1.84635466780631226, 3.49657701427779438);
+    turner_scene(&s, &tip, 1),
+        play(&s, "tippler", "with counterweights: rad/s", 1, 2.94061464196003694, 2.94501866090748102);
+    wagon(&s), play(&s, "wagon", "fills 60 s, then empties: m/s", 1, 120, 44.9383328318419495);
+    mechanism(&s), play(&s, "mechanism", "on a crank, a turn: rad/s", 1, 1.85978210307734631, 5.82581880164640765);
+    mill(&s, &mill_driven, 0, 25), play(&s, "mill", "rolls 25 m: m/s", 1, 3.28047146698998200, 14.7999500519540368);
+    regulator(&s), play(&s, "regulator", "holds its speed: switched off last at 9.43 s", 1, 10, 12.0231459473126);
+    scoop(&s, &full), play(&s, "scoop", "cuts, carries and drops: rad/s", 1, 2, 2.03335511035973);
+    crane(&s), play(&s, "crane", "picks up, leaks, drops: m", 0, 12, 0.000712652643793425313);
+    dosing(&s, 40), s.end = 5, play(&s, "dosing", "a belt feeds itself: rad", 0, 5, 0.000907954100047924994);
+    weighing(&s), play(&s, "weighing", "from lift-off to the largest angle: rad", 0, 2.0330313512972609,
+                       0.234693965122421166);
+    chain_heap(&s),
+        play(&s, "heap", "Cayley's chain from a heap: m/s", 1, 0.921289371977640962, 3.61640221767435598);
+    chain_winding(&s),
+        play(&s, "winding", "a chain winds on a drum: rad/s", 1, 4.16723798047598732, 3.54964786985976963);
+    stator(&s, &gap),
+        play(&s, "stator", "a broken rotor meets the stator: rad", 2, 10.0667375197206978, 18.8738526581898339);
+    return 0;
+}

@@ -1,0 +1,26 @@
+#!/bin/sh
+# Draw a figure of each machine of chapter 1 from the CSV files in the folder named, as SVG beside them.
+folder=$1
+if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
+    echo "no gnuplot: the curves are in $folder/scene_*.csv, no figures drawn"
+    exit 0
+fi
+draw() { # draw NAME COLUMN TITLE LABEL
+    gnuplot -e "csv='$folder/scene_$1.csv'; svg='$folder/scene_$1.svg'; title=\"$3\"; label=\"$4\"; column=$2" \
+        examples/scenes.gp || exit 1
+}
+draw vessel 3 "Figs 2, 3: a vessel tipped by a motor" "rad/s"
+draw turner 3 "Fig. 4: a wagon turner" "rad/s"
+draw tippler 3 "Fig. 5: a tippler with counterweights" "rad/s"
+draw wagon 3 "Fig. 6: a wagon fills, then empties" "m/s"
+draw mechanism 3 "Fig. 7: a wagon on a crank" "rad/s"
+draw mill 3 "Fig. 8: a rolling mill" "m/s"
+draw regulator 3 "Fig. 9: a mercury regulator" "rad/s"
+draw scoop 3 "Fig. 10: a scoop cuts, carries, drops" "rad/s"
+draw crane 4 "Fig. 11: a crane's load, picked up, leaking, dropped" "x, m"
+draw dosing 2 "Fig. 12: a belt dosing device" "lever, rad"
+draw weighing 2 "Fig. 13: automatic weighing" "bar, rad"
+draw heap 3 "Cayley's chain from a heap" "m/s"
+draw winding 3 "A chain winds on a drum" "rad/s"
+draw stator 4 "A broken rotor meets the stator" "psi, rad"
+echo "  $folder/scene_*.svg   the machines of chapter 1, Figs 2 to 13"

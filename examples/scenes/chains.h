@@ -1,0 +1,51 @@
+/* Cayley's chains: a heap at the edge of a table, whose links are taken up from rest, (M v)' = M g, M = mu x; a mass
+   over a drum that pulls a chain along a plane, straight or from a heap; a chain with an end mass that winds on a
+   fixed drum. */
+#include "stage.h"
+
+static inline void chain_heap(stage *s)
+{
+    int chain;
+    stage_clear(s, 10);
+    chain = stage_body(s, vm_scene_line(REAL(1e-30), REAL(0.1), 0)); /* M = x */
+    stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, 1, 0, 0));
+    stage_effect(s, vm_effect_gravity(chain, 0, REAL(gravity)));
+    stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
+}
+
+/* N = M + mu x hangs, J/R^2 is the drum's; straight: the whole chain moves, (M + mu l + J/R^2) x'' = N g */
+static inline vm_real hanging(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)t, (void)v, (void)ctx;
+    return REAL((2 + 1.5 * (double)x) * gravity);
+}
+
+static inline void chain_over_drum(stage *s, int heaped)
+{
+    int chain;
+    stage_clear(s, 10);
+    chain = stage_body(s, vm_scene_line(REAL(heaped ? 2 + 0.5 : 2 + 1.5 * 3 + 0.5), REAL(0.2), 0));
+    if (heaped) stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, REAL(1.5), 0, 0));
+    stage_effect(s, vm_effect_user(chain, 0, hanging, NULL));
+    stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
+}
+
+/* G omega^2 is constant, G = M l^2 + mu l^3/3, l = 3 - R phi: wound links stop without impact */
+static inline vm_mass_now winding_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
+{
+    const double l = 3 - 0.3 * (double)phi;
+    vm_mass_now now = {0, 0, 0, 0};
+    (void)t, (void)omega, (void)ctx;
+    now.mass = REAL(2 * l * l + 0.5 * l * l * l);
+    now.by_x = REAL(-0.3 * (4 * l + 1.5 * l * l));
+    return now;
+}
+
+static inline void chain_winding(stage *s)
+{
+    int chain;
+    stage_clear(s, 10);
+    chain = stage_body(s, vm_scene_axle(1, 0, 1));
+    stage_effect(s, vm_effect_mass_law(chain, winding_inertia, NULL, stage_vec(0, 0, 0), REAL(0.5)));
+    stage_event(s, vm_then_stop(vm_event_position(chain, 0, REAL(2 / 0.3), 1)));
+}

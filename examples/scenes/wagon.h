@@ -1,0 +1,20 @@
+/* A wagon that fills, then empties, while it moves (Fig. 6): (M v)' = F - f M g, then M v' = F - f M g
+
+        | q = 400 kg/s, falls in without velocity, for 60 s; then as much leaves with the wagon's
+      __v__
+     |_____| --> F            M(0) = 20 t, F = 15 kN, rolling resistance f M g */
+#include "stage.h"
+
+static inline void wagon(stage *s)
+{
+    int filling, emptying, body;
+    stage_clear(s, 120);
+    body = stage_body(s, vm_scene_with_mass_state(vm_scene_line(20000, 0, 0)));
+    stage_effect(s, vm_effect_drive(body, 0, 15000, 0));
+    stage_effect(s, vm_effect_gravity(body, 0, REAL(-0.005 * gravity)));
+    filling = stage_effect(s, vm_effect_stream(body, 400, stage_vec(0, 0, 0), 0));
+    emptying = stage_effect(s, vm_effect_stream(body, -400, stage_vec(0, 0, 0), 1));
+    s->effects[emptying].off = 1;
+    stage_event(s, vm_then_switch(vm_event_at(60), filling, 1));
+    stage_event(s, vm_then_switch(vm_event_at(60), emptying, 0));
+}
