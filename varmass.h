@@ -253,13 +253,13 @@ VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g);
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    The second is (192), (193), what is left of it for small mu, with the unbalance mu R phi'^2 (sin phi, -cos phi),
-   of the same order as what (192) keeps. Both stop a run, by VM_BAD_MASS or VM_BAD_INERTIA, where a mass or inertia is
-   not positive. */
+   of the same order as what (192) keeps. Both stop a run, by VM_BAD_MASS or VM_BAD_INERTIA, where a mass or inertia
+   is not positive. */
 #define VM_DRUM_STATES 6
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum);
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum);
-/* (210), (211) of y = {x, y, dx/dphi, dy/dphi}, phi the independent variable, with phi'(phi) of the rigid shaft (196);
-   VM_BAD_ARGUMENT where the drum does not get to phi */
+/* (210), (211) of y = {x, y, dx/dphi, dy/dphi}, phi the independent variable, with phi'(phi) of the rigid shaft
+   (196); VM_BAD_ARGUMENT where the drum does not get to phi */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum);
 
 /* The rigid shaft (194): angular velocity phi' (196), time t (197) at which the angle phi is reached, phi(t), and the
@@ -272,13 +272,13 @@ VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d);
 VM_API vm_real vm_drum_time(vm_real phi, const vm_drum *d);
 VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d);
 VM_API vm_real vm_drum_stop(const vm_drum *d);
-/* phi(t) as published, (198)-(206) corrected, r - k1 ln r = f1, r = -k1 W(-exp(-f1/k1)/k1), by W_-1 for 0 < k1 < 1 and
-   W_0 for other k1, from the argument's logarithm. For comparison: next to e = 0 and k1 = 0 no digit is left, at
-   them it is NaN. */
+/* phi(t) as published, (198)-(206) corrected: r - k1 ln r = f1, r = -k1 W(x), x = -exp(-f1/k1)/k1, by W_-1 for 0 < k1
+   < 1 and W_0 for other k1. For comparison: it loses all digits next to e = 0, where r comes to the branch point; at
+   e = 0 and k1 = 0 it is NaN. Next to k1 = 0 x is no number any more (1e-869 for k1 = 1e-3): ln |x| is used. */
 VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d);
 
 /* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b):
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0, y the same with mu v/(M0 Omega_b) on the right, ' = d/dphi (213), (214) */
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), y the same with mu v/(M0 Omega_b) on the right (214), ' = d/dphi */
 typedef struct VM_TAG(vm_drum_shaft) {
     vm_real k;     /* sqrt(c/M0)/Omega_b */
     vm_real delta; /* (mu/M0 + e/(J0 Omega_b) - j/J0)/2, corrected */
@@ -289,12 +289,13 @@ typedef struct VM_TAG(vm_drum_shaft) {
 VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s);
 /* (224), (225) corrected: a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha), plus
    particular: 0 for x, s->shift for y. NaN where 1 - A phi <= 0. */
-VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha, vm_real particular);
+VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha,
+                                  vm_real particular);
 /* (226): is A < 1/(2 pi), so that the frequency stays real for the first layer? */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s);
 
-/* Lambert's W, w e^w = x: the branches W_0 >= -1 for x >= -1/e, and W_-1 <= -1 for -1/e <= x < 0. The number next to -1/e,
-   a little below it, counts as -1/e and gives -1; W_-1(0) = -infinity. Within 1 ulp, x taken as exact. */
+/* Lambert's W, w e^w = x: the branches W_0 >= -1 for x >= -1/e, and W_-1 <= -1 for -1/e <= x < 0. The number next to
+   -1/e, a little below it, counts as -1/e and gives -1; W_-1(0) = -infinity. Within 1 ulp, x taken as exact. */
 VM_API vm_real vm_lambert_w0(vm_real x);
 VM_API vm_real vm_lambert_wm1(vm_real x);
 /* The same from the logarithm of the argument, which itself may be too large or too small to be a number:
@@ -406,8 +407,8 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* e^y - 1 in two words: within 2^-(p+4) (1 + e^y), p the type's digits; relative to the result below 2^-p for small y.
-   Infinity where it overflows */
+/* e^y - 1 in two words: within 2^-(p+4) (1 + e^y), p the type's digits; relative to the result below 2^-p for small
+   y. Infinity where it overflows */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -436,8 +437,8 @@ VM_API vm_two vmi_log1p(vm_two x)
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
 }
 
-/* (x - y)/x^2 with y = ln(1 + x), both given: in two words for |x| >= 1/4, but for what the words of x and y lose in the
-   difference; below that within 1.5 ulp, by x = 2u/(1 - u), ln(1 + x) = 2 u + 2 u^3 P(u^2), |u| <= 1/7 */
+/* (x - y)/x^2 with y = ln(1 + x), both given: in two words for |x| >= 1/4, but for what the words of x and y lose in
+   the difference; below that within 2 ulp, by x = 2u/(1 - u), ln(1 + x) = 2 u + 2 u^3 P(u^2), |u| <= 1/7 */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
 #if VM_MANT_DIG > 24
@@ -1075,8 +1076,8 @@ VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a
 
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s->A < 1 / (2 * VM_PI); }
 
-/* -- Lambert's W: two steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), of fourth order, from 2 % and less. The
-   residual is taken in two words, so that the last step leaves little but its own rounding -- */
+/* -- Lambert's W: two steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), of fourth order, from 2 % and less.
+   The residual is taken in two words, so that the last step leaves little but its own rounding -- */
 
 /* The relative correction of w, whose residual is z = ln(x/w) - w; w1 = 1 + w */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
@@ -1097,15 +1098,16 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* w = -1 - v from s = -1 - ln(-x) >= 0: v - ln(1 + v) = s, with v > 0 for W_-1 and < 0 for W_0. Starts: of
-   W_-1 by Barry, Culligan-Hensley and Barry (ACM TOMS 21, 1995); of W_0, for s < 0.4, the series in sqrt(2s) */
+/* w = -1 - v from s = -1 - ln(-x): v - ln(1 + v) = s, with v > 0 for W_-1 and < 0 for W_0; s down to -eps/2, less
+   than an ulp of x beyond the branch point, counts as 0. Starts: of W_-1 by Barry, Culligan-Hensley and Barry (ACM
+   TOMS 21, 1995); of W_0, for s < 0.4, the series in sqrt(2s) */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
     vm_real v, dv = 0;
     vm_two sum;
     int i;
-    if (!(s.hi > 0)) return -1;
+    if (!(s.hi > 0)) return s.hi > -VM_EPSILON / 2 ? -1 : VM_NAN;
     if (lower) v = s.hi + 2 / barry * (1 - 1 / (1 + barry / 2 * root));
     else v = -root * (1 - root * (VM_C(1.) / 3 - root / 36));
     for (i = 0; i < 2; i++) {
@@ -1122,7 +1124,7 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* -1 - ln(-x) for -1/e <= x <= -1/4: from 1 + e x in two words, which keeps every digit of the distance to -1/e */
+/* -1 - ln(-x) for x < -1/4: from 1 + e x in two words, which keeps every digit of the distance to -1/e */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1135,8 +1137,6 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_two(-ln.hi, -ln.lo);
 }
 
-#define VMI_LAMBERT_LEAST VM_C(-0.3678794411714423216) /* -1/e */
-
 /* Start of W_0 for -1/4 <= x < 1: within 0.02 */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
@@ -1145,8 +1145,8 @@ VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).
 
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
-    if (!(x >= VMI_LAMBERT_LEAST) || !VM_IS_FINITE(x)) return VM_NAN;
-    if (x == 0) return x;
+    if (x == 0 || x != x) return x;
+    if (!VM_IS_FINITE(x)) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
     return vmi_lambert_far(vmi_log(VM_FABS(x)),
                            x < 1 ? vmi_lambert_pade(x) : vmi_lambert_winitzki(vmi_log(1 + x).hi));
@@ -1155,7 +1155,7 @@ VM_API vm_real vm_lambert_w0(vm_real x)
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;
-    if (!(x >= VMI_LAMBERT_LEAST) || x > 0) return VM_NAN;
+    if (!(x <= 0) || !VM_IS_FINITE(x)) return VM_NAN;
     if (x == 0) return -VM_INFINITY;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 1);
     ln = vmi_log(-x);

@@ -1,5 +1,5 @@
-/* Written by tests/gen/lambert_reference.py: form (0 W0, 1 W_-1, 2 W0(e^x), 3 W0(-e^x), 4 W_-1(-e^x), 5 expm1, 6 log1p), x, value as
-   high and low words */
+/* Written by tests/gen/lambert_reference.py: form (0 W0, 1 W_-1, 2 W0(e^x), 3 W0(-e^x), 4 W_-1(-e^x), 5 expm1,
+   6 log1p), x, value as high and low words */
     {0, -0.25, -0.3574029561813889, -5.2970998e-18},
     {0, -0.3678794411714423, -0.9999999846957459, 4.22493659e-17},
     {0, -0.3678794205188751, -0.9996649568388455, -4.72410267e-17},

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Write tests/data/drum_table.h: the drum on a rigid shaft, (196), (197), its inverse and the stop angle, at exactly the
-stored data. Every other row is made of floats. By the closed forms (196), (197) as they are written, in 250 digits,
+"""Write tests/data/drum_table.h: the drum on a rigid shaft, (196), (197), its inverse and the stop angle, at exactly
+the stored data. Every other row is made of floats. By the closed forms (196), (197) as they are written, in 250 digits,
 which is what e and k1 next to zero cost."""
 import random
 import struct
@@ -67,8 +67,8 @@ def drum(kind, near, wide):
 
 KINDS = ("any e", "e near 0", "e = 0", "k1 near 0", "k1 = 0", "e large", "at the stop", "e > 0")
 with open("tests/data/drum_table.h", "w") as file:
-    file.write("/* Written by tests/gen/drum_reference.py: region, R, J0, mu, v, D, Omega_b; phi, phi'(phi), t(phi); t, phi(t);"
-               " stop angle\n   (0: none); results as high and low words */\n")
+    file.write("/* Written by tests/gen/drum_reference.py: region, R, J0, mu, v, D, Omega_b; phi, phi'(phi), t(phi); t,"
+               " phi(t); stop angle\n   (0: none); results as high and low words */\n")
     count = 0
     while count < 136:
         near, kind, wide = (single, float)[count % 2], KINDS[count // 2 % 8], 1.5 if count % 3 else 6

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Write tests/data/lambert_table.h: both real branches of Lambert's W, from the argument and from its logarithm, and the
-kernels expm1 and log1p beneath, at the exact value of the stored argument. Every other argument is a float.
+"""Write tests/data/lambert_table.h: both real branches of Lambert's W, from the argument and from its logarithm, and
+the kernels expm1 and log1p beneath, at the exact value of the stored argument. Every other argument is a float.
 
 The branches are solved for as w = -1 - v, v - ln(1 + v) = s, or w + ln|w| = l, in 80 digits, and compared with
 mpmath's lambertw where that applies."""
@@ -110,8 +110,8 @@ def compare(form, x, w):
 
 
 with open("tests/data/lambert_table.h", "w") as file:
-    file.write("/* Written by tests/gen/lambert_reference.py: form (0 W0, 1 W_-1, 2 W0(e^x), 3 W0(-e^x), 4 W_-1(-e^x), "
-               "5 expm1, 6 log1p), x, value as\n   high and low words */\n")
+    file.write("/* Written by tests/gen/lambert_reference.py: form (0 W0, 1 W_-1, 2 W0(e^x), 3 W0(-e^x), "
+               "4 W_-1(-e^x), 5 expm1,\n   6 log1p), x, value as high and low words */\n")
     for form in range(7):
         points = list(FIXED[form])
         for count in range(COUNT[form]):
