@@ -278,7 +278,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d);
 VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d);
 
 /* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b):
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), y the same with mu v/(M0 Omega_b) on the right (214), ' = d/dphi */
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), y with mu v/(M0 Omega_b) on the right (214), ' = d/dphi */
 typedef struct VM_TAG(vm_drum_shaft) {
     vm_real k;     /* sqrt(c/M0)/Omega_b */
     vm_real delta; /* (mu/M0 + e/(J0 Omega_b) - j/J0)/2, corrected */

@@ -71,7 +71,7 @@ static void test_lambert_edges(void)
     CHECK(vm_lambert_w0(branch * (1 - 2 * VM_EPSILON)) > -1 && vm_lambert_wm1(branch * (1 - 2 * VM_EPSILON)) < -1);
     CHECK(vm_lambert_w0(below) != vm_lambert_w0(below) && vm_lambert_wm1(below) != vm_lambert_wm1(below));
     CHECK(vm_lambert_w0(0) == 0 && vm_lambert_wm1(0) == -VM_INFINITY);
-    CHECK(vm_lambert_wm1(VM_MIN) != vm_lambert_wm1(VM_MIN));
+    CHECK(vm_lambert_wm1(VM_MIN) != vm_lambert_wm1(VM_MIN) && vm_lambert_wm1(R(0.5)) != vm_lambert_wm1(R(0.5)));
     for (x = -1; x > -VM_MAX / 16; x *= 16) CHECK(vm_lambert_w0(x) != vm_lambert_w0(x) && !(vm_lambert_wm1(x) < 1));
     x = vm_lambert_w0(-VM_MAX), CHECK(x != x);
     x = vm_lambert_w0(VM_INFINITY), CHECK(x != x);
@@ -158,6 +158,8 @@ static void test_geometry(void)
     CHECK(fabs(hypot(x, y) - (double)g.offset) < 1e-8 && fabs(atan2(y, x) - phi / 2) < 1e-9);
     CHECK(fabs(1.1 + own - (double)g.axle_inertia) < (is_float ? 1e-6 : 1e-12));
     CHECK(fabs(1.1 + own - 20.945 * (x * x + y * y) - (double)g.inertia) < 1e-6);
+    CHECK(vm_drum_at(R(0.5), &d, &g) == VM_OK);
+    close_to("SS' (184)", "phi = 1/2", (double)g.arc_centre, 1.2 * sin(0.25), 0.3);
     CHECK(vm_drum_at(0, &d, &g) == VM_OK && g.offset == 0 && g.arc_centre == d.radius && g.inertia == d.inertia);
     kept = g;
 #define REFUSED(want, field, value)                                                   \
@@ -598,6 +600,7 @@ static void test_rigid_domain(void)
     x = vm_drum_angle(VM_NAN, &good), CHECK(x != x);
     x = vm_drum_time(VM_INFINITY, &good), CHECK(x != x);
     x = vm_drum_angle_lambert(-1, &good), CHECK(x != x);
+    x = vm_drum_angle_lambert(VM_INFINITY, &good), CHECK(x != x);
     for (i = 0; i < 4; i++) {
         vm_drum d = good;
         d.inertia = bad_values[i];
@@ -609,6 +612,7 @@ static void test_rigid_domain(void)
         d = good, d.speed = bad_values[i];
         if (i > 1) CHECK(vm_drum_angle(1, &d) != vm_drum_angle(1, &d));
         if (i > 1) CHECK(vm_drum_angle_lambert(1, &d) != vm_drum_angle_lambert(1, &d));
+        d = good, d.omega = bad_values[i], CHECK(vm_drum_angle_lambert(1, &d) != vm_drum_angle_lambert(1, &d));
     }
     { /* no band: phi = Omega_b J0/D (1 - exp(-D t/J0)) */
         vm_drum d = good;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Write tests/data/drum_table.h: the drum on a rigid shaft, (196), (197), its inverse and the stop angle, at exactly
-the stored data. Every other row is made of floats. By the closed forms (196), (197) as they are written, in 250 digits,
-which is what e and k1 next to zero cost."""
+the stored data. Every other row is made of floats. By the closed forms (196), (197) as they are written, in 250
+digits, which is what e and k1 next to zero cost."""
 import random
 import struct
 from mpmath import mp, mpf, exp, fabs, log, sqrt
