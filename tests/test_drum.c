@@ -602,17 +602,23 @@ static void test_rigid_domain(void)
     x = vm_drum_angle_lambert(-1, &good), CHECK(x != x);
     x = vm_drum_angle_lambert(VM_INFINITY, &good), CHECK(x != x);
     for (i = 0; i < 4; i++) {
-        vm_drum d = good;
+        const vm_drum driven = f3_drum(0.9);
+        vm_drum d = driven;
         d.inertia = bad_values[i];
         CHECK(vm_drum_angle(1, &d) != vm_drum_angle(1, &d) && vm_drum_stop(&d) != vm_drum_stop(&d));
-        d = good, d.omega = bad_values[i];
+        d = driven, d.omega = bad_values[i];
         CHECK(vm_drum_time(1, &d) != vm_drum_time(1, &d) && vm_drum_rate(1, &d) != vm_drum_rate(1, &d));
-        d = good, d.band = bad_values[i];
+        d = driven, d.band = bad_values[i];
         if (i) CHECK(vm_drum_angle(1, &d) != vm_drum_angle(1, &d));
-        d = good, d.speed = bad_values[i];
+        d = driven, d.speed = bad_values[i];
         if (i > 1) CHECK(vm_drum_angle(1, &d) != vm_drum_angle(1, &d));
         if (i > 1) CHECK(vm_drum_angle_lambert(1, &d) != vm_drum_angle_lambert(1, &d));
-        d = good, d.omega = bad_values[i], CHECK(vm_drum_angle_lambert(1, &d) != vm_drum_angle_lambert(1, &d));
+        d = driven, d.omega = bad_values[i], CHECK(vm_drum_angle_lambert(1, &d) != vm_drum_angle_lambert(1, &d));
+    }
+    { /* the stop exactly: 1 * 2/0.5 = 4 */
+        const vm_drum d = drum_of(1, 1, 1, 0.25, 0, 0.5, 1, 2);
+        CHECK(vm_drum_stop(&d) == 4 && vm_drum_rate(4, &d) == 0 && vm_drum_time(4, &d) == VM_INFINITY);
+        CHECK(vm_drum_angle(R(1e6), &d) == 4);
     }
     { /* no band: phi = Omega_b J0/D (1 - exp(-D t/J0)) */
         vm_drum d = good;
