@@ -824,6 +824,7 @@ static void test_refusals(void)
     bad = d, bad.stiffness = VM_INFINITY, CHECK(vm_drum_shaft_init(&bad, &s) == VM_NOT_FINITE);
     CHECK(vm_drum_shaft_init(NULL, &s) == VM_BAD_ARGUMENT && vm_drum_shaft_init(&d, NULL) == VM_BAD_ARGUMENT);
     CHECK(memcmp(&s, &before, sizeof s) == 0);
+    bad = d, bad.omega = R(0.5), CHECK(vm_drum_shaft_init(&bad, &s) == VM_OK && s.k == 20);
     /* turned backwards until the mass is used up: the run stops, with the last state that had one */
     CHECK(rk4_solve(vm_drum_rhs, &d, 6, &t, 1, 1000, y, work) == ODE_RHS_STOPPED);
     CHECK(d.mass + d.band * y[2] > 0 && y[2] < R(-99.9) && t < R(0.1));
