@@ -18,9 +18,9 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes
+TESTS = jacobi ateb integrators events varmass dissertation scenes drum
 SCRIPTS = headers plans package scene_cost
-EXAMPLES = table5 example1 example2 scenes
+EXAMPLES = table5 example1 example2 drum scenes
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h $(wildcard tests/data/*.h examples/*.h examples/scenes/*.h)
@@ -30,10 +30,7 @@ GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
-	@./build/examples/table5
-	@echo; ./build/examples/example1 build/figures/example1.csv
-	@echo; ./build/examples/example2 build/figures/example2.csv
-	@echo; ./build/examples/scenes build/figures
+	@for example in $(EXAMPLES); do echo; ./build/examples/$$example build/figures/$$example.csv || exit 1; done
 	@sh examples/figures.sh build/figures
 	@sh examples/scenes.sh build/figures
 
@@ -89,6 +86,8 @@ data:
 	python3 tests/gen/ateb_reference.py
 	python3 tests/gen/jacobi_reference.py
 	python3 tests/gen/beta_reference.py
+	python3 tests/gen/lambert_reference.py
+	python3 tests/gen/drum_reference.py
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py

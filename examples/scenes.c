@@ -1,7 +1,7 @@
 /* The machines of chapter 1 as scenes: what each comes to, beside the reference (36-digit integration or a closed
    form), and its curves.
 
-   usage: scenes [folder]      a file scene_NAME.csv for each machine is written there: t, then the state */
+   usage: scenes [file.csv]      for each machine file_NAME.csv: t, then the state */
 #include "scenes/chains.h"
 #include "scenes/crane.h"
 #include "scenes/dosing.h"
@@ -17,7 +17,8 @@
 #include <stdio.h>
 
 enum { POINTS = 400 };
-static const char *folder;
+static const char *file_name;
+static int length; /* of it without ".csv" */
 
 static int write_row(vm_real t, const vm_real *y, vm_scene *scene, void *file)
 {
@@ -37,8 +38,8 @@ static void play(stage *s, const char *name, const char *what, int i, double wan
     FILE *file = NULL;
     int k, status;
     for (k = 0; k < POINTS; k++) times[k] = s->end * (vm_real)k / (POINTS - 1);
-    sprintf(path, "%.200s/scene_%.30s.csv", folder ? folder : "", name);
-    if (folder && (file = fopen(path, "w")) != NULL) {
+    sprintf(path, "%.*s_%.30s.csv", length, file_name ? file_name : "", name);
+    if (file_name && (file = fopen(path, "w")) != NULL) {
         s->scene.output = write_row, s->scene.output_ctx = file;
         s->scene.times = times, s->scene.n_times = POINTS;
     }
@@ -55,7 +56,10 @@ int main(int argc, char **argv)
     stator_data gap = {2.5, 1.5};
     stage s;
     int full;
-    folder = argc > 1 ? argv[1] : NULL;
+    if (argc > 1 && strlen(argv[1]) > 4 && strlen(argv[1]) < 200) {
+        file_name = argv[1];
+        length = (int)strlen(file_name) - 4;
+    }
     puts("The machines of chapter 1 as scenes: where they come to (reference)");
     vessel_by_motor(&s),
         play(&s, "vessel", "tipped by a motor to 1.4 rad: rad/s", 1, 4.23898704805918765, 0.372068251670792583);

@@ -2,11 +2,11 @@
 # Draw a figure of each machine of chapter 1 from the CSV files in the folder named, as SVG beside them.
 folder=$1
 if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
-    echo "no gnuplot: the curves are in $folder/scene_*.csv, no figures drawn"
+    echo "no gnuplot: the curves are in $folder/scenes_*.csv, no figures drawn"
     exit 0
 fi
 draw() { # draw NAME COLUMN TITLE LABEL
-    gnuplot -e "csv='$folder/scene_$1.csv'; svg='$folder/scene_$1.svg'; title=\"$3\"; label=\"$4\"; column=$2" \
+    gnuplot -e "csv='$folder/scenes_$1.csv'; svg='$folder/scenes_$1.svg'; title=\"$3\"; label=\"$4\"; column=$2" \
         examples/scenes.gp || exit 1
 }
 draw vessel 3 "Figs 2, 3: a vessel tipped by a motor" "rad/s"
@@ -23,4 +23,4 @@ draw weighing 2 "Fig. 13: automatic weighing" "bar, rad"
 draw heap 3 "Cayley's chain from a heap" "m/s"
 draw winding 3 "A chain winds on a drum" "rad/s"
 draw stator 4 "A broken rotor meets the stator" "psi, rad"
-echo "  $folder/scene_*.svg   the machines of chapter 1, Figs 2 to 13"
+echo "  $folder/scenes_*.svg   the machines of chapter 1, Figs 2 to 13"
