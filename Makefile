@@ -19,7 +19,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation scenes drum
-SCRIPTS = headers plans package scene_cost
+SCRIPTS = headers plans package scene_cost golden
 EXAMPLES = table5 example1 example2 drum scenes
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events

@@ -175,6 +175,51 @@ static void section_oscillators(void)
     end("oscillators");
 }
 
+static void section_drum(void)
+{
+    int i;
+    begin();
+    for (i = 0; i < COUNT / 4; i++) {
+        const vm_real x = uniform(VM_C(-0.36), 3), l = uniform(-600, 600);
+        fold(vm_lambert_w0(x)), fold(vm_lambert_wm1(x < 0 ? x : -x / 9)), fold(vm_lambert_w0_exp(l));
+        fold(vm_lambert_wm1_mexp(-1 - l * l));
+    }
+    end("drum");
+}
+
+/* A body on a line sheds mass, another in the plane is attached to a third; an event switches a drive off */
+static void section_scenes(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_vec3 at = {1, 0, 0};
+    vm_scene_body bodies[3];
+    vm_effect effects[5];
+    vm_event events[2];
+    ode_event located[2];
+    vm_scene scene;
+    vm_real y[2 + 6 + 6], work[VM_SCENE_WORK(2 + 6 + 6)], t = 0;
+    int i;
+    memset(&scene, 0, sizeof scene);
+    bodies[0] = vm_scene_line(2, 1, 0);
+    bodies[1] = vm_scene_plane(1, VM_C(0.5), zero, 0, at, 1);
+    bodies[2] = vm_scene_point(1, at, zero);
+    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, VM_C(-0.125), 0, 1);
+    effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 3, VM_C(1.5), 0);
+    effects[2] = vm_effect_drive(0, 0, VM_C(0.25), 0);
+    effects[3] = vm_effect_harmonic(1, 1, 1, 2, VM_C(0.5));
+    effects[4] = vm_effect_spring(1, 0, 0, 0, 1, 1, 0);
+    events[0] = vm_then_switch(vm_event_position(0, 0, 0, -1), 2, 1);
+    events[1] = vm_then_attach(vm_event_at(2), 1, 2);
+    scene.bodies = bodies, scene.n_bodies = 3, scene.effects = effects, scene.n_effects = 5;
+    scene.events = events, scene.located = located, scene.n_events = 2;
+    begin();
+    fold((vm_real)vm_scene_start(&scene, 0, y, NULL));
+    fold((vm_real)vm_scene_run(&scene, &t, 5, y, work, NULL));
+    for (i = 0; i < 2 + 6 + 6; i++) fold(y[i]);
+    fold(located[0].t);
+    end("scenes");
+}
+
 #ifndef GOLDEN_SECTION /* only this one, where flash is small: 1, 2, ... */
 #define GOLDEN_SECTION 0
 #endif
@@ -189,5 +234,7 @@ int main(void)
     RUN(4, section_integrators);
     RUN(5, section_jumps);
     RUN(6, section_oscillators);
+    RUN(7, section_drum);
+    RUN(8, section_scenes);
     return 0;
 }
