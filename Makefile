@@ -6,6 +6,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
+#   make firmware   a controller on an emulated Cortex-M4F    make firmware-table   flash, stack, instructions of a call
 #   make test-cross   the same bits on every target (minutes)
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
@@ -26,7 +27,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
 TEST_FILES = build/command $(HEADERS) tests/check.h $(wildcard tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -74,6 +75,23 @@ points: build/command
 # a campaign of minutes: the same bits on every target that can be had, with emulators
 test-cross:
 	sh tests/cross.sh build docs/cross.md
+
+# a controller on an emulated Cortex-M4F
+CORTEX_M4F = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
+CORTEX_M = -nostartfiles -T tests/cross/cortex_m.ld -Wl,--defsym=FLASH_SIZE=0x40000,--defsym=RAM_SIZE=0x10000,--gc-sections \
+    -ffunction-sections -fdata-sections
+firmware:
+	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
+	@sh tests/install.sh "command -v qemu-system-arm" qemu-system-arm
+	@mkdir -p build/firmware
+	arm-none-eabi-gcc $(CORTEX_M4F) -std=c99 $(STRICT) -Os -fno-math-errno $(CORTEX_M) tests/cross/cortex_m.c examples/firmware/sieve.c \
+	    -o build/firmware/sieve.elf -lm
+	arm-none-eabi-size build/firmware/sieve.elf
+	qemu-system-arm -M mps2-an386 -icount shift=10 -nographic -monitor none -serial none \
+	    -semihosting-config enable=on,target=native -kernel build/firmware/sieve.elf </dev/null
+
+firmware-table:
+	sh examples/firmware/table.sh build >docs/firmware.md
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES:%=build/bench/%)
 	sh bench/measurements.sh build

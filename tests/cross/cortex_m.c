@@ -4,6 +4,8 @@
 
 extern uint32_t data_load[], data_start[], data_end[], bss_start[], bss_end[], stack_top[];
 int main(void);
+void golden_line(const char *line);
+void reset(void);
 
 static int semihosting(int operation, const void *argument)
 {
@@ -41,6 +43,11 @@ void reset(void)
     leave((uint32_t)main());
 }
 
-__attribute__((section(".vectors"), used)) static const void *const vectors[16] = {
-    stack_top, (void *)reset, (void *)fault, (void *)fault, (void *)fault, (void *)fault, (void *)fault, 0, 0, 0, 0,
-    (void *)fault, (void *)fault, 0, (void *)fault, (void *)fault};
+typedef union vector {
+    uint32_t *stack;
+    void (*handler)(void);
+} vector;
+#define FAULT {.handler = fault}
+__attribute__((section(".vectors"), used)) static const vector vectors[16] = {
+    {.stack = stack_top}, {.handler = reset}, FAULT, FAULT, FAULT, FAULT, FAULT, {0}, {0}, {0}, {0}, FAULT, FAULT, {0},
+    FAULT, FAULT};

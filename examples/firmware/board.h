@@ -1,0 +1,32 @@
+/* The board: lines out by semihosting, and a counter of instructions. MPS2 boards (Cortex-M3, M4, M7) have a counter of
+   25 MHz, which under qemu -icount shift=10, where an instruction takes 1024 ns, counts them exactly. */
+#ifndef BOARD_H
+#define BOARD_H
+#include <stdint.h>
+
+static inline void board_print(const char *text)
+{
+    register int r0 __asm__("r0") = 0x04; /* SYS_WRITE0 */
+    register const char *r1 __asm__("r1") = text;
+    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+}
+
+static inline void board_print_number(int32_t x, int width)
+{
+    char text[16];
+    int i = 15, negative = x < 0;
+    uint32_t rest = negative ? (uint32_t)0 - (uint32_t)x : (uint32_t)x;
+    text[i] = 0;
+    do text[--i] = (char)('0' + rest % 10);
+    while (rest /= 10);
+    if (negative) text[--i] = '-';
+    for (width -= 15 - i; width > 0; width--) board_print(" ");
+    board_print(text + i);
+}
+
+static inline uint32_t board_instructions(void)
+{
+    return (uint32_t)((*(volatile uint32_t *)0x40028018u * (uint64_t)40 + 512) >> 10);
+}
+
+#endif

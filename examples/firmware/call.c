@@ -1,0 +1,44 @@
+/* What one call costs on a microcontroller: CALL, an expression with the variables below, from HEADER. Prints its
+   instructions and the depth of its stack; flash is the program's size less that of one with CALL = 0. */
+#include HEADER
+#include "board.h"
+
+volatile vm_real input[4] = {(vm_real)0.75, (vm_real)0.3, (vm_real)1.7, 3}, output;
+extern uint32_t stack_top[];
+
+#ifdef PLAN
+static PLAN plan;
+#endif
+
+static int __attribute__((noinline, noclone)) call(vm_real u, vm_real m, vm_real alpha, vm_real n)
+{
+    vm_real a = 0, b = 0, c = 0;
+    (void)u, (void)m, (void)alpha, (void)n;
+    CALL;
+    output = a + b + c;
+    return 0;
+}
+
+enum { DEPTH = 1500 }; /* words of stack that are painted */
+
+int main(void)
+{
+    const uint32_t paint = 0xdeadbeefu;
+    volatile uint32_t *low, here = 0;
+    uint32_t start, used;
+    long i;
+#ifdef INIT
+    INIT;
+#endif
+    for (low = &here - DEPTH; low < &here - 16; low++) *low = paint;
+    call(input[0], input[1], input[2], input[3]); /* warm */
+    for (low = &here - DEPTH; *low == paint && low < &here; low++) {}
+    start = board_instructions();
+    for (i = 0; i < 16; i++) call(input[0], input[1], input[2], input[3]);
+    used = board_instructions() - start;
+    board_print_number((int32_t)(used / 16), 1);
+    board_print(" ");
+    board_print_number((int32_t)((&here - low) * 4), 1);
+    board_print("\n");
+    return 0;
+}
