@@ -6,7 +6,8 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
-#   make firmware   a controller on an emulated Cortex-M4F    make firmware-table   flash, stack, instructions of a call
+#   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
+#   make firmware   a controller on an emulated Cortex-M4F
 #   make test-cross   the same bits on every target (minutes)
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
@@ -20,14 +21,14 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation scenes drum
-SCRIPTS = headers plans package scene_cost golden
+SCRIPTS = headers plans package scene_cost golden sweep
 EXAMPLES = table5 example1 example2 drum scenes
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h $(wildcard tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -92,6 +93,13 @@ firmware:
 
 firmware-table:
 	sh examples/firmware/table.sh build >docs/firmware.md
+
+# a Monte-Carlo of break-ups over all cores, and by MPI where it is
+sweep:
+	@sh tests/install.sh "command -v mpicc && command -v mpirun" openmpi-bin libopenmpi-dev && \
+	mkdir -p build && mpicc -std=c99 $(CFLAGS) -fopenmp -DWITH_MPI examples/sweep/breakups.c -o build/breakups -lm || \
+	$(COMPILE) -fopenmp examples/sweep/breakups.c -o build/breakups -lm
+	./build/breakups 4000000 1 build/breakups.blocks
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES:%=build/bench/%)
 	sh bench/measurements.sh build

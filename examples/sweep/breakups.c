@@ -1,0 +1,200 @@
+/* A sweep: how fast do the remainders of a tumbling body spin, when a random part leaves it at a random instant with a
+   random velocity? Millions of break-ups over all cores (OpenMP) and machines (MPI); the result has the same bits
+   whatever the number of either, since sample i draws from its own generator, samples are summed in blocks and blocks in
+   order. A run that was interrupted goes on where its file of finished blocks ends.
+
+   usage: [mpirun -n RANKS] breakups SAMPLES [SEED [FILE]]
+   make sweep; or: cc -O2 -fopenmp breakups.c -lm        mpicc -O2 -fopenmp -DWITH_MPI breakups.c -lm */
+#include "../../varmass.h"
+#include <stdio.h>
+#include <stdlib.h>
+#ifdef WITH_MPI
+#include <mpi.h>
+#endif
+
+enum { BLOCK = 4096, BINS = 24 };
+
+typedef struct block {
+    double number; /* of the block, from 0 */
+    double refused, energy, spin, spin_squared, bins[BINS];
+} block;
+
+/* Splitmix64: the n-th number of a sample's sequence */
+static uint64_t mix(uint64_t x)
+{
+    x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    x = (x ^ (x >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return x ^ (x >> 31);
+}
+
+typedef struct random_numbers {
+    uint64_t state;
+} random_numbers;
+
+static vm_real between(random_numbers *r, double low, double high)
+{
+    r->state += UINT64_C(0x9e3779b97f4a7c15);
+    return (vm_real)(low + (high - low) * (double)(mix(r->state) >> 11) / 9007199254740992.0);
+}
+
+static vm_vec3 inside(random_numbers *r, double size)
+{
+    vm_vec3 a;
+    a.x = between(r, -size, size);
+    a.y = between(r, -size, size);
+    a.z = between(r, -size, size);
+    return a;
+}
+
+/* A body of 100 kg that tumbles; up to a third of it, a solid sphere, leaves */
+static void sample(uint64_t seed, uint64_t i, block *sum)
+{
+    random_numbers r;
+    vm_body whole, part, rest;
+    double spin;
+    int bin;
+    r.state = mix(seed + mix(i));
+    memset(&whole, 0, sizeof whole);
+    whole.mass = 100;
+    whole.inertia.xx = 30, whole.inertia.yy = 40, whole.inertia.zz = 50;
+    whole.q.w = between(&r, -1, 1), whole.q.x = between(&r, -1, 1), whole.q.y = between(&r, -1, 1);
+    whole.q.z = between(&r, -1, 1);
+    whole.omega = inside(&r, 1);
+    part = whole;
+    part.mass = between(&r, 1, 33);
+    part.inertia.xx = part.inertia.yy = part.inertia.zz = (vm_real)0.4 * part.mass * (vm_real)0.01; /* radius 0.1 m */
+    part.r = inside(&r, 0.4);
+    part.v = inside(&r, 3);
+    part.omega = inside(&r, 5);
+    if (vm_separate(&whole, &part, NULL, &rest) < 0) { /* no body has the rest's inertia */
+        sum->refused++;
+        return;
+    }
+    spin = sqrt((double)vmi_dot(rest.omega, rest.omega));
+    bin = (int)(spin * 4);
+    sum->bins[bin < BINS ? bin : BINS - 1]++;
+    sum->spin += spin, sum->spin_squared += spin * spin;
+    sum->energy += (double)(vm_kinetic_energy(&rest) + vm_kinetic_energy(&part) - vm_kinetic_energy(&whole));
+}
+
+static void do_block(uint64_t seed, long number, long samples, block *b)
+{
+    const long end = (number + 1) * BLOCK < samples ? (number + 1) * BLOCK : samples;
+    long i;
+    memset(b, 0, sizeof *b);
+    b->number = (double)number;
+    for (i = number * BLOCK; i < end; i++) sample(seed, (uint64_t)i, b);
+}
+
+static void report(const block *blocks, long count, long samples)
+{
+    block total;
+    double done;
+    long k;
+    int bin;
+    memset(&total, 0, sizeof total);
+    for (k = 0; k < count; k++) {
+        total.refused += blocks[k].refused, total.energy += blocks[k].energy;
+        total.spin += blocks[k].spin, total.spin_squared += blocks[k].spin_squared;
+        for (bin = 0; bin < BINS; bin++) total.bins[bin] += blocks[k].bins[bin];
+    }
+    done = (double)samples - total.refused;
+    printf("%ld break-ups, %.0f of them impossible; mean spin %.15g rad/s, deviation %.6g, energy gained %.15g J\n", samples,
+           total.refused, total.spin / done,
+           sqrt(total.spin_squared / done - total.spin / done * (total.spin / done)), total.energy / done);
+    for (bin = 0; bin < BINS; bin++) printf("%5.2f rad/s %8.5f\n", bin / 4., total.bins[bin] / done);
+}
+
+/* Blocks that an earlier run has finished; a file of another seed or size is not used */
+static long restore(const char *file_name, const double *key, block *blocks, long count)
+{
+    FILE *file = file_name ? fopen(file_name, "rb") : NULL;
+    double found[2];
+    block b;
+    long restored = 0;
+    if (!file) return 0;
+    if (fread(found, sizeof *found, 2, file) == 2 && found[0] == key[0] && found[1] == key[1])
+        while (fread(&b, sizeof b, 1, file) == 1)
+            if (b.number >= 0 && b.number < (double)count && blocks[(long)b.number].number < 0)
+                blocks[(long)b.number] = b, restored++;
+    fclose(file);
+    return restored;
+}
+
+/* The file anew, whole: what was restored, so that a torn end of an earlier run is gone; blocks are added as they come */
+static FILE *keep(const char *file_name, const double *key, const block *blocks, long count)
+{
+    FILE *file = file_name ? fopen(file_name, "wb") : NULL;
+    long k;
+    if (!file) return NULL;
+    fwrite(key, sizeof *key, 2, file);
+    for (k = 0; k < count; k++)
+        if (blocks[k].number >= 0) fwrite(blocks + k, sizeof *blocks, 1, file);
+    fflush(file);
+    return file;
+}
+
+enum { ROUND = 64 }; /* blocks a rank does between two exchanges */
+
+int main(int argc, char **argv)
+{
+    const long samples = argc > 1 ? atol(argv[1]) : 1000000, count = (samples + BLOCK - 1) / BLOCK;
+    const uint64_t seed = argc > 2 ? (uint64_t)strtoul(argv[2], NULL, 10) : 1;
+    const char *file_name = argc > 3 ? argv[3] : NULL;
+    const double key[2] = {(double)seed, (double)samples};
+    block *blocks = (block *)malloc((size_t)(count > 0 ? count : 1) * sizeof *blocks);
+    FILE *file = NULL;
+    int rank = 0, ranks = 1;
+    long first, k;
+#ifdef WITH_MPI
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+#endif
+    if (!blocks || samples < 1) return 1;
+    for (k = 0; k < count; k++) blocks[k].number = -1;
+    k = rank == 0 ? restore(file_name, key, blocks, count) : 0;
+    if (k) fprintf(stderr, "%ld of %ld blocks were there\n", k, count);
+    if (rank == 0) file = keep(file_name, key, blocks, count);
+#ifdef WITH_MPI
+    MPI_Bcast(blocks, (int)((size_t)count * sizeof *blocks / sizeof(double)), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+#endif
+    for (first = 0; first < count; first += (long)ranks * ROUND) { /* rank r does ROUND blocks of each round */
+        const long mine = first + (long)rank * ROUND;
+#pragma omp parallel for schedule(dynamic)
+        for (k = mine; k < mine + ROUND; k++)
+            if (k < count && blocks[k].number < 0) {
+                do_block(seed, k, samples, blocks + k);
+                blocks[k].number = (double)k + 0.5; /* new */
+            }
+#ifdef WITH_MPI
+        {
+            int r;
+            for (r = 0; r < ranks; r++) {
+                const long from = first + (long)r * ROUND, to = from + ROUND < count ? from + ROUND : count;
+                if (from < to)
+                    MPI_Bcast(blocks + from, (int)((size_t)(to - from) * sizeof *blocks / sizeof(double)), MPI_DOUBLE, r,
+                              MPI_COMM_WORLD);
+            }
+        }
+#endif
+        for (k = first; k < first + (long)ranks * ROUND && k < count; k++)
+            if (blocks[k].number > (double)k) {
+                blocks[k].number = (double)k;
+                if (file) fwrite(blocks + k, sizeof *blocks, 1, file);
+            }
+        if (file) fflush(file);
+        if (rank == 0)
+            fprintf(stderr, "\r%3.0f %%", 100. * (double)(first + (long)ranks * ROUND < count ? first + (long)ranks * ROUND : count) / (double)count);
+    }
+    if (rank == 0) {
+        fprintf(stderr, "\n");
+        report(blocks, count, samples);
+    }
+    if (file) fclose(file);
+    free(blocks);
+#ifdef WITH_MPI
+    MPI_Finalize();
+#endif
+    return 0;
+}
