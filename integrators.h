@@ -112,13 +112,12 @@
 
 #ifndef VM_API
 #define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
+#if !defined(VM_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define VM_INLINE static inline __attribute__((always_inline)) /* of what must be inlined for speed */
 #endif
-#ifndef VM_INLINE /* linkage of what must be inlined for speed; VM_API is enough for the results */
-#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define VM_INLINE VM_API __attribute__((always_inline))
-#else
-#define VM_INLINE VM_API
 #endif
+#ifndef VM_INLINE
+#define VM_INLINE VM_API /* which is enough for the results */
 #endif
 #ifndef VM_TABLE
 #define VM_TABLE static const /* storage of every table */

@@ -47,6 +47,9 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h refuses -ffast-math" fails $cc -std=c99 -ffast-math -I. -c "$build/fast.c" -o "$build/fast.o"
     check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
 done
+printf '#include "varmass.h"\n' >"$build/shared.c"
+check "a shared library of all functions builds without a warning" $cc -std=c99 -O2 -Wall -Wextra -Werror -shared -fPIC -DVM_API= -I. \
+    "$build/shared.c" -o "$build/libvarmass.so" -lm
 check "float and double in one program: builds" $cc -std=c99 -O2 tests/mixed_double.c tests/mixed_float.c -o "$build/mixed" -lm
 check "float and double in one program: agrees" "$build/mixed"
 for header in jacobi ateb integrators varmass; do

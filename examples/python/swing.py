@@ -51,8 +51,8 @@ with tempfile.TemporaryDirectory() as folder:
         kit.vm_osc_exact(i * period / 8, 1, 1, 3, x, v)
         print(f"  t = {i * period / 8:.4f}   x = {x.value:+.9f}   v = {v.value:+.9f}   energy {v.value**2 / 2 + x.value**4 / 4:.15f}")
 
-    satellite = Body(500, Inertia(200, 150, 100, 0, 0, 0), Quat(1, 0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0.1))
-    panel = Body(20, Inertia(2, 3, 5, 0, 0, 0), Quat(1, 0, 0, 0), Vec3(1.2, 0, 0), Vec3(0.3, 0.12, 0), Vec3(0, 0, 0.1))
+    satellite = Body(500, Inertia(120, 150, 180, 0, 0, 0), Quat(1, 0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0.1))
+    panel = Body(20, Inertia(2, 3, 4, 0, 0, 0), Quat(1, 0, 0, 0), Vec3(1.2, 0, 0), Vec3(0.3, 0.12, 0), Vec3(0, 0, 0.1))
     rest = Body()
     status = kit.vm_separate(satellite, panel, None, rest)
     print(f"a panel is thrown off ({status}): the rest spins at {rest.omega.z:.6f} rad/s instead of {satellite.omega.z}, "
