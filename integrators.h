@@ -149,14 +149,14 @@ typedef double vm_real;
 #endif
 #endif
 
-#ifndef VM_SQRT /* define all of these to use another library */
-#define VM_SQRT(x) VM_LIBM(sqrt)(x)
-#define VM_FABS(x) VM_LIBM(fabs)(x)
-#define VM_FLOOR(x) VM_LIBM(floor)(x)
+#ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
+#define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
+#define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
+#define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
 #define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* gcc's inline code for "x = copysign(x, y)" gives y here */
 #else
-#define VM_COPYSIGN(x, y) VM_LIBM(copysign)(x, y)
+#define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
 #endif
 
