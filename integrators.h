@@ -359,7 +359,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 
 /* The loops over components are unrolled where n is known, so that the components live in registers. Systems of up to
    VMI_SMALL known components are stepped in local arrays, others in the caller's work. */
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
 #else
