@@ -1701,17 +1701,18 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* agm(1, k') and Pi(-N | m)/K(m) by one ladder, for m1 = k'^2 > 0 and p = sqrt(1 + N), in two words. [1, 19.8.6-7] with
-     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  Pi/K = 1 - N/(1 + N) sum Q/2,
-   where sum Q = 2 - sum Q (1 - e), so that only positive terms occur: relatively accurate for any N >= 0. */
+/* agm(1, k'), Pi(-N | m)/K(m) and what that is less than 1, by one ladder in two words, for
+   m1 = k'^2 > 0, share = N/(1 + N) and below = 1/(1 + N), N >= 0. From p = sqrt(1 + N) [1, 19.8.6-7] with
+     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2,
+   where sum Q = 2 - sum Q (1 - e), so that both come from positive terms: relatively accurate for any N. */
 typedef struct VM_TAG(vmi_third_kind) {
-    vm_two mean, ratio;
+    vm_two mean, ratio, rest;
 } vmi_third_kind;
 
-VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two p)
+VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
-    const vm_two one = vmi_two(1, 0), below = vmi_two_over(one, vmi_two_times(p, p)); /* 1/(1 + N) */
-    vm_two a = one, g = vmi_two_root(m1), Q = one, less = vmi_two(0, 0), ag, pp, above;
+    vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
+    vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int round;
     for (round = 0; round < 200; round++) { /* 5 to 10, and one for every binary digit of p */
@@ -1719,6 +1720,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two p)
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
         above = vmi_two_plus(pp, ag);
+        sum = vmi_two_plus(sum, Q);
         less = vmi_two_plus(less, vmi_two_times(Q, vmi_two_over(vmi_two_shifted(ag, 2), above)));
         Q = vmi_two_shifted(vmi_two_times(Q, vmi_two_over(vmi_two_minus(pp, ag), above)), VM_C(0.5));
         p = vmi_two_over(above, vmi_two_shifted(p, 2));
@@ -1727,7 +1729,9 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two p)
         if (!(apart > VM_EPSILON * a.hi) && !(VM_FABS(Q.hi) > VM_EPSILON * VM_EPSILON / 4 * less.hi)) break;
     }
     result.mean = a;
-    result.ratio = vmi_two_plus(below, vmi_two_times(vmi_two_shifted(vmi_two_minus(one, below), VM_C(0.5)), less));
+    share = vmi_two_shifted(share, VM_C(0.5));
+    result.ratio = vmi_two_plus(below, vmi_two_times(share, less));
+    result.rest = vmi_two_times(share, sum);
     return result;
 }
 

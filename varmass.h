@@ -970,25 +970,31 @@ VM_API vmi_turn_squares vmi_turn_amplitudes(const vmi_turn_axes *t)
     return q;
 }
 
-/* kappa, the mean rate of h, and agm(1, k') (0 on the separatrix), by Pi(-N | m) with N = I3 d12/(I1 d23) */
+/* kappa, the mean rate of h, and agm(1, k') (0 on the separatrix), by Pi(-N | m) with N = I3 d12/(I1 d23):
+     2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))   if I1 > I3,
+     2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))   if not;  c = I3 a3/L */
 VM_API vm_two vmi_turn_rate(const vmi_turn_axes *t, const vmi_turn_squares *q, vm_two *mean)
 {
-    const vm_two L = vmi_two_root(q->L), c = vmi_two_root(vmi_two_over(q->h3, q->L));
-    vm_two p, rest;
+    const vm_two L = vmi_two_root(q->L), outer = vmi_two_times(t->I2, t->d13);
+    const vm_two share = vmi_two_over(vmi_two_times(t->I3, t->d12), outer);
+    const vm_two below = vmi_two_over(vmi_two_times(t->I1, t->d23), outer);
+    vm_two rest, kappa;
     vmi_third_kind third;
     *mean = vmi_two(t->symmetric, 0);
     if (t->symmetric) {
         rest = vmi_two_times(vmi_two_root(q->a3), vmi_two_minus(t->I1, t->I3));
-        return vmi_two_shifted(vmi_two_over(vmi_two_plus(L, rest), t->I1), VM_C(0.5));
+        kappa = vmi_two_over(vmi_two_plus(L, rest), t->I1);
+    } else if (q->m1.hi == 0) kappa = vmi_two_over(L, t->I2);
+    else {
+        third = vmi_third_kind_ladder(q->m1, share, below);
+        *mean = third.mean;
+        rest = vmi_two_times(vmi_two_root(vmi_two_times(vmi_two_over(q->h3, q->L), below)), third.mean);
+        rest = t->sigma > 0 ? vmi_two_plus(third.rest, rest) : vmi_two_minus(third.ratio, rest);
+        rest = vmi_two_times(vmi_two_over(t->d13, vmi_two_times(t->I1, t->I3)), rest);
+        rest = vmi_two_plus(rest, vmi_two_over(vmi_two(1, 0), t->sigma > 0 ? t->I1 : t->I3));
+        kappa = vmi_two_times(L, rest);
     }
-    if (q->m1.hi == 0) return vmi_two_shifted(vmi_two_over(L, t->I2), VM_C(0.5));
-    p = vmi_two_root(vmi_two_over(vmi_two_times(t->I2, t->d13), vmi_two_times(t->I1, t->d23)));
-    third = vmi_third_kind_ladder(q->m1, p);
-    rest = vmi_two_minus(third.ratio, vmi_two_over(vmi_two_times(c, third.mean), p));
-    rest = vmi_two_times(vmi_two_over(t->d13, t->I1), rest);
-    rest = vmi_two_minus(vmi_two(1, 0), vmi_two_shifted(rest, t->sigma));
-    *mean = third.mean;
-    return vmi_two_shifted(vmi_two_times(vmi_two_over(L, t->I3), rest), VM_C(0.5));
+    return vmi_two_shifted(kappa, VM_C(0.5));
 }
 
 /* y of the theta function, cd(y | m1) = I3 a3/L */
