@@ -768,6 +768,12 @@ VM_API vmi_vec3_two vmi_turn_vector(vm_vec3 a, vm_real power) /* a/power */
     return v;
 }
 
+/* x, or 0 where its square would be lost by underflow: for 2^-505 (float 2^-57) of the largest and less */
+VM_API vm_two vmi_turn_squarable(vm_two x)
+{
+    return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
+}
+
 VM_API vm_real vmi_turn_largest(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -980,7 +986,7 @@ VM_API vm_two vmi_turn_rate(const vmi_turn_axes *t, const vmi_turn_squares *q, v
     const vm_two below = vmi_two_over(vmi_two_times(t->I1, t->d23), outer);
     vm_two rest, kappa;
     vmi_third_kind third;
-    *mean = vmi_two(t->symmetric, 0);
+    *mean = vmi_two(t->symmetric ? 1 : 0, 0);
     if (t->symmetric) {
         rest = vmi_two_times(vmi_two_root(q->a3), vmi_two_minus(t->I1, t->I3));
         kappa = vmi_two_over(vmi_two_plus(L, rest), t->I1);
@@ -1168,7 +1174,7 @@ VM_API int vmi_turn_start(vm_free_motion *motion, const vm_body *body, int along
         omega = vmi_turn_back(body->q, &omega);
     vmi_turn_principal(&body->inertia, &b);
     vmi_turn_settle(&body->inertia, &b);
-    for (k = 0; k < 3; k++) b.omega.x[k] = vmi_turn_dot(&b.axis[k], &omega);
+    for (k = 0; k < 3; k++) b.omega.x[k] = vmi_turn_squarable(vmi_turn_dot(&b.axis[k], &omega));
     vmi_turn_init(&m, &b, power);
     *motion = m;
     return VM_OK;

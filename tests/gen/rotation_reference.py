@@ -207,21 +207,24 @@ def row(kind, count):
     omega, attitude = body.at(mpf(t))
     if kind == "tensor":
         omega = turned(attitude, omega)
-    numbers = [*J, *products, *map(float, q), *w, t, *map(float, attitude), *map(float, omega), float(f"{float(body.motion.m1):.3g}")]
-    return "    {" + ", ".join(f"{x!r}" if x else "0" for x in numbers) + "},"
+    m1 = float(f"{float(body.motion.m1):.3g}")
+    groups = (*J, *products), map(float, q), w, (t,), map(float, attitude), map(float, omega), (m1,)
+    texts = [", ".join(f"{x!r}" if x else "0" for x in group) for group in groups]
+    return "    {" + ", ".join(x if "," not in x else "{" + x + "}" for x in texts) + "},"
 
 
 def main():
     spec_cases()
     rows = []
-    for kind, number in (("tensor", 90), ("plain", 24), ("needle", 40), ("alike", 40), ("separatrix", 60), ("middle", 24)):
-        rows.append(f"    /* {kind} */")
+    for kind, number in (("tensor", 84), ("plain", 24), ("needle", 40), ("alike", 40), ("separatrix", 60), ("middle", 24)):
+        rows.append(f"static const row {kind}[] = {{")
         count = 0
         while count < number:
             line = row(kind, count)
             if line:
                 rows.append(line)
                 count += 1
+        rows.append("};")
     with open("tests/data/rotation_table.h", "w") as file:
         file.write("/* Written by tests/gen/rotation_reference.py: xx yy zz xy xz yz, q, omega, t, q(t), omega(t), 1 - m */\n")
         file.write("\n".join(rows) + "\n")
