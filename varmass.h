@@ -1146,13 +1146,13 @@ VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real pow
     m->theta.re[0] = 1;
     m->lean[2] = 1;
     vmi_turn_prepare(m, b);
-    for (k = 0; k < 3; k++) m->spin[k] *= power;
-    m->phase_rate = vmi_two_shifted(m->phase_rate, power);
-    m->turn_rate = vmi_two_shifted(m->turn_rate, power);
     if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) q.w = 1;
     vmi_turn_at(m, vmi_two(0, 0), &omega, &turn);
     turn.x = -turn.x, turn.y = -turn.y, turn.z = -turn.z;
     m->start = vmi_quat_times(q, turn);
+    for (k = 0; k < 3; k++) m->spin[k] *= power;
+    m->phase_rate = vmi_two_shifted(m->phase_rate, power);
+    m->turn_rate = vmi_two_shifted(m->turn_rate, power);
 }
 
 /* omega along the inertial axes, or along the body's */
@@ -1199,11 +1199,15 @@ VM_API int vm_free_init_principal(vm_free_motion *motion, vm_vec3 moments, vm_qu
 
 VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
+    vm_two time;
+    vm_real reach;
     vm_vec3 w;
     vm_quat turn;
     if (!motion || !q || !omega) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
-    vmi_turn_at(motion, vmi_two_sum(t, -motion->t0), &w, &turn);
+    time = vmi_two_sum(t, -motion->t0);
+    reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
+    if (!((1 + reach) * (1 + VM_FABS(time.hi)) < VM_MAX / VM_SPLIT)) return VM_NOT_FINITE; /* products are split */
+    vmi_turn_at(motion, time, &w, &turn);
     turn = vmi_quat_times(motion->start, turn);
     if (!vmi_vec3_finite(w) || !VM_IS_FINITE(turn.w) || !vmi_vec3_finite(vmi_vec3(turn.x, turn.y, turn.z)))
         return VM_NOT_FINITE;
