@@ -17,7 +17,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation rotation
-EXAMPLES = table5 example1 example2
+EXAMPLES = table5 example1 example2 dzhanibekov
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
@@ -30,6 +30,7 @@ run: $(EXAMPLES:%=build/examples/%)
 	@./build/examples/table5
 	@echo; ./build/examples/example1 build/figures/example1.csv
 	@echo; ./build/examples/example2 build/figures/example2.csv
+	@echo; ./build/examples/dzhanibekov build/figures/dzhanibekov.csv
 	@sh examples/figures.sh build/figures
 
 test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi
@@ -43,7 +44,7 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs
+BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs rotation
 bench: $(BENCHES:%=build/bench/%)
 	@for bench in $(BENCHES); do ./build/bench/$$bench build/bench/$$bench.csv || exit 1; echo; done
 	@sh bench/plot_integrators.sh build/bench
@@ -120,6 +121,9 @@ build/bench/jacobi build/bench/ateb build/bench/integrators: build/bench/%: benc
     build/command $(HEADERS)
 	@$(IN_BUILD) && if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
 	$(COMPILE) $< -o $@ $$gsl -lm
+
+build/bench/rotation: bench/bench_rotation.c bench/timing.h build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/bench/double: bench/bench.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

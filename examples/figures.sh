@@ -17,3 +17,5 @@ draw example1 Jacobi 12 example1_jacobi "Fig. 24"
 draw example2 Ateb 4 example2_ateb "Fig. 25"
 draw example2 trigonometric 8 example2_trigonometric "the same, trigonometric"
 draw example2 Jacobi 12 example2_jacobi "the same, Jacobi"
+gnuplot -e "csv='$folder/dzhanibekov.csv'; svg='$folder/dzhanibekov.svg'" examples/dzhanibekov.gp || exit 1
+echo "  $folder/dzhanibekov.svg   a wing nut that turns over"
