@@ -1735,12 +1735,15 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* sin and cos of x turns, |x| < 2^20: within an ulp */
+/* The integer next to x, |x| < 2^15 */
+VM_INLINE int vmi_nearest(vm_real x) { return (int)(x + VM_COPYSIGN(VM_C(0.5), x)); }
+
+/* sin and cos of x turns, |x| < 2^13: within an ulp */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real j = VM_FLOOR(4 * x + VM_C(0.5)), rest = 4 * x - j;
-    const int quarter = (int)j & 3;
+    const int j = vmi_nearest(4 * x), quarter = j & 3;
+    const vm_real rest = 4 * x - (vm_real)j;
     vm_two z = vmi_two_product(rest, half_pi.hi);
     vm_real s, c;
     z.lo += rest * half_pi.mid;

@@ -1084,34 +1084,35 @@ VM_API void vmi_turn_prepare(vm_free_motion *m, const vmi_turn_body *b)
     vmi_turn_theta(m, &t, &q);
 }
 
-/* rate t without whole turns, |..| <= 1/2; meaningless, but finite, beyond 2^(2p - 4) turns */
+/* rate t without whole turns, |..| <= 1; meaningless beyond 2^(2p - 4) turns */
 VM_API vm_two vmi_turn_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
-    const vm_real low = p.lo + (rate.lo * t.hi + rate.hi * t.lo);
-    return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low - VM_FLOOR(low + VM_C(0.5)));
+    vm_real low = p.lo + (rate.lo * t.hi + rate.hi * t.lo);
+    if (VM_FABS(low) > VM_C(0.5)) low -= VM_FLOOR(low + VM_C(0.5));
+    return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
 /* sn, cn, dn at t after t0, and u/(4K) without half turns (u on the separatrix) */
 VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    const vm_real far = VM_MANT_DIG > 24 ? 700 : 80; /* where sech is next to the smallest number */
-    vm_real theta[4], x, j = 0, half = 0;
+    const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* where sech is next to the smallest number */
+    vm_real theta[4], x;
+    int half = 0, j = 0;
     vm_two v;
     if (m->K.hi > 0) {
         v = vmi_two_plus(vmi_turn_fraction(m->phase_rate, t), m->phase);
-        half = VM_FLOOR(2 * v.hi + VM_C(0.5));
-        v = vmi_two_sum(v.hi - half / 2, v.lo);
+        half = vmi_nearest(2 * v.hi);
+        v = vmi_two_sum(v.hi - (vm_real)half / 2, v.lo);
         x = v.hi;
-        j = VM_FLOOR(4 * x + VM_C(0.5));
-        v = vmi_two_times(vmi_two_sum(4 * x - j, 4 * v.lo), m->K);
+        j = vmi_nearest(4 * x);
+        v = vmi_two_times(vmi_two_sum(4 * x - (vm_real)j, 4 * v.lo), m->K);
     } else {
         v = vmi_two_plus(vmi_two_times(m->phase_rate, t), m->phase);
-        if (VM_FABS(v.hi) > far) v = vmi_two(VM_COPYSIGN(far, v.hi), 0);
+        if (VM_FABS(v.hi) > longest) v = vmi_two(VM_COPYSIGN(longest, v.hi), 0);
         x = v.hi;
     }
-    vmi_theta_at(&m->functions, m->functions.form, vmi_theta_phase(&m->functions, v), ((int)j + 2 * (int)half) & 3,
-                 theta);
+    vmi_theta_at(&m->functions, m->functions.form, vmi_theta_phase(&m->functions, v), (j + 2 * half) & 3, theta);
     vmi_theta_ratios(theta, m->functions.kp, sn, cn, dn);
     return x;
 }
@@ -1199,15 +1200,15 @@ VM_API int vm_free_init_principal(vm_free_motion *motion, vm_vec3 moments, vm_qu
 
 VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
-    vm_two time;
+    vm_two elapsed;
     vm_real reach;
     vm_vec3 w;
     vm_quat turn;
     if (!motion || !q || !omega) return VM_BAD_ARGUMENT;
-    time = vmi_two_sum(t, -motion->t0);
+    elapsed = vmi_two_sum(t, -motion->t0);
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
-    if (!((1 + reach) * (1 + VM_FABS(time.hi)) < VM_MAX / VM_SPLIT)) return VM_NOT_FINITE; /* products are split */
-    vmi_turn_at(motion, time, &w, &turn);
+    if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < VM_MAX / VM_SPLIT)) return VM_NOT_FINITE; /* products are split */
+    vmi_turn_at(motion, elapsed, &w, &turn);
     turn = vmi_quat_times(motion->start, turn);
     if (!vmi_vec3_finite(w) || !VM_IS_FINITE(turn.w) || !vmi_vec3_finite(vmi_vec3(turn.x, turn.y, turn.z)))
         return VM_NOT_FINITE;
