@@ -114,6 +114,18 @@ static double error_of(vm_quat q)
     return 2 * sqrt(w * w + x * x + y * y + z * z);
 }
 
+/* The least of some, in microseconds: what disturbs only adds */
+static double least_us(void (*body_of_loop)(void))
+{
+    double least = call_ns(body_of_loop, 1);
+    int i;
+    for (i = 0; i < 6 && least < 2e7; i++) {
+        const double ns = call_ns(body_of_loop, 1);
+        if (ns < least) least = ns;
+    }
+    return least / 1e3;
+}
+
 static void report(const char *method, double tol, double turns, double error, double us)
 {
     printf("%-12s %-8s %7.0e %9.0f %10.1e %12.2f\n", body->name, method, tol, turns, error, us);
@@ -129,13 +141,13 @@ static void compare(double turns)
     t_end = turns * 8 * atan(1) / speed;
     by_closed_form();
     exact = reached;
-    report("exact", 0, turns, 0, call_ns(by_closed_form, 1) / 1e3);
+    report("exact", 0, turns, 0, least_us(by_closed_form));
     for (i = 0; i < 3; i++) {
         double us;
         tolerance = tolerances[i];
-        us = call_ns(by_rk45, 1) / 1e3;
+        us = least_us(by_rk45);
         report("rk45", tolerance, turns, error_of(exact), us);
-        us = call_ns(by_rk87, 1) / 1e3;
+        us = least_us(by_rk87);
         report("rk87", tolerance, turns, error_of(exact), us);
     }
 }
@@ -151,17 +163,18 @@ int main(int argc, char **argv)
     int i, k;
     csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     if (csv) fputs("body,method,tolerance,turns,error,microseconds\n", csv);
-    for (k = 0; k < POINTS; k++) sines[k] = 20.0 * rand() / RAND_MAX - 10, times[k] = (vm_real)(1e4 * rand() / RAND_MAX);
-    printf("free rotation: a prepared motion at any time, and its preparation\n%-12s %10s %8s %12s\n", "body", "at, ns",
-           "sin", "prepare, us");
+    for (k = 0; k < POINTS; k++)
+        sines[k] = 20.0 * rand() / RAND_MAX - 10, times[k] = (vm_real)(1e4 * rand() / RAND_MAX);
+    printf("free rotation: a prepared motion at any time, and its preparation\n%-12s %10s %8s %12s\n", "body",
+           "at, ns", "sin", "prepare, us");
     for (i = 0; i < 4; i++) {
         timing at;
         body = cases + i;
         prepare();
         at = time_beside(evaluate, POINTS, library_sin, POINTS);
-        printf("%-12s %10.0f %8.1f %12.2f\n", body->name, at.ns, at.ratio, call_ns(prepare, 1) / 1e3);
+        printf("%-12s %10.0f %8.1f %12.2f\n", body->name, at.ns, at.ratio, least_us(prepare));
     }
-    printf("with products of inertia and an attitude: prepare %.2f us\n\n", call_ns(prepare_tilted, 1) / 1e3);
+    printf("with products of inertia and an attitude: prepare %.2f us\n\n", least_us(prepare_tilted));
     printf("%-12s %-8s %7s %9s %10s %12s\n", "body", "method", "tol", "turns", "error, rad", "us");
     for (i = 0; i < 3; i += 2) {
         body = cases + i;

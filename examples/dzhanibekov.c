@@ -74,10 +74,10 @@ int main(int argc, char **argv)
             error[run] = attitude_error(q, y[run]);
             if (error[run] > worst[run]) worst[run] = error[run];
         }
-        if (before.y * omega.y < 0) printf("  turned over before t = %6.3f s: omega_y = %+.6f rad/s\n", t, omega.y), turned++;
+        if (before.y * omega.y < 0)
+            printf("  turned over before t = %6.3f s: omega_y = %+.6f rad/s\n", t, omega.y), turned++;
         before = omega;
-        if (csv)
-            fprintf(csv, "%.6f,%.9g,%.9g,%.9g,%.3e,%.3e\n", t, omega.y, y[0][1], y[1][1], error[0], error[1]);
+        if (csv) fprintf(csv, "%.6f,%.9g,%.9g,%.9g,%.3e,%.3e\n", t, omega.y, y[0][1], y[1][1], error[0], error[1]);
     }
     printf("after %d turn-overs, %.0f s, the largest errors of attitude:\n", turned, duration);
     for (run = 0; run < RUNS; run++)
