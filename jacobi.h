@@ -1671,9 +1671,9 @@ VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two
 /* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
 VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_two_sqrt(x) : vmi_two(0, 0); }
 
-/* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1, 19.36.1] in
-   what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument 2^-n of the largest
-   asks for log2(n) rounds more than the usual 7. */
+/* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1,
+   19.36.1] in what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument
+   2^-n of the largest asks for log2(n) rounds more than the usual 7. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real small = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -1695,7 +1695,8 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     E3 = vmi_two_times(E2, Z);
     E2 = vmi_two_minus(E2, vmi_two_times(Z, Z));
     e2 = E2.hi, e3 = E3.hi;
-    rest = e2 * e2 * (VM_C(1.0) / 24 - VM_C(5.0) / 208 * e2 + e3 / 16) + e3 * (VM_C(3.0) / 104 * e3 - VM_C(3.0) / 44 * e2);
+    rest = e2 * e2 * (VM_C(1.0) / 24 - VM_C(5.0) / 208 * e2 + e3 / 16) +
+           e3 * (VM_C(3.0) / 104 * e3 - VM_C(3.0) / 44 * e2);
     sum = vmi_two_minus(vmi_two_over(E3, vmi_two(14, 0)), vmi_two_over(E2, vmi_two(10, 0)));
     sum = vmi_two_plus(vmi_two(1, 0), vmi_two_plus(sum, vmi_two(rest, 0)));
     return vmi_two_over(sum, vmi_two_root(A));
@@ -1753,11 +1754,11 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy) with the nome Q of the doubled lattice, Q = q^2, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K': its
-   argument is what turns a free body beyond its mean rate. Directly where K <= 2K', so that Q <= exp(-pi),
+/* theta_4(z + i zy) with the nome Q of the doubled lattice, Q = q^2, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K':
+   its argument is what turns a free body beyond its mean rate. Directly where K <= 2K', so that Q <= exp(-pi),
      1 + sum (-1)^n (C_n cos 2nz - i S_n sin 2nz),  C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)),
-   else by Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi), but for a real factor, as e^(-i pi u y/(4KK'))
-   times the sum of
+   else by Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi), but for a real factor, as e^(-i pi u
+   y/(4KK')) times the sum of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')),  v = (2n + 1) pi/(4K'),  |u| <= K.
    Four terms leave 1e-19 of either. The first form as polynomials in cos 2z, the second in exp(+-pi |u|/(2K')). */
 typedef struct VM_TAG(vmi_doubled_theta) {

@@ -221,35 +221,47 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 
 /* -- Free rotation, exact -- */
 
-/* The motion of a body on which no force acts, prepared once: its turning in closed form, by sn, cn, dn and one theta
-   function, at any time at the same cost, and its mass centre on a straight line. Plain data: it may be copied. */
+/* A body on which no force acts, as after a jump: omega is made of sn, cn, dn of the time, the attitude of one
+   theta function and a steady turn (Jacobi 1850), so that any time costs the same and errors do not grow with it.
+   Nothing is integrated; the mass centre moves on a straight line. Triaxial, symmetric, spherical bodies, rods and
+   points (spin about a null axis stays what it is), any axis, the middle one and the separatrix included, without
+   a threshold to choose.
+
+   Accuracy, measured, inputs taken as exact, to 1e6 turns: attitude within 8 eps (rad), omega within 5 eps
+   |omega|, next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments too. An error of eps in
+   an input means one of eps times the angle turned; next to the separatrix more, since every turn-over moves.
+   Where products of inertia make the principal moments known to two words only, 5e-12 rad after 1e6 turns at 1 - m
+   = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10 eps tr(I) |omega|.
+   Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
+   Cost: a time 3.5 to 4.5 times the C library's sin, preparing a motion 20 times that, 40 with products of
+   inertia. */
 typedef struct VM_TAG(vm_free_motion) {
     vm_body body; /* at t0 */
     vm_real t0;
-    vmi_mat3 axes;                /* 1, 2, 3: principal, right-handed; in body axes */
-    vm_quat start;                /* turns the axes in which angular momentum is along 3, or -3, into inertial ones */
-    vm_real spin[3];              /* omega = spin[0] cn, spin[1] sn, spin[2] dn along 1, 2, 3, rad/s */
-    vm_real lean[3];              /* the same of angular momentum, over its size and turned into a quaternion's parts */
-    vm_two phase, phase_rate, K;  /* of u/(4K), K the quarter period; where K is 0, on the separatrix, of u */
-    vm_two turn_rate;             /* mean rate of half the angle about the angular momentum, turns/s */
-    vmi_theta_form functions;     /* sn, cn, dn */
-    vmi_doubled_theta theta;      /* what half that angle is beyond its mean */
-} vm_free_motion;
+    vmi_mat3 axes;               /* 1, 2, 3: principal, right-handed; in body axes */
+    vm_quat start;               /* turns the axes in which angular momentum is along 3, or -3, into inertial ones */
+    vm_real spin[3];             /* omega = spin[0] cn, spin[1] sn, spin[2] dn along 1, 2, 3, rad/s */
+    vm_real lean[3];             /* the same of angular momentum over its size, as parts of a quaternion */
+    vm_two phase, phase_rate, K; /* of u/(4K), K the quarter period; on the separatrix K is 0, and they are of u */
+    vm_two turn_rate;            /* mean rate of half the angle about the angular momentum, turns/s */
+    vmi_theta_form functions;    /* sn, cn, dn */
+    vmi_doubled_theta theta;     /* what half that angle is beyond its mean */
+} vm_free_motion;                /* plain data: it may be copied */
 
-/* Prepares the motion of a body that is as given at t0. Any inertia a body can have: triaxial, symmetric, spherical, rod
-   and point (the spin about a null axis stays); rotation about the middle axis and the separatrix too. VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA: the motion stays as it was. */
+/* Prepares the motion of a body that is as given at t0. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA: the motion stays as it was. */
 VM_API int vm_free_init(vm_free_motion *motion, const vm_body *body, vm_real t0);
 
-/* The same from principal moments (kg m^2), with body axes along the principal ones, and omega (rad/s) in body axes; as
-   a body of mass 1 that rests at the origin. */
+/* The same from principal moments (kg m^2), the body's axes being the principal ones, and omega (rad/s) along
+   them; the body has mass 1 and rests at the origin. */
 VM_API int vm_free_init_principal(vm_free_motion *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega, vm_real t0);
 
-/* The body at time t, before t0 or after. q is continuous and keeps the length it had at t0 (all zero: 1). Attitude and
-   omega come within a few eps: see ACCURACY. VM_NOT_FINITE where t is not, or the result. */
+/* The body at time t (s), later than t0 or earlier. q is continuous and keeps the length that it had (1, if all
+   zero). VM_NOT_FINITE: t is not, or what comes out is not, or the turns are beyond 1e290 (float 1e30); the body
+   stays as it was. Beyond 1/eps^2 turns the result is finite and has the right momentum, nothing more. */
 VM_API int vm_free_at(const vm_free_motion *motion, vm_real t, vm_body *body);
 
-/* Attitude and angular velocity alone, the latter along body axes. */
+/* Attitude and omega alone, the latter along body axes. */
 VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q, vm_vec3 *omega);
 
 /* The body a time t (s) later, in one call. */
@@ -728,11 +740,13 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 
 /* ---- Free rotation ------------------------------------------------------------------------------------------ */
 
-/* Principal axes 1, 2, 3 with 1 and 3 the outer moments, about 3 (body axes with it: the axis that omega circles) [2];
-   L = |J omega|. With d = |I1 - I2| and so on, s and sigma the signs of w3 and I1 - I3, u of constant rate wp,
-     w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u
-   and the attitude q(t) = start R(t), R = (Re + s Im e3) M: M takes l = J omega/L to s e3 by the shortest way, and
-   Re + i Im = e^(ih), h = kappa t + sigma arg theta. Set-up in two words, so that the rates hold for long. */
+/* Along principal axes 1, 2, 3, where 2 has the middle moment and omega circles 3, with u of the constant rate wp,
+     w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  s = sign(w3), sigma = sign(I1 - I3);
+   with M the shortest rotation that takes l = J omega/L to s e3 and L = |J omega|, the attitude is
+     q(t) = start R(t),  R = (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u)
+   (Jacobi 1850; van Zon and Schofield, J. Comput. Phys. 225 (2007), have a theta series for 2h). The set-up is in
+   two words, since the rates wp/(4K) and kappa are multiplied by long times; then all but their products is in
+   one. */
 
 /* A power of two within a factor of 2 of x > 0 */
 VM_API vm_real vmi_turn_power(vm_real x)
@@ -755,6 +769,14 @@ VM_API vmi_vec3_two vmi_turn_cross(const vmi_vec3_two *a, const vmi_vec3_two *b)
     return c;
 }
 
+VM_API vm_vec3 vmi_turn_heads(const vmi_vec3_two *a) { return vmi_vec3(a->x[0].hi, a->x[1].hi, a->x[2].hi); }
+
+VM_API vm_two vmi_turn_two_pi(void)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
+}
+
 VM_API vm_two vmi_turn_dot(const vmi_vec3_two *a, const vmi_vec3_two *b)
 {
     return vmi_two_plus(vmi_two_times(a->x[0], b->x[0]),
@@ -769,10 +791,7 @@ VM_API vmi_vec3_two vmi_turn_vector(vm_vec3 a, vm_real power) /* a/power */
 }
 
 /* x, or 0 where its square would be lost by underflow: for 2^-505 (float 2^-57) of the largest and less */
-VM_API vm_two vmi_turn_squarable(vm_two x)
-{
-    return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
-}
+VM_API vm_two vmi_turn_squarable(vm_two x) { return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x; }
 
 VM_API vm_real vmi_turn_largest(vm_vec3 a)
 {
@@ -794,8 +813,8 @@ VM_API vmi_vec3_two vmi_turn_back(vm_quat q, const vmi_vec3_two *a)
     vmi_vec3_two result;
     int k;
     for (k = 0; k < 3; k++)
-        result.x[k] = vmi_two_plus(
-            a->x[k], vmi_two_times(factor, vmi_two_minus(c.x[k], vmi_two_times(real, b.x[k]))));
+        result.x[k] = vmi_two_plus(a->x[k],
+                                   vmi_two_times(factor, vmi_two_minus(c.x[k], vmi_two_times(real, b.x[k]))));
     return result;
 }
 
@@ -862,8 +881,7 @@ VM_API void vmi_turn_settle(const vm_inertia *i, vmi_turn_body *b)
     const vm_real power = vmi_turn_power(VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz));
     int k;
     for (k = 0; k < 3; k++) {
-        const vmi_vec3_two *e = &b->axis[k];
-        const vm_vec3 size = vmi_abs(vmi_vec3(e->x[0].hi, e->x[1].hi, e->x[2].hi));
+        const vm_vec3 size = vmi_abs(vmi_turn_heads(&b->axis[k]));
         if (b->moment[k].hi * power > 8 * VM_EPSILON * vmi_dot(size, vmi_inertia_times(&sizes, size))) continue;
         b->moment[k] = vmi_two(0, 0);
         b->moment[(k + 1) % 3] = b->moment[(k + 2) % 3];
@@ -887,68 +905,81 @@ typedef struct VM_TAG(vmi_turn_axes) {
 
 VM_API vmi_three vmi_turn_three(vm_two x) { return vmi_three_words(x.hi, x.lo, 0); }
 
-/* J (J - J_b) w^2 in three words, in which stored numbers lose nothing that a difference could bring up */
+/* J d w^2 in three words, in which stored numbers lose nothing that a difference could bring up */
 VM_API vmi_three vmi_turn_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three square = vmi_three_times(vmi_turn_three(w), vmi_turn_three(w));
     return vmi_three_times(vmi_three_times(vmi_turn_three(J), vmi_turn_three(d)), square);
 }
 
+/* J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2 */
+VM_API vmi_three vmi_turn_separation(const vm_two *J, const vm_two *w, int a, int b, int c)
+{
+    const vmi_three smallest = vmi_turn_excess(J[c], vmi_two_minus(J[b], J[c]), w[c]);
+    return vmi_three_plus(smallest, vmi_turn_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
+}
+
+/* order[] by falling moments; 1 where it is an even permutation */
+VM_API int vmi_turn_sort(const vm_two *J, int *order)
+{
+    int k, even = 1;
+    for (k = 0; k < 3; k++) order[k] = k;
+    for (k = 0; k < 3; k++) { /* the first two, the last two, the first two */
+        const int i = k == 1, first = order[i];
+        if (!(vmi_two_minus(J[order[i + 1]], J[first]).hi > 0)) continue;
+        order[i] = order[i + 1], order[i + 1] = first, even = !even;
+    }
+    return even;
+}
+
+/* omega circles the smallest moment where the separation is positive, else the largest; of two equal moments, the
+   third */
 VM_API vmi_turn_axes vmi_turn_order(const vmi_turn_body *b)
 {
-    const vm_two *J = b->moment;
-    int order[3] = {0, 1, 2}, k, even = 1, falling;
+    const vm_two *J = b->moment, *w = b->omega.x;
+    int order[3], even = vmi_turn_sort(J, order), falling;
+    const int first = order[0], middle = order[1], last = order[2];
+    const vmi_three S = vmi_turn_separation(J, w, first, middle, last);
     vmi_turn_axes t;
-    vmi_three S;
-    for (k = 0; k < 3; k++) { /* largest first */
-        const int i = k == 1, j = i + 1, swapped = order[i];
-        if (!(vmi_two_minus(J[order[j]], J[order[i]]).hi > 0)) continue;
-        order[i] = order[j], order[j] = swapped, even = !even;
-    }
-    S = vmi_turn_excess(J[order[2]], vmi_two_minus(J[order[1]], J[order[2]]), b->omega.x[order[2]]);
-    S = vmi_three_plus(S, vmi_three_scaled(vmi_turn_excess(J[order[0]], vmi_two_minus(J[order[0]], J[order[1]]),
-                                                           b->omega.x[order[0]]),
-                                           -1));
-    falling = vmi_turn_equal(J[order[0]], J[order[1]]) || (!vmi_turn_equal(J[order[1]], J[order[2]]) && S.hi >= 0);
-    if (!falling) k = order[0], order[0] = order[2], order[2] = k, even = !even;
+    falling = vmi_turn_equal(J[first], J[middle]) || (!vmi_turn_equal(J[middle], J[last]) && S.hi >= 0);
+    if (!falling) order[0] = last, order[2] = first, even = !even;
     t.sigma = falling ? 1 : -1;
     t.S = vmi_two_shifted(vmi_two(S.hi, S.mid), S.hi < 0 ? -1 : 1);
-    t.I1 = J[order[0]], t.I2 = J[order[1]], t.I3 = J[order[2]];
+    t.I1 = J[order[0]], t.I2 = J[middle], t.I3 = J[order[2]];
     t.symmetric = vmi_turn_equal(t.I1, t.I2);
     if (t.symmetric) t.I2 = t.I1;
-    t.w1 = b->omega.x[order[0]], t.w2 = b->omega.x[order[1]];
-    t.w3 = vmi_two_shifted(b->omega.x[order[2]], even ? 1 : -1);
+    t.w1 = w[order[0]], t.w2 = w[middle], t.w3 = vmi_two_shifted(w[order[2]], even ? 1 : -1);
     t.s = t.w3.hi < 0 ? -1 : 1;
     t.d12 = vmi_two_shifted(vmi_two_minus(t.I1, t.I2), t.sigma);
     t.d23 = vmi_two_shifted(vmi_two_minus(t.I2, t.I3), t.sigma);
     t.d13 = vmi_two_shifted(vmi_two_minus(t.I1, t.I3), t.sigma);
-    for (k = 0; k < 3; k++) {
-        const vmi_vec3_two *e = &b->axis[order[k]];
-        const vm_vec3 axis = vmi_vec3(e->x[0].hi, e->x[1].hi, e->x[2].hi);
-        if (k == 0) t.axes.x = axis;
-        else if (k == 1) t.axes.y = axis;
-        else t.axes.z = vmi_scale(even ? 1 : -1, axis);
-    }
+    t.axes.x = vmi_turn_heads(&b->axis[order[0]]);
+    t.axes.y = vmi_turn_heads(&b->axis[middle]);
+    t.axes.z = vmi_scale(even ? 1 : -1, vmi_turn_heads(&b->axis[order[2]]));
     return t;
 }
 
-/* Rotation at constant omega, along axes 3 = omega/|omega| */
+/* A sphere or a point, a principal axis, an equator: omega stays */
+VM_API int vmi_turn_is_constant(const vmi_turn_axes *t)
+{
+    const int no1 = t->w1.hi == 0, no2 = t->w2.hi == 0, no3 = t->w3.hi == 0;
+    return vmi_turn_equal(t->I1, t->I3) || (no1 && no2) || (no1 && no3) || (no3 && (no2 || t->symmetric));
+}
+
+/* Then axis 3 is that of omega, and sn = 0 */
 VM_API void vmi_turn_constant(vm_free_motion *m, const vmi_turn_body *b)
 {
-    const vm_two two_pi = vmi_two_shifted(vmi_two(vmi_half_pi().hi, vmi_half_pi().mid), 4);
     const vm_two size = vmi_two_root(vmi_turn_dot(&b->omega, &b->omega));
     int k;
     if (size.hi == 0) return;
-    for (k = 0; k < 3; k++) {
-        const vmi_vec3_two *e = &b->axis[k];
-        m->axes.z = vmi_add(m->axes.z, vmi_scale(vmi_two_over(b->omega.x[k], size).hi,
-                                                 vmi_vec3(e->x[0].hi, e->x[1].hi, e->x[2].hi)));
-    }
+    for (k = 0; k < 3; k++)
+        m->axes.z = vmi_add(m->axes.z,
+                            vmi_scale(vmi_two_over(b->omega.x[k], size).hi, vmi_turn_heads(&b->axis[k])));
     m->spin[2] = size.hi;
-    m->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), two_pi);
+    m->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_turn_two_pi());
 }
 
-/* Squares of what the motion is made of */
+/* The squares of a1, a2, a3, h1 = I1 a1, h3 = I3 a3 and L, and the parameters; no difference but S in them */
 typedef struct VM_TAG(vmi_turn_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_turn_squares;
@@ -1011,9 +1042,8 @@ VM_API vm_real vmi_turn_imaginary(const vmi_turn_axes *t, const vmi_turn_squares
     return vmi_carlson_rf(N, vmi_two_over(N, cc), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* u at t0, in turns where mean > 0; *sign is that of cn on the separatrix */
-VM_API vm_two vmi_turn_phase(const vmi_turn_axes *t, const vmi_turn_squares *q, vm_two mean, vm_two two_pi,
-                             vm_real *sign)
+/* u at t0, in turns where mean > 0; *sign is that of cn on the separatrix, else 1 */
+VM_API vm_two vmi_turn_phase(const vmi_turn_axes *t, const vmi_turn_squares *q, vm_two mean, vm_real *sign)
 {
     const vm_two ss = vmi_two_over(vmi_two_times(t->w2, t->w2), q->a2);
     const vm_two cc = vmi_two_over(vmi_two_times(t->w1, t->w1), q->a1);
@@ -1022,66 +1052,74 @@ VM_API vm_two vmi_turn_phase(const vmi_turn_axes *t, const vmi_turn_squares *q, 
     vm_two F = vmi_two_times(vmi_two_root(ss), vmi_carlson_rf(cc, middle, vmi_two(1, 0)));
     *sign = 1;
     if (mean.hi > 0) {
-        F = vmi_two_over(vmi_two_times(F, mean), two_pi);
+        F = vmi_two_over(vmi_two_times(F, mean), vmi_turn_two_pi());
         if (t->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F);
     } else if (t->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
 
+/* Rates and phase, per second of the scaled omega; returns the sign of cn on the separatrix */
+VM_API vm_real vmi_turn_rates(vm_free_motion *m, const vmi_turn_axes *t, const vmi_turn_squares *q)
+{
+    const vm_two two_pi = vmi_turn_two_pi();
+    vm_two mean, kappa = vmi_turn_rate(t, q, &mean), wp;
+    vm_real sign;
+    wp = vmi_two_over(vmi_two_times(q->a3, vmi_two_times(t->d13, t->d23)), vmi_two_times(t->I1, t->I2));
+    wp = vmi_two_root(wp);
+    m->turn_rate = vmi_two_over(vmi_two_shifted(kappa, t->s), two_pi);
+    m->phase = vmi_turn_phase(t, q, mean, &sign);
+    m->phase_rate = mean.hi > 0 ? vmi_two_over(vmi_two_times(wp, mean), two_pi) : wp;
+    if (mean.hi > 0) m->K = vmi_two_over(vmi_two_shifted(two_pi, VM_C(0.25)), mean);
+    return sign;
+}
+
+/* Parameter and y of the theta function; it stays 1 for m = 0 */
 VM_API void vmi_turn_theta(vm_free_motion *m, const vmi_turn_axes *t, const vmi_turn_squares *q)
 {
-    const vm_real Kc = m->K.hi > 0 ? jacobi_K_m1(q->m.hi) : VM_PI / 2;
-    const vm_real y = q->m.hi > 0 ? vmi_turn_imaginary(t, q) : 0;
+    const int periodic = m->K.hi > 0;
+    vm_real K, Kc, y;
     int k;
     if (q->m.hi == 0) return;
-    m->theta = m->K.hi == 0           ? vmi_doubled_dual(VM_INFINITY, Kc, y)
-               : m->K.hi > 2 * Kc ? vmi_doubled_dual(m->K.hi, Kc, y)
-                                  : vmi_doubled_direct(m->K.hi, Kc, y);
+    K = periodic ? m->K.hi : VM_INFINITY;
+    Kc = periodic ? jacobi_K_m1(q->m.hi) : VM_PI / 2;
+    y = vmi_turn_imaginary(t, q);
+    m->theta = K > 2 * Kc ? vmi_doubled_dual(K, Kc, y) : vmi_doubled_direct(K, Kc, y);
     m->theta.shift *= t->sigma * t->s;
     for (k = 0; k < 4; k++) m->theta.im[k] *= t->sigma * t->s;
 }
 
-/* All but what depends on the units of time */
+VM_API void vmi_turn_sizes(vm_free_motion *m, const vmi_turn_axes *t, const vmi_turn_squares *q, vm_real sign)
+{
+    const vm_real L = VM_SQRT(q->L.hi);
+    m->axes = t->axes;
+    m->spin[0] = sign * VM_SQRT(q->a1.hi);
+    m->spin[1] = -t->sigma * t->s * sign * VM_SQRT(q->a2.hi);
+    m->spin[2] = t->s * VM_SQRT(q->a3.hi);
+    m->lean[0] = -t->s * t->I1.hi * m->spin[0] / L;
+    m->lean[1] = t->s * t->I2.hi * m->spin[1] / L;
+    m->lean[2] = t->s * t->I3.hi * m->spin[2] / L;
+}
+
+/* All but the unit of time and the start */
 VM_API void vmi_turn_prepare(vm_free_motion *m, const vmi_turn_body *b)
 {
-    const vm_two two_pi = vmi_two_shifted(vmi_two(vmi_half_pi().hi, vmi_half_pi().mid), 4);
     const vmi_turn_axes t = vmi_turn_order(b);
     vmi_turn_squares q;
-    vm_two kappa, mean, wp;
     vmi_roots roots;
-    vm_real sign, L;
-    if (vmi_turn_equal(t.I1, t.I3) || (t.w1.hi == 0 && t.w2.hi == 0) || (t.w1.hi == 0 && t.w3.hi == 0) ||
-        (t.w3.hi == 0 && (t.symmetric || t.w2.hi == 0))) {
+    int constant = vmi_turn_is_constant(&t);
+    if (!constant) {
+        q = vmi_turn_amplitudes(&t);
+        constant = q.h1.hi <= vmi_fourth_power(VM_EPSILON) * q.h3.hi; /* nutation below eps^2 about a stable axis */
+    }
+    if (constant) {
         vmi_turn_constant(m, b);
         return;
     }
-    q = vmi_turn_amplitudes(&t);
-    if (q.h1.hi <= vmi_fourth_power(VM_EPSILON) * q.h3.hi) { /* nutation below eps^2 about a stable axis */
-        vmi_turn_constant(m, b);
-        return;
-    }
-    kappa = vmi_turn_rate(&t, &q, &mean);
-    wp = vmi_two_over(vmi_two_times(q.a3, vmi_two_times(t.d13, t.d23)), vmi_two_times(t.I1, t.I2));
-    wp = vmi_two_root(wp);
-    m->axes = t.axes;
-    m->phase = vmi_turn_phase(&t, &q, mean, two_pi, &sign);
-    m->phase_rate = wp;
-    if (mean.hi > 0) {
-        m->K = vmi_two_over(vmi_two_shifted(two_pi, VM_C(0.25)), mean);
-        m->phase_rate = vmi_two_over(vmi_two_times(wp, mean), two_pi);
-    }
-    m->turn_rate = vmi_two_over(vmi_two_shifted(kappa, t.s), two_pi);
+    vmi_turn_sizes(m, &t, &q, vmi_turn_rates(m, &t, &q));
+    vmi_turn_theta(m, &t, &q);
     roots = vmi_theta_choose(&m->functions, q.m1.hi, q.m1.lo);
     vmi_theta_refine(&m->functions, &roots, q.m1.hi, q.m1.lo);
     vmi_theta_prepare(&m->functions, roots.fourth);
-    L = VM_SQRT(q.L.hi);
-    m->spin[0] = sign * VM_SQRT(q.a1.hi);
-    m->spin[1] = -t.sigma * t.s * sign * VM_SQRT(q.a2.hi);
-    m->spin[2] = t.s * VM_SQRT(q.a3.hi);
-    m->lean[0] = -t.s * t.I1.hi * m->spin[0] / L;
-    m->lean[1] = t.s * t.I2.hi * m->spin[1] / L;
-    m->lean[2] = t.s * t.I3.hi * m->spin[2] / L;
-    vmi_turn_theta(m, &t, &q);
 }
 
 /* rate t without whole turns, |..| <= 1; meaningless beyond 2^(2p - 4) turns */
@@ -1141,9 +1179,7 @@ VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real pow
     vm_quat q = m->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_theta_form at_rest; /* sn = 0 and dn = 1 of m = 0 */
-    vmi_theta_prepare(&at_rest, vmi_theta_choose(&at_rest, 1, 0).fourth);
-    m->functions = at_rest;
+    vmi_theta_prepare(&m->functions, vmi_theta_choose(&m->functions, 1, 0).fourth); /* m = 0: sn = 0, cn = dn = 1 */
     m->theta.re[0] = 1;
     m->lean[2] = 1;
     vmi_turn_prepare(m, b);
@@ -1207,7 +1243,8 @@ VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q,
     if (!motion || !q || !omega) return VM_BAD_ARGUMENT;
     elapsed = vmi_two_sum(t, -motion->t0);
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
-    if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < VM_MAX / VM_SPLIT)) return VM_NOT_FINITE; /* products are split */
+    if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < VM_MAX / VM_SPLIT))
+        return VM_NOT_FINITE; /* products are split */
     vmi_turn_at(motion, elapsed, &w, &turn);
     turn = vmi_quat_times(motion->start, turn);
     if (!vmi_vec3_finite(w) || !VM_IS_FINITE(turn.w) || !vmi_vec3_finite(vmi_vec3(turn.x, turn.y, turn.z)))

@@ -1,6 +1,6 @@
-/* varmass.h: free rotation in closed form beside rk45 and rk87 (integrators.h) and the C library's sin: the error of
-   attitude after so many turns against the time that it took, and what preparing a motion costs. Each row: a body, a
-   method, the tolerance, turns, error (rad), microseconds. Errors are taken against the closed form, which
+/* varmass.h: free rotation in closed form beside rk45 and rk87 (integrators.h) and the C library's sin: the error
+   of attitude after so many turns against the time that it took, and what preparing a motion costs. Each row: a
+   body, a method, the tolerance, turns, error (rad), microseconds. Errors are taken against the closed form, which
    tests/test_rotation compares with 60-digit values; a CSV file of the table is written where one is named. */
 #include "timing.h"
 

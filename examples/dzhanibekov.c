@@ -1,9 +1,10 @@
-/* A wing nut set spinning about its middle axis turns over, and over again (Dzhanibekov, 1985): the closed form beside
-   rk45 at two tolerances. The push off the axis is 1e-5 of the spin; what an integrator adds to it by its errors moves
-   every turn-over that follows.
+/* A wing nut set spinning about its middle axis turns over, and over again (Dzhanibekov, 1985): the closed form
+   beside rk45 at two tolerances. The push off the axis is 1e-5 of the spin; what an integrator adds to it by its
+   errors moves every turn-over that follows.
 
    usage: dzhanibekov [file.csv]
-   The file's columns: t, omega_y of the closed form and of rk45 at 1e-3 and at 1e-8, the errors of their attitudes, rad. */
+   The file's columns: t, omega_y of the closed form and of rk45 at 1e-3 and at 1e-8, the errors of the latter two's
+   attitudes, rad. */
 #include "../varmass.h"
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-/* varmass.h, free rotation: published digits and tables of 60-digit values up to 1e6 turns; what the motion keeps; the
-   special bodies by their elementary solutions; Runge-Kutta; bad input. */
+/* varmass.h, free rotation: published digits and tables of 60-digit values up to 1e6 turns; what the motion keeps;
+   the special bodies by their elementary solutions; Runge-Kutta; bad input. */
 #include "../varmass.h"
 #include "check.h"
 
@@ -378,8 +378,8 @@ static double kinematic_defect(const vm_body *a, const vm_body *b, vm_real h)
     return size_of(vmi_sub(rate, mean)) / pow(size_of(a->omega), 3) / (double)(h * h);
 }
 
-/* What the motion keeps: angular momentum, energy, length of q; the mass centre's straight line; omega is the rate of the
-   attitude */
+/* What the motion keeps: angular momentum, energy, length of q; the mass centre's straight line; omega is the rate
+   of the attitude */
 static void test_conserved(void)
 {
     int i;
@@ -410,8 +410,8 @@ static void test_conserved(void)
     }
 }
 
-/* Stopped midway and prepared anew; run back; seen in body axes named anew; in other units. t is short, since a rounding
-   of the state between makes an error that grows with it. */
+/* Stopped midway and prepared anew; run back; seen in body axes named anew; in other units. t is short, since a
+   rounding of the state between makes an error that grows with it. */
 static void test_composition(void)
 {
     int i;
@@ -516,8 +516,8 @@ static void test_special(void)
     }
 }
 
-/* A rod along any direction, whose tensor is a rod's but for rounding errors: it turns at constant omega, as its momentum
-   says, and what spins about it is a label */
+/* A rod along any direction, whose tensor is a rod's but for rounding errors: it turns at constant omega, as its
+   momentum says, and what spins about it is a label */
 static void test_tilted_rod(void)
 {
     int i;
@@ -574,8 +574,8 @@ static void test_limits(void)
     }
 }
 
-/* Omega that would shrink below the smallest number, far ends of the separatrix, axes almost met: finite, and it keeps
-   what it must */
+/* Omega that would shrink below the smallest number, far ends of the separatrix, axes almost met: finite, and it
+   keeps what it must */
 static void test_extreme(void)
 {
     static const double sizes[] = {0, 1e-37, 1e-30, 1e-20, 1e-10, 1e-5, 1};
