@@ -19,7 +19,8 @@ HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation rotation
 EXAMPLES = table5 example1 example2 dzhanibekov
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
-    build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
+    build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events \
+    build/tests/contracted/rotation
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
