@@ -75,7 +75,7 @@ measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES
 	sh bench/measurements.sh build
 
 figures: run
-	cp build/figures/example1_trigonometric.svg docs/figures/
+	cp build/figures/example1_trigonometric.svg build/figures/dzhanibekov.svg docs/figures/
 
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath

@@ -8,7 +8,7 @@
 #include "../varmass.h"
 #include <stdio.h>
 
-enum { ROWS = 1500, RUNS = 2 };
+enum { ROWS = 800, RUNS = 2 };
 
 static const vm_vec3 moments = {3e-5, 2e-5, 1e-5}, spin = {1e-4, 10, 1e-4}; /* kg m^2, rad/s */
 static const double tolerances[RUNS] = {1e-3, 1e-8}, duration = 40;
