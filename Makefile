@@ -20,11 +20,10 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes drum
+TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation
 SCRIPTS = headers plans package scene_cost golden sweep
-EXAMPLES = table5 example1 example2 drum scenes
-TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
-    build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
+EXAMPLES = table5 example1 example2 drum scenes dzhanibekov
+TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) tests/check.h $(wildcard tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
@@ -47,7 +46,7 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs scenes
+BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs scenes rotation
 bench: $(BENCHES:%=build/bench/%)
 	@for bench in $(BENCHES); do ./build/bench/$$bench build/bench/$$bench.csv || exit 1; echo; done
 	@sh bench/plot_integrators.sh build/bench
@@ -105,7 +104,7 @@ measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES
 	sh bench/measurements.sh build
 
 figures: run
-	cp build/figures/example1_trigonometric.svg docs/figures/
+	cp build/figures/example1_trigonometric.svg build/figures/dzhanibekov.svg docs/figures/
 
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
@@ -117,6 +116,7 @@ data:
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
+	python3 tests/gen/rotation_reference.py
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h
@@ -172,6 +172,9 @@ build/bench/jacobi build/bench/ateb build/bench/integrators: build/bench/%: benc
     build/command $(HEADERS)
 	@$(IN_BUILD) && if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
 	$(COMPILE) $< -o $@ $$gsl -lm
+
+build/bench/rotation: bench/bench_rotation.c bench/timing.h build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/bench/double: bench/bench.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

@@ -11,7 +11,7 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
     printf 'eps: of the type, times the function'"'"'s largest value; ulp: of the true value; eps\\*: eps times what an eps\n'
     printf 'in each argument or result makes; tol: the tolerance asked for.\n\n'
     for precision in double float; do
-        for program in jacobi ateb integrators events varmass dissertation; do
+        for program in jacobi ateb integrators events varmass dissertation rotation; do
             "$build/tests/$precision/$program" | block
         done
     done
@@ -19,5 +19,5 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
     "$build/tests/scan" 300000 | block
     "$build/tests/scan_float" 300000 | block
     printf '## Time\n\n%s, %s\n\n' "$(awk -F': ' '/model name/ {print $2; exit}' /proc/cpuinfo)" "$(cc --version | head -n 1)"
-    for bench in double float jacobi ateb ateb_float ateb_wide integrators pairs; do "$build/bench/$bench" | block; done
+    for bench in double float jacobi ateb ateb_float ateb_wide integrators pairs rotation; do "$build/bench/$bench" | block; done
 } >docs/measurements.md

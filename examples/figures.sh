@@ -19,3 +19,5 @@ draw example2 trigonometric 8 example2_trigonometric "the same, trigonometric"
 draw example2 Jacobi 12 example2_jacobi "the same, Jacobi"
 gnuplot -e "csv='$folder/drum.csv'; svg='$folder/drum.svg'" examples/drum.gp || exit 1
 echo "  $folder/drum.svg   the drum of Fig. 20, (177)-(226) as printed and corrected"
+gnuplot -e "csv='$folder/dzhanibekov.csv'; svg='$folder/dzhanibekov.svg'" examples/dzhanibekov.gp || exit 1
+echo "  $folder/dzhanibekov.svg   a wing nut that turns over"
