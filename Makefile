@@ -16,11 +16,11 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation
+TESTS = jacobi ateb integrators events varmass dissertation jumps jump_equations
 EXAMPLES = table5 example1 example2
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
-TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
+TEST_FILES = build/command $(HEADERS) tests/check.h tests/bodies.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
 .PHONY: run test scan points exhaustive lint bench measurements figures data clean

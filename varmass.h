@@ -245,8 +245,8 @@ VM_API int vm_inertia_possible(const vm_inertia *inertia);
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d);
 
 /* Inertia, about its own mass centre, of a and b together, and of what is left of the whole without the part
-   (13)-(15), (40). d leads from the mass centre of the first to that of the second, *centre from that of the first to the
-   result's: SS2 and SS1 of (15). One set of axes. Accuracy and errors are those of vm_attach and vm_separate. */
+   (13)-(15), (40). d leads from the mass centre of the first to that of the second, *centre from that of the first to
+   the result's: SS2 and SS1 of (15). One set of axes. Accuracy and errors are those of vm_attach and vm_separate. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre);
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
@@ -260,10 +260,9 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
    part are those of the whole plus the impulse. Where the rest is a rod or a point the spin about its null axis
    stays the whole's; VM_NULL_AXIS says that there was angular momentum left which that axis cannot carry.
 
-   What moves on as before leaves the motion of the others as it was, however little of the inertia is theirs: only
-   motions relative to the heaviest body are added up, so that neither a large common velocity nor a place far from
-   the origin costs digits of omega. The rest's inertia is right to 8 eps of the whole's; a moment below that counts
-   as none.
+   A part that moves on as before leaves the rest's motion as it was, however little of the inertia is left: only
+   motions relative to the whole are added up, so that neither its speed nor a place far from the origin costs digits
+   of omega. The rest's inertia is right to 8 eps of the whole's; a moment below that counts as none.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS (a part as heavy as the whole, for one), VM_BAD_INERTIA (a part that
    cannot have been in the whole, for one). */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
@@ -803,14 +802,14 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
-    vm_vec3 w = vmi_spin_of(p, h);
+    vm_vec3 w = vmi_vec3(0, 0, 0);
     int k, left = 0;
-    w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
     for (k = 0; k < 3; k++) {
         if (p->moment[k] > 0) continue;
         w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
         left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
     }
+    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
     *omega = w;
     return left;
 }
@@ -821,8 +820,7 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    which is the same law for both with a negative mass and inertia for what leaves, and the same in a frame that turns
    with any Omega, when omegas and v2 - v are those relative to it, (42) in space. The frame is chosen so that what
-   cancels is small: it moves with the heaviest body and turns with the one of most inertia, which for a separation is
-   the whole. */
+   cancels is small: it moves with the heaviest body, and for a separation it turns with the whole. */
 
 typedef struct VM_TAG(vmi_frame) {
     vm_quat q; /* of the first body, along whose axes inertias are added up */
@@ -896,8 +894,8 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_load *a, vm_real sign, const vmi
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, u))));
-    a->noise += b->noise +
-                VM_FABS(reduced) * (vmi_size(d) * speeds + vmi_size(reach) * (vmi_size(d) * turning + vmi_size(u)));
+    a->noise += b->noise + VM_FABS(reduced) * vmi_size(d) * speeds +
+                (sign < 0 ? b->mass : reduced) * vmi_size(reach) * (vmi_size(d) * turning + vmi_size(u));
     if (b->mass > a->mass) { /* from the heavier, so that a light body's motion costs no digits of it */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
@@ -938,17 +936,17 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
     return status;
 }
 
-VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others)
+VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
-    vm_real mass = body->mass, inertia = vmi_trace(&body->inertia);
+    vm_real mass = body->mass;
     vmi_frame frame;
     int i;
     frame.q = body->q, frame.turn = vmi_rotation(body->q);
-    frame.r = body->r, frame.v = body->v, frame.omega = body->omega;
+    frame.r = body->r, frame.v = body->v;
+    frame.omega = sign < 0 || others->n == 0 ? body->omega : vmi_vec3(0, 0, 0);
     for (i = 0; i < others->n; i++) {
         const vm_body b = vmi_pick(others, i);
         if (b.mass > mass) mass = b.mass, frame.r = b.r, frame.v = b.v;
-        if (vmi_trace(&b.inertia) > inertia) inertia = vmi_trace(&b.inertia), frame.omega = b.omega;
     }
     return frame;
 }
@@ -973,18 +971,13 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
     return VM_OK;
 }
 
-/* The angular velocity, relative to the frame, of a load whose inertia has been settled. Its axes are right to some
-   eps sizes/moment. */
+/* The angular velocity, relative to the frame, of a load whose inertia has been settled */
 VM_API int vmi_load_spin(const vmi_frame *frame, const vmi_load *load, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
-    vm_real most = p->moment[0], noise = load->noise;
-    int k, left;
-    for (k = 1; k < 3; k++)
-        if (p->moment[k] > most) most = p->moment[k];
-    if (most > 0) noise += vmi_size(load->h) * vmi_trace(&load->sizes) / most;
-    left = vmi_solve_spin(&load->inertia, p, vmi_times_transposed(&frame->turn, load->h), 8 * VM_EPSILON * noise,
-                          vmi_times_transposed(&frame->turn, before), omega);
+    const vm_real noise = 2 * VM_EPSILON * (load->noise + vmi_size(load->h));
+    int left = vmi_solve_spin(&load->inertia, p, vmi_times_transposed(&frame->turn, load->h), noise,
+                              vmi_times_transposed(&frame->turn, before), omega);
     *omega = vmi_times(&frame->turn, *omega);
     return left;
 }
@@ -1012,7 +1005,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     status = vmi_check_body(body);
     if (!status) status = vmi_check_bodies(&list);
     if (status) return status;
-    frame = vmi_frame_of(body, &list);
+    frame = vmi_frame_of(body, &list, sign);
     status = vmi_jump_total(&frame, body, sign, &list, external, &load);
     if (!status) status = vmi_settle_load(&load, &p);
     if (status) return status;
@@ -1100,7 +1093,7 @@ VM_API vm_body2 vmi_flat(const vm_body *b, vm_real angle)
 VM_API int vmi_load_spin2(const vmi_load *load, vm_real before, vm_real *omega)
 {
     *omega = load->inertia.zz > 0 ? load->h.z / load->inertia.zz : before;
-    return !(load->inertia.zz > 0) && VM_FABS(load->h.z) > 8 * VM_EPSILON * load->noise;
+    return !(load->inertia.zz > 0) && VM_FABS(load->h.z) > 2 * VM_EPSILON * (load->noise + VM_FABS(load->h.z));
 }
 
 VM_API int vmi_settle_load2(vmi_load *load)
@@ -1122,7 +1115,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     if (status) return status;
     lifted = vmi_lifted(body);
     if (external) blow = vmi_lifted_impulse(external);
-    *frame = vmi_frame_of(&lifted, others);
+    *frame = vmi_frame_of(&lifted, others, sign);
     status = vmi_jump_total(frame, &lifted, sign, others, external ? &blow : NULL, load);
     return status ? status : vmi_settle_load2(load);
 }
@@ -1299,7 +1292,7 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *b, const vm_im
     if (!status) status = vmi_check_bodies(&list);
     if (status) return status;
     unturned.omega = whole->omega;
-    *frame = vmi_frame_of(whole, &list);
+    *frame = vmi_frame_of(whole, &list, -1);
     status = vmi_jump_total(frame, whole, -1, &list, external, rest);
     return status ? status : vmi_settle_load(rest, &p);
 }
@@ -1388,6 +1381,7 @@ VM_API int vm_separate_for_spin2(const vm_body2 *whole, const vm_body2 *part, co
     vm_real dx, dy, h, c;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(rest_omega)) return VM_NOT_FINITE;
     b = *part, dx = b.x - whole->x, dy = b.y - whole->y;
     b.vx = whole->vx - whole->omega * dy, b.vy = whole->vy + whole->omega * dx;
     status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
