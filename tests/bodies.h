@@ -1,5 +1,5 @@
-/* bodies.h - random bodies and impulses for the tests of varmass.h, and bodies made of particles, whose momenta can be
-   summed without any formula. */
+/* bodies.h - random bodies and impulses for the tests of varmass.h, and bodies made of particles, whose momenta can
+   be summed without any formula. */
 #ifndef BODIES_H
 #define BODIES_H
 

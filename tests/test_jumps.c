@@ -1,7 +1,9 @@
 /* Jumps, varmass.h: random bodies made of particles, whose momenta are summed particle by particle; the balances of
-   momentum, angular momentum and energy; several parts at once, relative motion, inverse questions, the plane; the cases
-   in which digits could be lost, each with what would go wrong; bad input. The equations one by one:
-   test_jump_equations.c. */
+   momentum, angular momentum and energy; several parts at once, relative motion, inverse questions, the plane; the
+   cases in which digits could be lost, each with what would go wrong; bad input. The equations one by one are in
+   test_jump_equations.c.
+
+   usage: jumps [seed], which draws other bodies */
 #include "bodies.h"
 
 /* ---- Particles: the judge that needs no formula ---- */
@@ -99,8 +101,8 @@ static void check_momenta(const shot *s, int i)
     CHECK((double)b.momentum_scale < 1.01 * sum.K_size && b.angular_momentum_scale > 0);
 }
 
-/* What is left after k pieces have gone. Its inertia and mass centre have the whole's rounding errors, those of the input
-   included: to the momenta involved belong those that the whole would have if it moved like the rest. */
+/* What is left after k pieces have gone. Its inertia and mass centre have the whole's rounding errors, those of the
+   input included: to the momenta involved belong those that the whole would have if it moved like the rest. */
 static void check_rest(const char *what, const shot *s, int k, const vm_body *rest, const vm_impulse *j, int index)
 {
     sums sum = {0, {0, 0, 0}, {0, 0, 0}, 0, 0, 0}, with_rest = sum;
@@ -183,7 +185,7 @@ static void check_defect(const char *what, const char *region, defect d, double 
     check_error(what, region, "eps L", d.L, 12, x, 0);
 }
 
-/* Attachment, undone by the opposite impulse; then the separation of what was attached, with a motion of its own: both
+/* Attachment, undone by the opposite impulse; then the separation of what was attached, with its own motion: both
    balances about random points, and the first body's place back. */
 static void test_balance(int with_impulse)
 {
@@ -208,8 +210,8 @@ static void test_balance(int with_impulse)
     }
 }
 
-/* The whole's kinetic energy before and after, with n pieces apart, from the bodies and from the theorem. Rounding errors
-   of omega cost energy by the angular momentum: |omega| |L| is the size. */
+/* The whole's kinetic energy before and after, with n pieces apart, from the bodies and from the theorem. Rounding
+   errors of omega cost energy by the angular momentum: |omega| |L| is the size. */
 static void check_energy(const char *what, const char *region, const vm_body *whole, int n, const vm_body *pieces,
                          double difference, double theorem, double index)
 {
@@ -224,8 +226,8 @@ static void check_energy(const char *what, const char *region, const vm_body *wh
     check_error(what, region, "eps", fabs(difference - theorem) / eps / size, 8, index, n);
 }
 
-/* Carnot's loss of an attachment and the gain (113), (118) of a separation, of one piece and of several, with the work of
-   an impulse and without */
+/* Carnot's loss of an attachment and the gain (113), (118) of a separation, of one piece and of several, with the
+   work of an impulse and without */
 static void test_energy(int with_impulse)
 {
     const char *region = with_impulse ? "with impulse" : "free";
@@ -546,8 +548,8 @@ static void test_small_rest(void)
     CHECK(kept > (is_float ? 5 : 20) && lost > 0);
 }
 
-/* I_S1 without a digit: the part carries all of the inertia but 1e-3 to eps/10 of it. (34) as printed divides the whole's
-   rounding errors by I_S1; in relative motions the part that moves on as before leaves the rest at Omega exactly. */
+/* I_S1 without a digit: the part carries all of the inertia but 1e-3 to eps/10 of it. (34) as it stands divides the
+   whole's rounding errors by I_S1; in relative motions the part that moves on as before leaves the rest at Omega. */
 static void test_lost_inertia(void)
 {
     double own, worst_printed = 0;
@@ -838,7 +840,7 @@ static void test_jump_domain(void)
     CHECK(size_of(vmi_sub(rest.v, vmi_add(stick.v, vmi_cross(stick.omega, vector(-1, 0, 0))))) == 0);
 }
 
-/* Every function refuses null pointers, negative counts and what is not finite, in each member, and leaves its outputs */
+/* Every function refuses null pointers, negative counts and any member that is not finite, and leaves its outputs */
 static void test_bad_input(void)
 {
     const vm_real bad[] = {VM_NAN, VM_INFINITY, -VM_INFINITY};
