@@ -1,5 +1,5 @@
-/* The equations (1)-(45) and (97)-(118) one by one, Tables 2-4 row by row, the reference cases A, B and E5: each holds
-   of the bodies that the jump functions give, and each form that is misprinted or wrong fails, by the term it lacks.
+/* The equations (1)-(45) and (97)-(118) one by one, Tables 2-4 row by row, the reference cases A, B and E5: each
+   holds of the bodies that the jump functions give, and each misprinted or wrong form fails, by the term it lacks.
 
    usage: jump_equations [seed], which draws other bodies */
 #include "bodies.h"
@@ -80,7 +80,7 @@ static void equal_numbers(const jump *x, const char *number, double left, double
     check_error(number, region_of(x), "eps", fabs(left - right) / eps / size, 0.5, x->M, x->m);
 }
 
-/* A printed form is off by this amount: at its largest it must be a good part of the size, or it would not be wrong */
+/* A printed form is off by this amount; at its largest it must be a good part of the size */
 typedef struct failure {
     const char *number;
     double largest;
@@ -415,7 +415,7 @@ static void set_relative(const vm_body2 *whole, vm_body2 *part, double vrx, doub
     vm_to_absolute2(whole, &relative, part);
 }
 
-/* The part that vm_separate_for2 finds for the rest to turn with omega, and to move with v where not NULL, is this one */
+/* The part that vm_separate_for2 finds for the rest to turn with omega, and to move with v if not NULL, is p's */
 static void answers(const plane *p, const char *row, const double *v, double omega)
 {
     vm_real wanted[2] = {0, 0}, turning = R(omega);
