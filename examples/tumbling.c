@@ -1,5 +1,5 @@
-/* A tumbling satellite sheds a panel: the jump in space by vm_separate, the balances of momentum, angular momentum and
-   energy across it, and both pieces' free motion before and after.
+/* A tumbling satellite sheds a panel: the jump in space by vm_separate, the balances of momentum, angular momentum
+   and energy across it, and the free motion of both pieces before and after.
 
    usage: tumbling [file.csv]
    The file has three parts, two empty lines apart:

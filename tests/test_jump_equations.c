@@ -355,9 +355,9 @@ static plane separated(vm_body2 whole, vm_body2 part)
     vm_to_relative2(&whole, &p.S1, &relative);
     p.vr1[0] = (double)relative.vx, p.vr1[1] = (double)relative.vy, p.Or1 = (double)relative.omega;
     p.u = (p.M * hypot(p.v[0], p.v[1]) + p.m * hypot(p.v2[0], p.v2[1]) + p.m * hypot(p.vr[0], p.vr[1])) / p.M1 +
-          p.M / p.M1 * fabs(p.O) * hypot(p.SS2[0], p.SS2[1]) + hypot(whole.x, whole.y) * fabs(p.O);
+          p.M / p.M1 * fabs(p.O) * hypot(p.SS2[0], p.SS2[1]) + hypot((double)whole.x, (double)whole.y) * fabs(p.O);
     p.w = p.I / p.I1 * (fabs(p.O) + fabs(p.O1) + fabs(p.Or1)) + p.I2 / p.I1 * (fabs(p.O2) + fabs(p.Or)) +
-          p.M / p.I1 * (hypot(p.SS2[0], p.SS2[1]) + hypot(whole.x, whole.y)) * p.u;
+          p.M / p.I1 * (hypot(p.SS2[0], p.SS2[1]) + hypot((double)whole.x, (double)whole.y)) * p.u;
     return p;
 }
 

@@ -292,6 +292,20 @@ static void test_mass_ratios(void)
     }
 }
 
+/* Numbers that can be summed in the head: body 2 kg at 10 N s, 2 m from the point; impulse 2 N s, 3 m from it */
+static void test_scales(void)
+{
+    vm_body b = {2, {1, 2, 3, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 3}, {3, 4, 0}, {0, 0, 2}};
+    vm_impulse j = {{0, 2, 0}, {1, 0, 0}, {1, 1, -2}};
+    vm_balance sum;
+    CHECK(vm_balance_between(0, NULL, 1, &b, &j, vector(1, 1, 1), &sum) == VM_OK);
+    CHECK(sum.momentum_scale == 12 && sum.angular_momentum_scale == 6 * 2 + 2 * 10 + 1 + 3 * 2);
+    CHECK(sum.momentum.x == 6 && sum.momentum.y == 6 && sum.energy == 25 + 6);
+    CHECK(sum.angular_momentum.x == -16 - 7 && sum.angular_momentum.y == 12 && sum.angular_momentum.z == 6);
+    CHECK(vm_balance_between(1, &b, 0, NULL, NULL, vector(1, 1, 1), &sum) == VM_OK);
+    CHECK(sum.momentum.x == -6 && sum.angular_momentum.y == -12 && sum.energy == -31);
+}
+
 /* ---- Several parts at once ---- */
 
 static double apart(const vm_body *a, const vm_body *b)
@@ -440,6 +454,10 @@ static void test_plane(void)
         blow.linear = vmi_vec3(impulse.jx, impulse.jy, 0), blow.couple = vmi_vec3(0, 0, impulse.couple);
         blow.at = vmi_vec3(impulse.x, impulse.y, 0);
         in_space[0] = vm_in_space(&a), in_space[1] = vm_in_space(&b);
+        CHECK(vm_to_relative2(&a, &b, &rest) == VM_OK && vm_attach_relative2(&a, &rest, j, &moving) == VM_OK);
+        CHECK(vm_to_absolute2(&a, &moving, &rest) == VM_OK);
+        CHECK(vm_attach(&in_space[0], &in_space[1], blow_or_null, &joined_in_space) == VM_OK);
+        check_error("attach_relative2", "as in space", "eps", apart2(&rest, &joined_in_space), 12, i, 0);
         CHECK(vm_attach2(&a, &b, j, &whole) == VM_OK);
         CHECK(vm_attach(&in_space[0], &in_space[1], blow_or_null, &joined_in_space) == VM_OK);
         check_error("attach2", "as in space", "eps", apart2(&whole, &joined_in_space), 12, i, 0);
@@ -1014,6 +1032,7 @@ int main(int argc, char **argv)
     test_energy(1);
     test_unequal_bodies();
     test_mass_ratios();
+    test_scales();
     test_burst();
     test_blow();
     test_relative();
