@@ -330,7 +330,7 @@ VM_API int vm_separate_for_spin2(const vm_body2 *whole, const vm_body2 *part, co
 /* Kinetic energy that the n parts and the rest have more than the whole had, J, as the theorem (113), (118) has it:
    the sum of the kinetic energies of their motions relative to the whole, exact in space, and the impulse's work
    v_S.linear + Omega.moment about S. At high speed it has digits that the difference of the energies has lost. NaN
-   for a null pointer. */
+   for a null pointer and n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest);
 /* What body and the n added have more than the whole has, J: Carnot's loss, the kinetic energies of their motions
@@ -749,12 +749,22 @@ VM_API int vmi_inertia_finite(const vm_inertia *i)
     return vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz));
 }
 
+/* A body can have the inertia i where tr(i)/2 E - i, the second moments integral of r r^T dm, has no eigenvalue below
+   zero. By elimination, with a slack added against which the rounding errors, some eps of the trace, are small */
 VM_API int vm_inertia_possible(const vm_inertia *inertia)
 {
-    vmi_principal p;
-    if (!inertia || !vmi_inertia_finite(inertia)) return 0;
-    p = vmi_principal_axes(inertia);
-    return vmi_possible(&p, vmi_slack(inertia));
+    const vm_inertia *i = inertia;
+    vm_real half, x, y, z, yz;
+    if (!i || !vmi_inertia_finite(i)) return 0;
+    half = (i->xx + i->yy + i->zz + vmi_slack(i)) / 2;
+    if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
+    x = half - i->xx;
+    if (!(x > 0)) return 0;
+    y = half - i->yy - i->xy / x * i->xy;
+    if (!(y > 0)) return 0;
+    yz = i->yz + i->xy / x * i->xz;
+    z = half - i->zz - i->xz / x * i->xz;
+    return z - yz / y * yz > 0;
 }
 
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
@@ -1404,7 +1414,7 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     vm_real sum = 0;
     vm_body b;
     int i;
-    if (!whole || !one_more || (n > 0 && !bodies)) return VM_NAN;
+    if (!whole || !one_more || n < 0 || (n > 0 && !bodies)) return VM_NAN;
     for (i = 0; i <= n; i++) {
         vm_to_relative(whole, i < n ? bodies + i : one_more, &b);
         sum += vm_kinetic_energy(&b);

@@ -971,7 +971,8 @@ static void test_bad_input(void)
     CHECK(isnan(vm_momentum(NULL).y) && isnan(vm_angular_momentum(NULL, d).x) && isnan(vm_kinetic_energy(NULL)));
     CHECK(isnan(vm_angular_momentum2(NULL, 0, 0)) && isnan(vm_kinetic_energy2(NULL)) &&
           isnan(vm_in_space(NULL).mass));
-    CHECK(isnan(vm_energy_gain(&a, 1, NULL, NULL, &b)) && isnan(vm_energy_loss(NULL, 0, NULL, NULL, &b)));
+    CHECK(isnan(vm_energy_gain(&a, -1, &b, NULL, &b)) && isnan(vm_energy_gain(&a, 1, NULL, NULL, &b)) &&
+          isnan(vm_energy_loss(NULL, 0, NULL, NULL, &b)));
     CHECK(isnan(vm_parallel_axes(NULL, 1, d).xx) && !vm_inertia_possible(NULL));
 }
 
