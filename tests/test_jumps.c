@@ -711,6 +711,38 @@ static void test_null_axes(void)
     }
 }
 
+/* A blow at a point of a rod turns it about no axis that it lacks, a twist would: rounding errors, of places far away too,
+   are told from the least twist that matters. The same of points that leave a body as they moved, in the plane. */
+static void test_nothing_left(void)
+{
+    int i;
+    for (i = 0; i < 1000; i++) {
+        vm_vec3 e = random_vector(1);
+        vm_body stick = rod(2, e), struck;
+        vm_impulse j = random_impulse();
+        vm_body2 whole = random_body2(3), point, moving;
+        vm_real omega;
+        stick.q = random_attitude(), stick.r = random_vector(i % 2 ? 1 : 100);
+        stick.v = random_vector(3), stick.omega = random_vector(3);
+        {
+            const vmi_mat3 turn = vmi_rotation(stick.q);
+            e = vmi_times(&turn, e);
+        }
+        j.couple = vector(0, 0, 0), j.at = vmi_add(stick.r, vmi_scale(R(uniform(-1, 1)), e));
+        CHECK(vm_attach_all(&stick, 0, NULL, &j, &struck) == VM_OK);
+        j.couple = vmi_scale(R(1e4 * eps * (1 + size_of(j.linear)) * (1 + size_of(j.at)) / size_of(e)), e);
+        CHECK(vm_attach_all(&stick, 0, NULL, &j, &struck) == VM_NULL_AXIS);
+
+        point = whole, point.mass = 1, point.inertia = 0;
+        point.x += R(uniform(-.1, .1)), point.y += R(uniform(-.1, .1));
+        point.vx -= whole.omega * (point.y - whole.y), point.vy += whole.omega * (point.x - whole.x);
+        omega = whole.omega;
+        CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
+        omega += R(1e-3);
+        CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_NULL_AXIS);
+    }
+}
+
 /* The rounding errors of positions far from the origin make no rod impossible. */
 static void far_from_the_origin(void)
 {
@@ -840,7 +872,22 @@ static void test_jump_domain(void)
         REFUSED(VM_BAD_ARGUMENT, vm_attach(&whole, NULL, NULL, &rest));
         CHECK(vm_attach(&whole, &part, NULL, NULL) == VM_BAD_ARGUMENT);
     }
-    CHECK(vm_separate(&whole, &part, NULL, &whole) == VM_OK && whole.mass == 4); /* an output may be an input */
+    { /* an output may be an input */
+        vm_body x = whole, y = part;
+        CHECK(vm_attach(&whole, &part, NULL, &rest) == VM_OK && vm_attach(&x, &part, NULL, &x) == VM_OK);
+        CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_attach(&whole, &y, NULL, &y) == VM_OK);
+        CHECK(memcmp(&y, &rest, sizeof y) == 0);
+        x = whole, y = part;
+        CHECK(vm_to_relative(&whole, &part, &rest) == VM_OK && vm_to_relative(&x, &y, &x) == VM_OK);
+        CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_to_relative(&whole, &y, &y) == VM_OK);
+        CHECK(memcmp(&y, &rest, sizeof y) == 0);
+        x = whole, y = part;
+        CHECK(vm_separate_for(&whole, &part, NULL, &part.v, &part.omega, &rest) == VM_OK);
+        CHECK(vm_separate_for(&x, &part, NULL, &part.v, &part.omega, &x) == VM_OK &&
+              memcmp(&x, &rest, sizeof x) == 0);
+        CHECK(vm_separate_for(&whole, &y, NULL, &y.v, &y.omega, &y) == VM_OK && memcmp(&y, &rest, sizeof y) == 0);
+        CHECK(vm_separate(&whole, &part, NULL, &whole) == VM_OK && whole.mass == 4);
+    }
 
     /* two equal points on the x axis are a rod; one taken away leaves a point, whose spin stays the rod's */
     stick = part;
@@ -1047,6 +1094,7 @@ int main(int argc, char **argv)
     test_nearly_equal_moments();
     test_null_axes();
     test_thin_bodies();
+    test_nothing_left();
     test_impossible();
     test_quaternion_length();
     test_inertia();
