@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draw the figures of examples 1 and 2 from the CSV files in the folder named, as SVG beside them.
+# Draw the figures of the examples from the CSV files in the folder named, as SVG beside them.
 folder=$1
 if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
     echo "no gnuplot: the curves are in $folder/*.csv, no figures drawn"
@@ -21,3 +21,5 @@ gnuplot -e "csv='$folder/drum.csv'; svg='$folder/drum.svg'" examples/drum.gp || 
 echo "  $folder/drum.svg   the drum of Fig. 20, (177)-(226) as printed and corrected"
 gnuplot -e "csv='$folder/dzhanibekov.csv'; svg='$folder/dzhanibekov.svg'" examples/dzhanibekov.gp || exit 1
 echo "  $folder/dzhanibekov.svg   a wing nut that turns over"
+gnuplot -e "csv='$folder/tumbling.csv'; svg='$folder/tumbling.svg'" examples/tumbling.gp || exit 1
+echo "  $folder/tumbling.svg   a tumbling satellite sheds a panel"
