@@ -1060,32 +1060,40 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_seen *b, vmi_
         sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
         if (s->from) stored = vmi_sub(s->from->at, b->centre), own = vmi_stream_own(s->rate, &s->from->gyration);
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        sum->inertia = vmi_inertia_plus(vmi_inertia_plus(sum->inertia, 1, own), s->rate,
-                                        vmi_inertia_of_point(stored));
+        own = vmi_inertia_plus(own, s->rate,
+                               vmi_inertia_of_point(stored)); /* first, so that opposite streams cancel */
+        sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
 /* The loads of an instant */
 
+/* Finite, no negative moment. The triangle inequality is not asked for: a tensor with zz alone does for plane motion */
+VM_API int vmi_gyration_good(const vm_inertia *i)
+{
+    if (!vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)))
+        return VM_NOT_FINITE;
+    return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
+}
+
+VM_API int vmi_stream_good(const vm_stream *s)
+{
+    int status;
+    if (s->motion < VM_RELATIVE || s->motion > VM_AT_REST) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
+        !vmi_vec3_finite(s->spin))
+        return VM_NOT_FINITE;
+    status = vmi_gyration_good(&s->gyration);
+    if (status || !s->from) return status;
+    return vmi_vec3_finite(s->from->at) ? vmi_gyration_good(&s->from->gyration) : VM_NOT_FINITE;
+}
+
 VM_API int vmi_streams_good(int n, const vm_stream *s)
 {
-    int k;
-    if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
-    for (k = 0; k < n; k++) {
-        const vm_inertia *g = &s[k].gyration;
-        if (s[k].motion < VM_RELATIVE || s[k].motion > VM_AT_REST) return VM_BAD_ARGUMENT;
-        if (!VM_IS_FINITE(s[k].rate) || !vmi_vec3_finite(s[k].at) || !vmi_vec3_finite(s[k].velocity) ||
-            !vmi_vec3_finite(s[k].spin) || !vmi_vec3_finite(vmi_vec3(g->xx, g->yy, g->zz)) ||
-            !vmi_vec3_finite(vmi_vec3(g->xy, g->xz, g->yz)))
-            return VM_NOT_FINITE;
-        if (!s[k].from) continue;
-        g = &s[k].from->gyration;
-        if (!vmi_vec3_finite(s[k].from->at) || !vmi_vec3_finite(vmi_vec3(g->xx, g->yy, g->zz)) ||
-            !vmi_vec3_finite(vmi_vec3(g->xy, g->xz, g->yz)))
-            return VM_NOT_FINITE;
-    }
-    return VM_OK;
+    int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
+    for (k = 0; !status && k < n; k++) status = vmi_stream_good(s + k);
+    return status;
 }
 
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
