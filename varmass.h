@@ -280,8 +280,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way holds the
    momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of q/|q|:
    the length is held, and the order of no integrator suffers.
-   A mass or an inertia that is not positive (a trial step beyond the end) gives NaN, so that steps are shortened, and
-   its status is left in flow.status: stop before with the events below. */
+   A mass or an inertia that is not positive (in a trial step beyond the end) gives NaN, so that the step is shortened,
+   and its status is left in flow.status. Stop before, by the events below. */
 enum {
     VM_Y_R = 0,
     VM_Y_Q = 3,
@@ -309,7 +309,7 @@ typedef struct VM_TAG(vm_flow) {
     vm_inertia inertia;                /* I(t) */
     vm_vec3 drift;                     /* and c'(t), vm_rhs_carried */
     vm_real least_mass, least_inertia; /* of the events */
-    int status;                        /* why an evaluation was refused last, 0 if none was */
+    int status;                        /* 0, or why the last evaluations gave NaN */
 } vm_flow;
 
 /* y: the VM_RHS first states for body; VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS,
@@ -922,17 +922,17 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 
 VM_API vm_vec3 vmi_load3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 VM_API void vmi_store3(vm_real *y, vm_vec3 a) { y[0] = a.x, y[1] = a.y, y[2] = a.z; }
-VM_API vm_inertia vmi_load_inertia(const vm_real *y)
+VM_API vm_inertia vmi_stream_load_inertia(const vm_real *y)
 {
     vm_inertia i;
     i.xx = y[0], i.yy = y[1], i.zz = y[2], i.xy = y[3], i.xz = y[4], i.yz = y[5];
     return i;
 }
-VM_API void vmi_store_inertia(vm_real *y, const vm_inertia *i)
+VM_API void vmi_stream_store_inertia(vm_real *y, const vm_inertia *i)
 {
     y[0] = i->xx, y[1] = i->yy, y[2] = i->zz, y[3] = i->xy, y[4] = i->xz, y[5] = i->yz;
 }
-VM_API vm_quat vmi_load_quat(const vm_real *y)
+VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
 {
     vm_quat q;
     q.w = y[0], q.x = y[1], q.y = y[2], q.z = y[3];
@@ -953,10 +953,10 @@ VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
 }
 
 /* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
-typedef struct VM_TAG(vmi_ldl) {
+typedef struct VM_TAG(vmi_stream_ldl) {
     vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
-} vmi_ldl;
-VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_ldl *f)
+} vmi_stream_ldl;
+VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
 {
     const vm_real lost = 8 * VM_EPSILON;
     vm_real y, z, t;
@@ -968,7 +968,7 @@ VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_ldl *f)
     return i->xx > 0 && y > lost * i->yy && z > lost * i->zz;
 }
 
-VM_INLINE vm_vec3 vmi_stream_solve(const vmi_ldl *f, vm_vec3 h)
+VM_INLINE vm_vec3 vmi_stream_solve(const vmi_stream_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
     w.y = h.y - f->xy * h.x;
@@ -979,14 +979,16 @@ VM_INLINE vm_vec3 vmi_stream_solve(const vmi_ldl *f, vm_vec3 h)
 }
 
 /* What the streams of a moving body add up to, body axes */
-typedef struct VM_TAG(vmi_streams) {
-    vm_real rate;
-    vm_vec3 reaction, moment; /* sum M' (u - v), sum d x M' (u - v) */
+typedef struct VM_TAG(vmi_stream_sum) {
+    vm_real rate, carried;    /* sum M'; that of the streams whose velocity is given relative to the body, */
+    vm_vec3 pushed;           /* their sum M' (u - v), */
+    vm_vec3 absolute;         /* and sum M' u of the others, inertial axes: exact where u = 0 */
+    vm_vec3 moment;           /* sum d x M' (u - v) */
     vm_vec3 own;              /* sum M' kappa omega2 */
     vm_vec3 crossing, stored; /* sum M' d, sum M' d_s */
     vm_inertia inertia;       /* I' */
     vm_real brought, lost;    /* twice the sums of T' */
-} vmi_streams;
+} vmi_stream_sum;
 
 /* Momentum, and angular momentum about the mass centre, of what flows between the stores and the points of crossing */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
@@ -1011,51 +1013,58 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 
 /* The motion of a body as the streams see it: v = momentum/mass inertial and in body axes, material velocity of the
    mass centre less v, and omega, both in body axes; energy: brought and lost are wanted */
-typedef struct VM_TAG(vmi_seen) {
+typedef struct VM_TAG(vmi_stream_seen) {
     const vmi_mat3 *turn;
     vm_vec3 v, slip, omega, centre;
     int energy;
-} vmi_seen;
+} vmi_stream_seen;
 
-/* u - v and omega2 of a stream, body axes; 0 for an unknown motion */
-VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_seen *b, vm_vec3 carried, vm_vec3 *u, vm_vec3 *spin)
+/* M' (u - v) and omega2 of a stream, body axes, and its part of the momentum's rate; 0 for an unknown motion */
+VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
+                                vm_vec3 *push, vm_vec3 *spin)
 {
     switch (s->motion) {
-    case VM_RELATIVE: *u = vmi_add(s->velocity, carried), *spin = vmi_add(s->spin, b->omega); return 1;
+    case VM_RELATIVE: carried = vmi_add(carried, s->velocity), *spin = vmi_add(b->omega, s->spin); break;
     case VM_ABSOLUTE:
-        *u = vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v));
+        *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
+        sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
         return 1;
-    case VM_CARRIED: *u = carried, *spin = b->omega; return 1;
-    case VM_AT_REST: *u = vmi_times_transposed(b->turn, vmi_scale(-1, b->v)), *spin = vmi_vec3(0, 0, 0); return 1;
+    case VM_CARRIED: *spin = b->omega; break;
+    case VM_AT_REST:
+        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v)), *spin = vmi_vec3(0, 0, 0);
+        return 1;
     default: return 0;
     }
+    *push = vmi_scale(s->rate, carried);
+    sum->carried += s->rate;
+    sum->pushed = vmi_add(sum->pushed, *push);
+    return 1;
 }
 
-VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_seen *b, const vm_inertia *own, vm_vec3 u,
-                                 vm_vec3 spin, vm_vec3 carried, vmi_streams *sum)
+VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
+                                 vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
+    const vm_vec3 u = s->rate != 0 ? vmi_scale(1 / s->rate, push) : push, relative = vmi_sub(spin, b->omega);
     const vm_vec3 absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v)), w = vmi_sub(u, carried);
-    const vm_vec3 relative = vmi_sub(spin, b->omega);
     sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
-VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_seen *b, vmi_streams *sum)
+VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
-    const vmi_streams none = {0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0, 0, 0, 0}, 0, 0};
+    const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
+                                 {0, 0, 0}, {0, 0, 0}, {0, 0, 0, 0, 0, 0}, 0,         0};
     int k;
     *sum = none;
     for (k = 0; k < n; k++, s++) {
         const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
-        vm_vec3 u, spin, stored = d;
-        if (!vmi_stream_motion(s, b, carried, &u, &spin)) return 0;
-        if (b->energy) vmi_stream_energy(s, b, &own, u, spin, carried, sum);
-        u = vmi_scale(s->rate, u);
+        vm_vec3 push, spin, stored = d;
+        if (!vmi_stream_motion(s, b, carried, sum, &push, &spin)) return 0;
+        if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
-        sum->reaction = vmi_add(sum->reaction, u);
-        sum->moment = vmi_add(sum->moment, vmi_cross(d, u));
+        sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
         sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
         sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
         if (s->from) stored = vmi_sub(s->from->at, b->centre), own = vmi_stream_own(s->rate, &s->from->gyration);
@@ -1070,7 +1079,7 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_seen *b, vmi_
 /* The loads of an instant */
 
 /* Finite, no negative moment. The triangle inequality is not asked for: a tensor with zz alone does for plane motion */
-VM_API int vmi_gyration_good(const vm_inertia *i)
+VM_API int vmi_stream_gyration_good(const vm_inertia *i)
 {
     if (!vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)))
         return VM_NOT_FINITE;
@@ -1084,12 +1093,12 @@ VM_API int vmi_stream_good(const vm_stream *s)
     if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
-    status = vmi_gyration_good(&s->gyration);
+    status = vmi_stream_gyration_good(&s->gyration);
     if (status || !s->from) return status;
-    return vmi_vec3_finite(s->from->at) ? vmi_gyration_good(&s->from->gyration) : VM_NOT_FINITE;
+    return vmi_vec3_finite(s->from->at) ? vmi_stream_gyration_good(&s->from->gyration) : VM_NOT_FINITE;
 }
 
-VM_API int vmi_streams_good(int n, const vm_stream *s)
+VM_API int vmi_stream_all_good(int n, const vm_stream *s)
 {
     int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
     for (k = 0; !status && k < n; k++) status = vmi_stream_good(s + k);
@@ -1100,12 +1109,12 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
                              vm_reactive *result)
 {
     vmi_mat3 turn;
-    vmi_streams sum;
-    vmi_seen seen;
+    vmi_stream_sum sum;
+    vmi_stream_seen seen;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status) status = vmi_streams_good(n, streams);
+    if (!status) status = vmi_stream_all_good(n, streams);
     if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_BAD_ARGUMENT;
@@ -1114,7 +1123,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.turn = &turn, seen.v = body->v, seen.slip = vmi_vec3(0, 0, 0), seen.centre = centre, seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    result->force = vmi_times(&turn, sum.reaction);
+    result->force = vmi_add(vmi_times(&turn, sum.pushed),
+                            vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
     result->moment = vmi_times(&turn, sum.moment);
     result->torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
     result->drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
@@ -1124,7 +1134,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
 }
 
 /* I^-1 (moment - omega x I omega), body axes */
-VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_ldl *factors, vm_vec3 omega, vm_vec3 moment)
+VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_stream_ldl *factors, vm_vec3 omega,
+                                   vm_vec3 moment)
 {
     return vmi_stream_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
@@ -1133,7 +1144,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
     vmi_mat3 turn;
-    vmi_ldl factors;
+    vmi_stream_ldl factors;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
@@ -1152,12 +1163,18 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 /* The free body */
 
 /* Derivatives that make the integrator shorten its step */
-VM_API int vmi_refuse(int n, vm_real *dydt, int reason, int *status)
+VM_API int vmi_flow_refuse(int n, vm_real *dydt)
 {
     int k;
     for (k = 0; k < n; k++) dydt[k] = VM_NAN;
-    *status = reason;
     return 0;
+}
+
+/* Keeps the first reason of evaluations in a row that are refused: the others follow from its NaN */
+VM_INLINE int vmi_flow_refused(int *kept, int status)
+{
+    if (!status || !*kept) *kept = status;
+    return status;
 }
 
 /* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes: the length comes back within some steps of any explicit
@@ -1174,13 +1191,13 @@ VM_INLINE void vmi_stream_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 
 /* A state taken apart: rotation, velocity and angular velocity; VM_BAD_MASS, VM_BAD_INERTIA */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mass, const vm_inertia *inertia,
-                              vm_vec3 centre, vmi_mat3 *turn, vmi_seen *seen)
+                              vm_vec3 centre, vmi_mat3 *turn, vmi_stream_seen *seen)
 {
-    const vm_quat q = vmi_load_quat(y + VM_Y_Q);
+    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
     const vm_vec3 p = vmi_load3(y + VM_Y_P);
     const vm_real inverse = 1 / mass;
     vm_vec3 h;
-    vmi_ldl factors;
+    vmi_stream_ldl factors;
     if (!(mass > 0)) return VM_BAD_MASS;
     if (!vmi_stream_factor(inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_stream_rotation(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
@@ -1194,8 +1211,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mas
 }
 
 /* VM_Y_BALANCE on: momentum, angular momentum and energy carried off by streams less those brought by loads */
-VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_seen *seen, const vmi_streams *sum,
-                                vm_vec3 force, vm_vec3 moment, vm_real *dydt)
+VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
+                                const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
     const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_load3(y + VM_Y_R);
     const vm_vec3 drift = vmi_times(seen->turn, sum->crossing);
@@ -1207,23 +1224,24 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_RHS_GIVEN;
-    const vm_quat q = vmi_load_quat(y + VM_Y_Q);
+    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
     vm_real mass;
     vm_vec3 centre, force, moment;
     vm_inertia inertia;
     vmi_mat3 turn;
-    vmi_seen seen;
-    vmi_streams sum;
+    vmi_stream_seen seen;
+    vmi_stream_sum sum;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
     mass = given ? flow->mass : y[VM_Y_MASS];
     centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
-    inertia = given ? flow->inertia : vmi_load_inertia(y + VM_Y_INERTIA);
+    inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
     status = vmi_flow_motion(flow, y, mass, &inertia, centre, &turn, &seen);
-    if (status) return vmi_refuse(n, dydt, status, &flow->status);
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(n, dydt);
     seen.energy = n == VM_RHS_BALANCED;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
-    force = vmi_add(flow->force, vmi_add(vmi_times(&turn, sum.reaction), vmi_scale(sum.rate, seen.v)));
+    force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
+    force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
     vmi_store3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / mass, sum.crossing))));
     vmi_stream_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
@@ -1232,7 +1250,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
     vmi_store3(dydt + VM_Y_CENTRE, vmi_scale(1 / mass, sum.stored));
-    vmi_store_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
+    vmi_stream_store_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
 }
@@ -1255,16 +1273,15 @@ VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flo
 VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_flow *flow = (vm_flow *)ctx;
-    const vm_quat q = vmi_load_quat(y + VM_Y_Q);
+    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
     const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     const vm_vec3 omega = vmi_load3(y + VM_Y_H);
     vmi_mat3 turn;
-    vmi_ldl factors;
+    vmi_stream_ldl factors;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    if (!(flow->mass > 0)) return vmi_refuse(VM_RHS_GIVEN, dydt, VM_BAD_MASS, &flow->status);
-    if (!vmi_stream_factor(&flow->inertia, &factors))
-        return vmi_refuse(VM_RHS_GIVEN, dydt, VM_BAD_INERTIA, &flow->status);
+    status = !(flow->mass > 0) ? VM_BAD_MASS : vmi_stream_factor(&flow->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS_GIVEN, dydt);
     turn = vmi_stream_rotation(q, square);
     vmi_store3(dydt + VM_Y_R, vmi_add(vmi_load3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
     vmi_stream_turning(q, square, omega, dydt + VM_Y_Q);
@@ -1293,12 +1310,12 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
     vm_quat q;
-    vmi_ldl factors;
+    vmi_stream_ldl factors;
     vmi_mat3 turn;
     int status;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status) status = vmi_streams_good(flow->n, flow->streams);
+    if (!status) status = vmi_stream_all_good(flow->n, flow->streams);
     if (!status &&
         !(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
         status = VM_NOT_FINITE;
@@ -1313,7 +1330,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     vmi_store3(y + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
     y[VM_Y_MASS] = body->mass;
     vmi_store3(y + VM_Y_CENTRE, flow->centre);
-    vmi_store_inertia(y + VM_Y_INERTIA, &body->inertia);
+    vmi_stream_store_inertia(y + VM_Y_INERTIA, &body->inertia);
     flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
     return VM_OK;
 }
@@ -1324,15 +1341,15 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     vm_vec3 centre;
     vm_body b;
     vmi_mat3 turn;
-    vmi_seen seen;
+    vmi_stream_seen seen;
     int status;
     if (!flow || !y || !body || n < VM_RHS_GIVEN) return VM_BAD_ARGUMENT;
     b.mass = given ? flow->mass : y[VM_Y_MASS];
-    b.inertia = given ? flow->inertia : vmi_load_inertia(y + VM_Y_INERTIA);
+    b.inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
     centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
     status = vmi_flow_motion(flow, y, b.mass, &b.inertia, centre, &turn, &seen);
     if (status) return status;
-    b.q = vmi_stream_unit(vmi_load_quat(y + VM_Y_Q));
+    b.q = vmi_stream_unit(vmi_stream_load_quat(y + VM_Y_Q));
     b.r = vmi_load3(y + VM_Y_R), b.v = seen.v, b.omega = vmi_times(&turn, seen.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *body = b;
@@ -1347,8 +1364,8 @@ VM_API vm_real vm_event_mass(vm_real t, const vm_real *y, void *flow)
 
 VM_API vm_real vm_event_inertia(vm_real t, const vm_real *y, void *flow)
 {
-    const vm_inertia i = vmi_load_inertia(y + VM_Y_INERTIA);
-    vmi_ldl f;
+    const vm_inertia i = vmi_stream_load_inertia(y + VM_Y_INERTIA);
+    vmi_stream_ldl f;
     vm_real least = i.xx;
     (void)t;
     if (vmi_stream_factor(&i, &f)) {
@@ -1366,7 +1383,8 @@ VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *
     vm_vec3 v, force;
     int k, status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    if (!(y[6] > 0)) return vmi_refuse(VM_RHS_TRANSLATION, dydt, VM_BAD_MASS, &flow->status);
+    status = y[6] > 0 ? VM_OK : VM_BAD_MASS;
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS_TRANSLATION, dydt);
     v = vmi_scale(inverse, vmi_load3(y + 3)), force = flow->force;
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
@@ -1389,7 +1407,8 @@ VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     vm_real rate = 0, force;
     int k, status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    if (!(y[2] > 0)) return vmi_refuse(VM_RHS1, dydt, VM_BAD_MASS, &flow->status);
+    status = y[2] > 0 ? VM_OK : VM_BAD_MASS;
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS1, dydt);
     force = flow->force;
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
@@ -1406,32 +1425,37 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_flow2 *flow = (vm_flow2 *)ctx;
     const vm_real inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, omega = y[5] / y[9];
-    vm_real sine, cosine, bx, by, rate = 0, fx = 0, fy = 0, moment, sx = 0, sy = 0, inertia = 0;
+    vm_real sine, cosine, bx, by, fx, fy, moment, rate = 0, carried = 0, px = 0, py = 0, sx = 0, sy = 0,
+                                                  inertia = 0;
     int k, status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    if (!(y[6] > 0)) return vmi_refuse(VM_RHS2, dydt, VM_BAD_MASS, &flow->status);
-    if (!(y[9] > 0)) return vmi_refuse(VM_RHS2, dydt, VM_BAD_INERTIA, &flow->status);
+    status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
     vmi_sincos(y[2], &sine, &cosine);
-    bx = cosine * vx + sine * vy, by = cosine * vy - sine * vx; /* v in body axes, as all sums here */
-    moment = flow->moment;
+    bx = cosine * vx + sine * vy, by = cosine * vy - sine * vx; /* v in body axes, as all sums but fx, fy */
+    fx = flow->fx, fy = flow->fy, moment = flow->moment;
     for (k = 0; k < flow->n; k++) {
         const vm_stream2 *s = flow->streams + k;
-        const vm_real dx = s->x - y[7], dy = s->y - y[8], reach = s->gyration + dx * dx + dy * dy;
-        const int relative = s->motion == VM_RELATIVE || s->motion == VM_CARRIED;
-        const int moving = s->motion == VM_RELATIVE || s->motion == VM_ABSOLUTE;
-        vm_real ux = relative ? -omega * dy : -bx, uy = relative ? omega * dx : -by, spin = relative ? omega : 0;
-        if (s->motion == VM_RELATIVE) ux += s->vx, uy += s->vy;
-        if (s->motion == VM_ABSOLUTE) ux += cosine * s->vx + sine * s->vy, uy += cosine * s->vy - sine * s->vx;
-        if (moving) spin += s->spin;
-        ux *= s->rate, uy *= s->rate;
-        rate += s->rate, fx += ux, fy += uy;
+        const vm_real dx = s->x - y[7], dy = s->y - y[8];
+        vm_real ux = -omega * dy, uy = omega * dx, spin = omega; /* M' (u - v) */
+        if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
+            if (s->motion == VM_RELATIVE) ux += s->vx, uy += s->vy, spin += s->spin;
+            ux *= s->rate, uy *= s->rate;
+            carried += s->rate, px += ux, py += uy;
+        } else {
+            ux = -s->rate * bx, uy = -s->rate * by, spin = 0;
+            if (s->motion == VM_ABSOLUTE) {
+                const vm_real ax = s->rate * s->vx, ay = s->rate * s->vy;
+                fx += ax, fy += ay, ux += cosine * ax + sine * ay, uy += cosine * ay - sine * ax, spin = s->spin;
+            }
+        }
+        rate += s->rate;
         moment += dx * uy - dy * ux + s->rate * s->gyration * spin;
-        sx += s->rate * dx, sy += s->rate * dy, inertia += s->rate * reach;
+        sx += s->rate * dx, sy += s->rate * dy, inertia += s->rate * (s->gyration + dx * dx + dy * dy);
     }
     sx *= inverse, sy *= inverse;
     dydt[0] = vx + cosine * sx - sine * sy, dydt[1] = vy + sine * sx + cosine * sy, dydt[2] = omega;
-    dydt[3] = flow->fx + rate * vx + cosine * fx - sine * fy,
-    dydt[4] = flow->fy + rate * vy + sine * fx + cosine * fy;
+    dydt[3] = fx + carried * vx + cosine * px - sine * py, dydt[4] = fy + carried * vy + sine * px + cosine * py;
     dydt[5] = moment, dydt[6] = rate, dydt[7] = sx, dydt[8] = sy, dydt[9] = inertia;
     return 0;
 }
@@ -1440,7 +1464,7 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp: the logarithm has 2^-64 (float 2^-31) of itself, so that
    the difference loses nothing down to 2^-8, where seven terms of its series are enough */
-VM_API void vmi_log_means(vm_real x, vm_real *first, vm_real *second)
+VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     if (VM_FABS(x) < VM_C(0.00390625)) {
         *second =
@@ -1484,7 +1508,7 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(x0 + v0 + force + stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
-    vmi_log_means(tau, &first, &second);
+    vmi_stream_log_means(tau, &first, &second);
     pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
     if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
         pull = (force + stream->rate * pull) / m0;
@@ -1509,7 +1533,7 @@ VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 
     decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
     if (!VM_IS_FINITE(tau + decay + jet->axial) || !vmi_vec3_finite(omega0)) return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
-    vmi_log_means(tau, &first, &second);
+    vmi_stream_log_means(tau, &first, &second);
     decay = vmi_exp(decay * first, 0);
     vmi_sincos(omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second),
                &sine, &cosine);
