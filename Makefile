@@ -17,7 +17,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation streams
-EXAMPLES = table5 example1 example2
+EXAMPLES = table5 example1 example2 rocket dust
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
@@ -30,6 +30,8 @@ run: $(EXAMPLES:%=build/examples/%)
 	@./build/examples/table5
 	@echo; ./build/examples/example1 build/figures/example1.csv
 	@echo; ./build/examples/example2 build/figures/example2.csv
+	@echo; ./build/examples/rocket build/figures/rocket.csv
+	@echo; ./build/examples/dust build/figures/dust.csv
 	@sh examples/figures.sh build/figures
 
 test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi
@@ -43,7 +45,7 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs
+BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs streams
 bench: $(BENCHES:%=build/bench/%)
 	@for bench in $(BENCHES); do ./build/bench/$$bench build/bench/$$bench.csv || exit 1; echo; done
 	@sh bench/plot_integrators.sh build/bench
@@ -132,6 +134,9 @@ build/bench/ateb_float: bench/bench_ateb.c build/command ateb.h
 
 build/bench/ateb_wide: bench/bench_ateb.c build/command ateb.h
 	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -fno-math-errno $< -o $@ -lm
+
+build/bench/streams: bench/bench_streams.c bench/timing.h build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/bench/pairs: bench/pairs.c build/command
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

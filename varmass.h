@@ -257,8 +257,9 @@ typedef struct VM_TAG(vm_reactive) {
     vm_real mass_rate;                    /* kg/s */
     vm_inertia inertia_rate;              /* kg m^2/s */
 } vm_reactive;
-/* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_ARGUMENT
-   (a null pointer, an unknown motion, n < 0, and a stream with a store, whose loads depend on its past) */
+/* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0, and a stream with a store, whose loads depend on its
+   past) */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result);
 /* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
@@ -273,15 +274,15 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    State: the momenta, from which v = momentum/mass and omega follow, so that what conserves them does so exactly
    here too, rates may jump, and no rate of a rate is needed:
      y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
-     inertial axes; y[VM_Y_MASS]; y[VM_Y_CENTRE] mass centre from the reference point 3, y[VM_Y_INERTIA] entries xx, yy,
-     zz, xy, xz, yz about the mass centre, both in body axes.
+     inertial axes; y[VM_Y_MASS]; y[VM_Y_CENTRE] mass centre from the reference point 3, y[VM_Y_INERTIA] entries xx,
+     yy, zz, xy, xz, yz about the mass centre, both in body axes.
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
-   With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way holds the
-   momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of q/|q|:
-   the length is held, and the order of no integrator suffers.
-   A mass or an inertia that is not positive (in a trial step beyond the end) gives NaN, so that the step is shortened,
-   and its status is left in flow.status. Stop before, by the events below. */
+   With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way holds
+   the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
+   q/|q|: the length is held, and the order of no integrator suffers.
+   A mass or an inertia that is not positive (in a trial step beyond the end) gives NaN, so that the step is
+   shortened, and its status is left in flow.status. Stop before, by the events below. */
 enum {
     VM_Y_R = 0,
     VM_Y_Q = 3,
@@ -312,8 +313,8 @@ typedef struct VM_TAG(vm_flow) {
     int status;                        /* 0, or why the last evaluations gave NaN */
 } vm_flow;
 
-/* y: the VM_RHS first states for body; VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA (that of a rod or a point too) */
+/* y: the VM_RHS first states for body; VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
 /* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body);
@@ -324,13 +325,14 @@ VM_API int vm_rhs_given(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
    not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S */
 VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
 /* vm_rhs, and from y[VM_Y_BALANCE] on what streams (but for those with a store, in the energy) have carried off less
-   what outer loads have brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the body's
-   own all seven stay constant. The energy goes by the limit of (113), (118), for either sign of M':
+   what outer loads have brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the
+   body's own all seven stay constant. The energy goes by the limit of (113), (118), for either sign of M':
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega:
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* Event functions, ctx the flow: mass - least_mass; least pivot of the inertia - least_inertia, zero where singular */
+/* Event functions, ctx the flow: mass - least_mass; least pivot of the inertia - least_inertia, zero where singular
+   */
 VM_API vm_real vm_event_mass(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_event_inertia(vm_real t, const vm_real *y, void *flow);
 
@@ -340,8 +342,9 @@ enum { VM_RHS_TRANSLATION = 7 };
 VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
 
 /* One degree of freedom: straight motion (175), (176), and rotation about a fixed axle (173a), which is the same
-   equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa + rho^2),
-   rho the distance from the axle, and velocity the stream's angular momentum per unit mass over kappa + rho^2. */
+   equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa +
+   rho^2), rho the distance from the axle, and velocity the stream's angular momentum per unit mass over kappa +
+   rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate, velocity;
     int motion;
@@ -378,14 +381,15 @@ typedef struct VM_TAG(vm_flow2) {
 enum { VM_RHS2 = 10 };
 VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *flow2);
 
-/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity; NaN where a mass is not
-   positive. v when the mass has come from m0 to m,
+/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity; NaN where a mass is
+   not positive. v when the mass has come from m0 to m,
    what crosses having the absolute velocity u, impulse that of outer forces (151), (171): u = 0 is Levi-Civita's case;
-   what crosses having the relative velocity w, no outer force (175), (176): Tsiolkovsky's. Within 4 eps of the terms */
+   what crosses having the relative velocity w, no outer force (175), (176): Tsiolkovsky's. Within 4 eps of the
+   terms */
 VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse);
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w);
-/* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE), through
-   rate = 0 without loss: 8 eps of the terms; VM_BAD_MASS where m0 + rate t or m0 is not positive */
+/* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
+   through rate = 0 without loss: 8 eps of the terms; VM_BAD_MASS where m0 + rate t or m0 is not positive */
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v);
 /* Jet damping of an axisymmetric body: angular velocity after t in body axes, z the axis of symmetry, without outer
@@ -410,8 +414,8 @@ VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 
 
 /* (247) corrected: with T(t, q, q', masses) of the material velocities, r2 where a stream crosses,
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i]
-   A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states are
-   q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
+   A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
+   are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
    A and b come from T itself by exact differences of the quadratic, dT/dq by central differences of order 6: within
    2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
@@ -434,14 +438,14 @@ VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const 
 VM_API int vm_lagrange_rates(vm_lagrange *l, vm_real t, const vm_real *y, vm_real *rates);
 /* dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .. n - 1 */
 VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i);
-/* Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235): of outer loads F, M; of streams M' u at the point where they
-   cross, and M' kappa omega2. dr or domega may be null: no part of it. */
+/* Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235): of outer loads F, M; of streams M' u at the point where
+   they cross, and M' kappa omega2. dr or domega may be null: no part of it. */
 VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega,
                          vm_real *Q);
 
 /* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
-   inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial axes,
-   VM_SINGULAR where sin(theta) = 0. Within 4 eps; angles of any size. */
+   inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
+   axes, VM_SINGULAR where sin(theta) = 0. Within 4 eps; angles of any size. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi);
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3]);
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3]);
@@ -990,7 +994,8 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real brought, lost;    /* twice the sums of T' */
 } vmi_stream_sum;
 
-/* Momentum, and angular momentum about the mass centre, of what flows between the stores and the points of crossing */
+/* Momentum, and angular momentum about the mass centre, of what flows between the stores and the points of crossing
+   */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -1069,8 +1074,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
         sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
         if (s->from) stored = vmi_sub(s->from->at, b->centre), own = vmi_stream_own(s->rate, &s->from->gyration);
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        own = vmi_inertia_plus(own, s->rate,
-                               vmi_inertia_of_point(stored)); /* first, so that opposite streams cancel */
+        own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored)); /* first, so that opposite streams
+                                                                               cancel */
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
@@ -1078,7 +1083,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 
 /* The loads of an instant */
 
-/* Finite, no negative moment. The triangle inequality is not asked for: a tensor with zz alone does for plane motion */
+/* Finite, no negative moment. The triangle inequality is not asked for: a tensor with zz alone does for plane
+   motion */
 VM_API int vmi_stream_gyration_good(const vm_inertia *i)
 {
     if (!vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)))
@@ -1417,9 +1423,9 @@ VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
-/* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2 less
-   its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it costs
-   2^-67 (2^-28) */
+/* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
+   less its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it
+   costs 2^-67 (2^-28) */
 VM_INLINE void vmi_stream_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -1498,8 +1504,8 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* Closed forms */
 
-/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp: the logarithm has 2^-64 (float 2^-31) of itself, so that
-   the difference loses nothing down to 2^-8, where seven terms of its series are enough */
+/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp: the logarithm has 2^-64 (float 2^-31) of itself, so
+   that the difference loses nothing down to 2^-8, where seven terms of its series are enough */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     if (VM_FABS(x) < VM_C(0.00390625)) {

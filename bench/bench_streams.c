@@ -1,6 +1,6 @@
-/* Time of a right-hand side of chapter 5 for each level and number of streams, as a ratio to one written by hand for just
-   that: the same states and equations in scalars, streams of relative velocity only, no laws, no stores, no checks but
-   that of mass and pivots. Medians of repeats. For counts of instructions:
+/* Time of a right-hand side of chapter 5 for each level and number of streams, as a ratio to one written by hand
+   for just that: the same states and equations in scalars, streams of relative velocity only, no laws, no stores,
+   no checks but that of mass and pivots. Medians of repeats. For counts of instructions:
      valgrind --tool=callgrind --toggle-collect='count_*' build/bench/streams count
    usage: streams [CSV FILE | count] */
 #include "timing.h"
@@ -28,7 +28,8 @@ static int hand1(double t, const double *y, double *dy, void *ctx)
     int k;
     (void)t;
     if (!(y[2] > 0)) return -1;
-    for (k = 0; k < f->n; k++) rate += f->streams[k].rate, force += f->streams[k].rate * (v + f->streams[k].velocity);
+    for (k = 0; k < f->n; k++)
+        rate += f->streams[k].rate, force += f->streams[k].rate * (v + f->streams[k].velocity);
     dy[0] = v, dy[1] = force, dy[2] = rate;
     return 0;
 }
@@ -54,7 +55,8 @@ static int hand_translation(double t, const double *y, double *dy, void *ctx)
 static int hand2(double t, const double *y, double *dy, void *ctx)
 {
     const vm_flow2 *f = (const vm_flow2 *)ctx;
-    const double inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, w = y[5] / y[9], s = sin(y[2]), c = cos(y[2]);
+    const double inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, w = y[5] / y[9], s = sin(y[2]),
+                 c = cos(y[2]);
     double rate = 0, px = 0, py = 0, moment = f->moment, sx = 0, sy = 0, inertia = 0;
     int k;
     (void)t;
@@ -86,7 +88,8 @@ static int hand3(double t, const double *y, double *dy, void *ctx)
     const double h1 = m11 * y[10] + m21 * y[11] + m31 * y[12], h2 = m12 * y[10] + m22 * y[11] + m32 * y[12];
     const double h3 = m13 * y[10] + m23 * y[11] + m33 * y[12];
     const double xx = y[17], yy = y[18], zz = y[19], xy = y[20], xz = y[21], yz = y[22];
-    const double d1 = 1 / xx, l21 = xy * d1, l31 = xz * d1, pivot2 = yy - l21 * xy, r = yz - l31 * xy, d2 = 1 / pivot2;
+    const double d1 = 1 / xx, l21 = xy * d1, l31 = xz * d1, pivot2 = yy - l21 * xy, r = yz - l31 * xy,
+                 d2 = 1 / pivot2;
     const double l32 = r * d2, pivot3 = zz - l31 * xz - l32 * r, d3 = 1 / pivot3;
     const double g2 = h2 - l21 * h1, wz = (h3 - l31 * h1 - l32 * g2) * d3, wy = g2 * d2 - l32 * wz;
     const double wx = h1 * d1 - l21 * wy - l31 * wz, back = sqrt(wx * wx + wy * wy + wz * wz) * (1 - square) / 8;
@@ -133,21 +136,21 @@ static double derivative[COUNT][VM_RHS_BALANCED]; /* all of it is written */
 static volatile ode_rhs hidden;
 
 /* As the integrators call them: up to 8 states inlined, more through a pointer */
-#define RUN_INLINED(name, rhs, ctx)                                                     \
-    static void name(void)                                                              \
-    {                                                                                   \
-        int i, status = 0;                                                              \
+#define RUN_INLINED(name, rhs, ctx)                                                    \
+    static void name(void)                                                             \
+    {                                                                                  \
+        int i, status = 0;                                                             \
         for (i = 0; i < COUNT; i++) status += rhs(0, state[i], derivative[i], &(ctx)); \
-        sink = status;                                                                  \
+        sink = status;                                                                 \
     }
-#define RUN(name, rhs, ctx)                                                           \
-    static void name(void)                                                            \
-    {                                                                                 \
-        ode_rhs f;                                                                    \
-        int i, status = 0;                                                            \
-        hidden = rhs, f = hidden;                                                     \
+#define RUN(name, rhs, ctx)                                                          \
+    static void name(void)                                                           \
+    {                                                                                \
+        ode_rhs f;                                                                   \
+        int i, status = 0;                                                           \
+        hidden = rhs, f = hidden;                                                    \
         for (i = 0; i < COUNT; i++) status += f(0, state[i], derivative[i], &(ctx)); \
-        sink = status;                                                                \
+        sink = status;                                                               \
     }
 RUN_INLINED(count_1, vm_rhs1, flow1)
 RUN_INLINED(count_1_hand, hand1, flow1)
@@ -184,7 +187,8 @@ static void set_up(void)
 {
     int i, k;
     for (i = 0; i < COUNT; i++)
-        for (k = 0; k < STATES; k++) state[i][k] = k == 2 || k == 6 || k == 9 || (k > 12 && k < 17) ? between(1, 3) : between(-.2, .2);
+        for (k = 0; k < STATES; k++)
+            state[i][k] = k == 2 || k == 6 || k == 9 || (k > 12 && k < 17) ? between(1, 3) : between(-.2, .2);
     for (i = 0; i < COUNT; i++)
         for (k = 17; k < 20; k++) state[i][k] = between(2, 3);
     for (k = 0; k < MOST; k++) {
@@ -214,8 +218,8 @@ int main(int argc, char **argv)
         return 0;
     }
     csv = argc > 1 ? fopen(argv[1], "w") : NULL;
-    printf("A right-hand side of chapter 5, double, medians of %d\n\n%-34s %8s %9s %12s\n", REPEATS, "level", "streams",
-           "ns", "x by hand");
+    printf("A right-hand side of chapter 5, double, medians of %d\n\n%-34s %8s %9s %12s\n", REPEATS, "level",
+           "streams", "ns", "x by hand");
     for (i = 0; i < sizeof levels / sizeof *levels; i++)
         for (k = 0; k < sizeof numbers / sizeof *numbers; k++) {
             timing t;

@@ -34,7 +34,7 @@ for compiler in gcc clang; do
         done
     done
     for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c bench/pairs.c \
-        bench/bench_integrators.c; do
+        bench/bench_integrators.c bench/bench_streams.c; do
         compile $compiler c99 $source -Wstrict-prototypes
     done
     if echo '#include <gsl/gsl_sf.h>' | $compiler -E - >/dev/null 2>&1; then

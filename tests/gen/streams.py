@@ -1,5 +1,5 @@
-"""Reference values of the closed forms of chapter 5 and of the variable pendulum of chapter 6, by mpmath with 40 digits at
-the stored inputs, which are floats. Writes tests/data/streams_line.h, streams_jet.h, streams_pendulum.h."""
+"""Reference values of the closed forms of chapter 5 and of the variable pendulum of chapter 6, by mpmath with 40
+digits at the stored inputs, which are floats. Writes tests/data/streams_line.h, streams_jet.h, streams_pendulum.h."""
 import random
 import struct
 from mpmath import mp, mpf, log, exp, sin, cos, quad, odefun
