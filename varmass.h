@@ -1381,46 +1381,67 @@ VM_API vm_real vm_event_inertia(vm_real t, const vm_real *y, void *flow)
     return least - ((const vm_flow *)flow)->least_inertia;
 }
 
-/* Between translation's two ways to give a velocity: M' u = M' w + M' v, or M' u */
-VM_INLINE int vmi_stream_is_relative(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
-
-VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
-    vm_flow *flow = (vm_flow *)ctx;
-    vm_real inverse, rate = 0, carried = 0;
-    vm_vec3 v, force;
-    int k, status = flow->update ? flow->update(t, y, flow) : 0;
-    if (status) return status;
-    inverse = 1 / y[6], v = vmi_scale(inverse, vmi_load3(y + 3)), force = flow->force;
+    const vm_real inverse = 1 / y[6];
+    const vm_vec3 v = vmi_scale(inverse, vmi_load3(y + 3));
+    vm_real rate = 0;
+    vm_vec3 force = flow->force;
+    int k;
     if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
         return vmi_flow_refuse(VM_RHS_TRANSLATION, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
         rate += s->rate;
-        if (s->motion <= VM_ABSOLUTE) force = vmi_add(force, vmi_scale(s->rate, s->velocity));
-        if (vmi_stream_is_relative(s->motion)) carried += s->rate;
+        if (s->motion == VM_RELATIVE) force = vmi_add(force, vmi_scale(s->rate, vmi_add(v, s->velocity)));
+        else if (s->motion == VM_ABSOLUTE) force = vmi_add(force, vmi_scale(s->rate, s->velocity));
+        else if (s->motion == VM_CARRIED) force = vmi_add(force, vmi_scale(s->rate, v));
     }
-    vmi_store3(dydt, v), vmi_store3(dydt + 3, vmi_add(force, vmi_scale(carried, v)));
+    vmi_store3(dydt, v), vmi_store3(dydt + 3, force);
     dydt[6] = rate;
     return 0;
 }
 
-VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
-    vm_flow1 *flow = (vm_flow1 *)ctx;
-    vm_real v, force, rate = 0, carried = 0;
-    int k, status = flow->update ? flow->update(t, y, flow) : 0;
-    if (status) return status;
-    v = y[1] / y[2], force = flow->force;
+    const vm_real v = y[1] / y[2];
+    vm_real force = flow->force, rate = 0;
+    int k;
     if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_RHS1, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
         rate += s->rate;
-        if (s->motion <= VM_ABSOLUTE) force += s->rate * s->velocity;
-        if (vmi_stream_is_relative(s->motion)) carried += s->rate;
+        if (s->motion == VM_RELATIVE) force += s->rate * (v + s->velocity);
+        else if (s->motion == VM_ABSOLUTE) force += s->rate * s->velocity;
+        else if (s->motion == VM_CARRIED) force += s->rate * v;
     }
-    dydt[0] = v, dydt[1] = force + carried * v, dydt[2] = rate;
+    dydt[0] = v, dydt[1] = force, dydt[2] = rate;
     return 0;
+}
+
+/* Apart, so that nothing is saved for a call that is not made */
+VMI_APART int vmi_translation_updated(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
+{
+    const int status = flow->update(t, y, flow);
+    return status ? status : vmi_translation_rates(flow, y, dydt);
+}
+
+VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
+{
+    const int status = flow->update(t, y, flow);
+    return status ? status : vmi_rates1(flow, y, dydt);
+}
+
+VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+{
+    vm_flow *f = (vm_flow *)flow;
+    return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
+}
+
+VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
+{
+    vm_flow1 *f = (vm_flow1 *)flow1;
+    return f->update ? vmi_updated1(t, y, dydt, f) : vmi_rates1(f, y, dydt);
 }
 
 /* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
@@ -1446,8 +1467,8 @@ VM_INLINE void vmi_stream_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     rest = x - (vm_real)j * first, tail = (vm_real)j * second;
     z.hi = rest - tail, z.lo = (rest - z.hi) - tail;
     vmi_sin_cos(z, &s, &c);
-    *sine = vmi_select((vmi_bits)j & 1, c, s) * (vm_real)(1 - (j & 2));
-    *cosine = vmi_select((vmi_bits)j & 1, s, c) * (vm_real)(1 - ((j + 1) & 2));
+    *sine = (j & 1 ? c : s) * (vm_real)(1 - (j & 2));
+    *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
 /* Sums of the streams in the plane, body axes but for fx, fy */
@@ -1460,7 +1481,7 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
                                vm_real sine, vm_real cosine, vmi_stream_sum2 *sum)
 {
     vm_real ux, uy, spin = 0; /* M' (u - v) */
-    if (vmi_stream_is_relative(s->motion)) {
+    if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
         ux = -omega * dy, uy = omega * dx, spin = omega;
         if (s->motion == VM_RELATIVE) ux += s->vx, uy += s->vy, spin += s->spin;
         ux *= s->rate, uy *= s->rate;
@@ -1488,7 +1509,8 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (status) return status;
     status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
-    vmi_stream_sincos(y[2], &sine, &cosine);
+    sine = 0, cosine = 1;
+    if (flow->n) vmi_stream_sincos(y[2], &sine, &cosine);
     inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, omega = y[5] / y[9];
     sum.fx = flow->fx, sum.fy = flow->fy, sum.moment = flow->moment;
     for (k = 0; k < flow->n; k++)
