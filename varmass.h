@@ -219,12 +219,12 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 
 /* -- Chapter 5: continuous variation of mass -- */
 
-/* A stream carries mass into the body (rate > 0) or out of it (rate < 0) at one point. A zero field is a fair
-   default; what does not act costs nothing. Several streams add. */
+/* A stream carries mass into a body (rate > 0) or out of it (rate < 0) at one point. Zero fields are fair defaults,
+   and what does not act costs nothing; the loads of several streams add. Its velocity is given as its motion says: */
 enum {
     VM_RELATIVE = 0, /* velocity against the point of the body where it crosses, spin against the body: body axes */
     VM_ABSOLUTE = 1, /* velocity and spin as they are: inertial axes */
-    VM_CARRIED = 2,  /* moves with the body, no relative velocity nor spin: no reactive torque (166) */
+    VM_CARRIED = 2,  /* moves with the body: no torque, but M' omega x d is left of the force that (166) has as 0 */
     VM_AT_REST = 3   /* has neither velocity nor spin (167)-(169) */
 };
 typedef struct VM_TAG(vm_store) {
@@ -244,7 +244,7 @@ typedef struct VM_TAG(vm_stream) {
 } vm_stream;
 
 /* Reactive loads at an instant, inertial axes but for inertia_rate. With d = SS2 from the mass centre to the crossing
-   point, c' the velocity of the mass centre in the body, kappa the gyration, sums over the streams:
+   point, M' the rate, u the velocity, kappa the gyration, omega2 the angular velocity of each stream:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  sum M' kappa omega2 - I' omega             (157) corrected: printed I' (omega2 - omega), which is right
@@ -258,8 +258,7 @@ typedef struct VM_TAG(vm_reactive) {
     vm_inertia inertia_rate;              /* kg m^2/s */
 } vm_reactive;
 /* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0, and a stream with a store, whose loads depend on its
-   past) */
+   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0, or a stream with a store: run that) */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result);
 /* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
@@ -270,16 +269,18 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 /* The free body in space. A vm_flow is the ctx of the right-hand sides below:
      vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle;
      vm_flow_start(&flow, &body, y);
-     rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, NULL, work), rk45_solve(&s, 3), vm_flow_body(&flow, VM_RHS, s.y, &body);
-   State: the momenta, from which v = momentum/mass and omega follow, so that what conserves them does so exactly
-   here too, rates may jump, and no rate of a rate is needed:
+     if (rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, NULL, work) >= 0 && rk45_solve(&s, 3) >= 0)
+         vm_flow_body(&flow, VM_RHS, s.y, &body);
+   The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
+   here, and rates may jump. States, in inertial axes but for the last two:
      y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
-     inertial axes; y[VM_Y_MASS]; y[VM_Y_CENTRE] mass centre from the reference point 3, y[VM_Y_INERTIA] entries xx,
-     yy, zz, xy, xz, yz about the mass centre, both in body axes.
+     y[VM_Y_MASS], and in body axes y[VM_Y_CENTRE] mass centre c from the reference point 3, y[VM_Y_INERTIA] xx, yy,
+     zz, xy, xz, yz about the mass centre
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
-   With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way holds
-   the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
+   R turns body axes into inertial ones, d = at - c; these are (151), (152), which [1] prints with I' omega2, in the
+   body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
+   holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
    q/|q|: the length is held, and the order of no integrator suffers.
    A mass or an inertia that is not positive (in a trial step beyond the end) gives NaN, so that the step is
    shortened, and its status is left in flow.status. Stop before, by the events below. */
@@ -313,26 +314,29 @@ typedef struct VM_TAG(vm_flow) {
     int status;                        /* 0, or why the last evaluations gave NaN */
 } vm_flow;
 
-/* y: the VM_RHS first states for body; VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
+/* y: the VM_RHS first states for body, streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
+   unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
 /* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body);
 VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* 13 states and the laws. Without streams (170): what leaves has no velocity, where the mass centre is */
+/* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
+   at rest where the mass centre is */
 VM_API int vm_rhs_given(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* All streams carried (166), laws given; the states are r, q, v (not the momentum), omega in body axes. Streams are
-   not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S */
+/* The same for what moves with the body (166). The states are r, q, v (not the momentum), omega in body axes (not the
+   angular momentum); streams are not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I
+   omega = M_S */
 VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* vm_rhs, and from y[VM_Y_BALANCE] on what streams (but for those with a store, in the energy) have carried off less
-   what outer loads have brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the
-   body's own all seven stay constant. The energy goes by the limit of (113), (118), for either sign of M':
+/* vm_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have
+   brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the body's own all seven stay
+   constant (the energy but for streams with a store, where angular momentum is y[VM_Y_H] + r x p). The energy goes
+   by the limit of (113), (118), for either sign of M':
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega:
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* Event functions, ctx the flow: mass - least_mass; least pivot of the inertia - least_inertia, zero where singular
-   */
+/* Event functions of vm_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia, 0 where I is
+   singular */
 VM_API vm_real vm_event_mass(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_event_inertia(vm_real t, const vm_real *y, void *flow);
 
@@ -343,8 +347,7 @@ VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *
 
 /* One degree of freedom: straight motion (175), (176), and rotation about a fixed axle (173a), which is the same
    equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa +
-   rho^2), rho the distance from the axle, and velocity the stream's angular momentum per unit mass over kappa +
-   rho^2. */
+   rho^2), rho the distance from the axle, and velocity the stream's angular momentum per unit mass over that. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate, velocity;
     int motion;
@@ -361,7 +364,7 @@ enum { VM_RHS1 = 3 };
 VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *flow1);
 
 /* The plane: as in space. States: x, y, angle, momentum 2, angular momentum about the mass centre, mass, mass centre
-   from the reference point in body axes 2, inertia about it. spin is absolute or relative as the velocity is. */
+   from the reference point in body axes 2, inertia about it. No stores. */
 typedef struct VM_TAG(vm_stream2) {
     vm_real rate;
     int motion;
@@ -381,30 +384,30 @@ typedef struct VM_TAG(vm_flow2) {
 enum { VM_RHS2 = 10 };
 VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *flow2);
 
-/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity; NaN where a mass is
-   not positive. v when the mass has come from m0 to m,
-   what crosses having the absolute velocity u, impulse that of outer forces (151), (171): u = 0 is Levi-Civita's case;
-   what crosses having the relative velocity w, no outer force (175), (176): Tsiolkovsky's. Within 4 eps of the
-   terms */
+/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity. v when the mass has
+   come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
+   (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
+   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive. */
 VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse);
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w);
 /* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
    through rate = 0 without loss: 8 eps of the terms; VM_BAD_MASS where m0 + rate t or m0 is not positive */
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v);
-/* Jet damping of an axisymmetric body: angular velocity after t in body axes, z the axis of symmetry, without outer
-   loads. The mass leaves along the axis at nozzle from the mass centre (or joins there), and is taken from around the
-   mass centre, which stays. axial and transverse: moments of inertia at t = 0 and their gyrations, what is stored and
-   what crosses: A' = rate stored. Amplitude and phase, gyration_axial_out = gyration_axial:
-     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + transverse_out - transverse)/transverse),
-     phase = omega_z integral (C/A - 1) dt, omega_z constant */
+/* Jet damping of an axisymmetric body without outer loads: omega after t, body axes, z the axis of symmetry. Mass
+   is taken from around the mass centre, which stays, and leaves through a nozzle on the axis (or the other way
+   round); A, C are the transverse and the axial moment of inertia, A' = rate gyration_transverse, C' = rate
+   gyration_axial:
+     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
+     omega_z constant, phase of omega_t: omega_z integral (C/A - 1) dt
+   Within 8 eps of what an eps in the inputs makes; VM_BAD_INERTIA where A or C is not positive, VM_NOT_FINITE */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* kg/s, < 0: leaves */
     vm_real axial, transverse;   /* C0, A0, kg m^2 */
-    vm_real gyration_axial;      /* m^2, of what is stored and of what crosses */
+    vm_real gyration_axial;      /* m^2, of what is stored and, alike, of what crosses */
     vm_real gyration_transverse; /* m^2, of what is stored, */
     vm_real gyration_out;        /* and of what crosses */
-    vm_real nozzle;              /* m */
+    vm_real nozzle;              /* m, from the mass centre */
 } vm_jet;
 VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega);
 
@@ -994,8 +997,7 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_real brought, lost;    /* twice the sums of T' */
 } vmi_stream_sum;
 
-/* Momentum, and angular momentum about the mass centre, of what flows between the stores and the points of crossing
-   */
+/* Momentum, and angular momentum about the mass centre, of what is between the stores and the points of crossing */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -1074,8 +1076,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
         sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
         if (s->from) stored = vmi_sub(s->from->at, b->centre), own = vmi_stream_own(s->rate, &s->from->gyration);
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored)); /* first, so that opposite streams
-                                                                               cancel */
+        /* as a whole, so that opposite streams cancel */
+        own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;

@@ -40,6 +40,7 @@ static int solve_events(ode_rhs f, void *ctx, int n, vm_real *y, double t, doubl
     o.rtol = PICK(256, 16) * VM_EPSILON, o.atol = o.rtol / 100, o.events = events, o.n_events = n_events;
     status = is_float ? rk45_init(&s, f, ctx, n, R(t), y, &o, work) : rk87_init(&s, f, ctx, n, R(t), y, &o, work);
     if (status >= 0) status = is_float ? rk45_solve(&s, R(end)) : rk87_solve(&s, R(end));
+    if (status == ODE_BAD_ARGUMENT) return status;
     for (k = 0; k < n; k++) y[k] = s.y[k];
     if (stopped) *stopped = (double)s.t;
     return status;
@@ -128,7 +129,7 @@ static void test_components(void)
     vm_body b = case_e1();
     vm_stream s = case_e1_stream();
     vm_reactive loads;
-    vm_vec3 dv, dw, F = vector(2, -3, .5), M = vector(.25, .75, -.5);
+    vm_vec3 dv = vector(0, 0, 0), dw = dv, F = vector(2, -3, .5), M = vector(.25, .75, -.5);
     double A = 2, B = 1.5, C = 1.25, p = .25, q = -.5, r = .75, p2 = 1, q2 = -.75, r2 = .5, k = -.5;
     b.inertia = tensor(A, B, C, 0, 0, 0), b.omega = vector(p, q, r), s.spin = vector(p2, q2, r2);
     s.at = vector(0, 0, 0), s.gyration = tensor(.25, .5, .125, 0, 0, 0);
@@ -726,7 +727,7 @@ static void test_plane_angles(void)
         check_error("sin, cos", "plane", "eps", fabs((double)c - cos((double)R(x))) / eps, .6, x, 0);
     }
     for (i = 0; i < 3; i++) {
-        static const double bad[] = {NAN, INFINITY, -INFINITY};
+        static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
         vm_real s, c;
         vmi_stream_sincos(R(bad[i]), &s, &c);
         CHECK(s != s && c != c);
@@ -840,7 +841,7 @@ static void test_jet_damping(void)
         vm_body b;
         vmi_mat3 turn;
         vm_real y[VM_RHS];
-        vm_vec3 omega;
+        vm_vec3 omega = vector(0, 0, 0);
         memset(&s, 0, sizeof s);
         b = case_e1(), b.inertia = tensor(6, 6, 1, 0, 0, 0), b.omega = vector(.3, -.2, 4);
         jet.rate = R(.5 * sign), jet.axial = 1, jet.transverse = 6, jet.nozzle = R(1.5), jet.gyration_axial = R(.2);
@@ -1102,14 +1103,14 @@ static int stopping(vm_real t, const vm_real *y, vm_flow *flow)
 
 static void test_bad_input(void)
 {
-    static const double bad[] = {NAN, INFINITY, -INFINITY};
+    static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     scene k, good;
     vm_real y[VM_RHS], dy[VM_RHS], kept[VM_RHS];
     vm_reactive loads, loads_kept;
     vm_vec3 a, c;
     vm_body b;
     size_t i;
-    scene_init(&good);
+    scene_init(&good), memset(&loads_kept, 0, sizeof loads_kept);
     CHECK(!vm_flow_start(&good.flow, &good.body, kept) &&
           !vm_reactive_loads(&good.body, vector(0, 0, 0), 4, good.streams, &loads_kept));
     memcpy(y, kept, sizeof y);
@@ -1174,6 +1175,47 @@ static void test_bad_input(void)
         CHECK(vm_linear_flow(2, 0, 0, 1, 0, &s, &x, &v) == VM_BAD_MASS && x == 3 && v == 4);
         CHECK(vm_linear_flow(R(INFINITY), 0, 0, 1, 0, &s, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
         CHECK(vm_linear_flow(1, 0, 0, 1, 0, NULL, &x, &v) == VM_BAD_ARGUMENT && x == 3 && v == 4);
+    }
+}
+
+/* The shorter right-hand sides refuse by NaN: no step is taken, the state stays, and of a mass flow.status tells */
+static void test_bad_states(void)
+{
+    vm_flow flow = {0};
+    vm_flow1 flow1 = {0};
+    vm_flow2 flow2 = {0};
+    vm_stream s;
+    vm_stream1 s1 = {1, 1, VM_RELATIVE};
+    vm_stream2 s2 = {1, VM_RELATIVE, 0, 0, 0, 0, 0, 0};
+    const ode_rhs rhs[] = {vm_rhs1, vm_rhs_translation, vm_rhs2, vm_rhs_given, vm_rhs_carried};
+    const int n[] = {VM_RHS1, VM_RHS_TRANSLATION, VM_RHS2, VM_RHS_GIVEN, VM_RHS_GIVEN}, mass[] = {2, 6, 6, -1, -1};
+    void *ctx[5];
+    int i, k;
+    memset(&s, 0, sizeof s);
+    ctx[0] = &flow1, ctx[1] = ctx[3] = ctx[4] = &flow, ctx[2] = &flow2;
+    flow.n = flow1.n = flow2.n = 1, flow.streams = &s, flow1.streams = &s1, flow2.streams = &s2;
+    flow.inertia = tensor(1, 1, 1, 0, 0, 0);
+    for (i = 0; i < 5; i++) {
+        static const double bad[] = {-1, 0, (double)NAN, (double)INFINITY};
+        for (k = 0; k < 4; k++) {
+            vm_real y[VM_RHS], kept[VM_RHS];
+            int j, status, *told = i == 0 ? &flow1.status : i == 2 ? &flow2.status : &flow.status;
+            for (j = 0; j < VM_RHS; j++) y[j] = kept[j] = 1;
+            *told = VM_OK, flow.mass = 1, s.rate = s1.rate = s2.rate = 1;
+            if (k == 3) s.rate = s1.rate = s2.rate = R(bad[k]);
+            else if (mass[i] >= 0) y[mass[i]] = kept[mass[i]] = R(bad[k]);
+            else flow.mass = R(bad[k]);
+            if (k == 3 && i == 4) continue; /* does not look at streams */
+            status = solve(rhs[i], ctx[i], n[i], y, 0, 1);
+            CHECK(status < 0 && !memcmp(y, kept, sizeof(vm_real) * (size_t)n[i]));
+            CHECK(k >= 2 || *told == VM_BAD_MASS);
+        }
+    }
+    {
+        vm_real y[VM_RHS2] = {0, 0, 0, 0, 0, 1, 1, 0, 0, -1}, dy[VM_RHS2], z[VM_RHS_GIVEN] = {1}, dz[VM_RHS_GIVEN];
+        CHECK(vm_rhs2(0, y, dy, &flow2) == 0 && dy[0] != dy[0] && flow2.status == VM_BAD_INERTIA);
+        flow.mass = 1, flow.inertia = tensor(1, 1, 0, 0, 0, 0), flow.status = VM_OK;
+        CHECK(vm_rhs_carried(0, z, dz, &flow) == 0 && dz[0] != dz[0] && flow.status == VM_BAD_INERTIA);
     }
 }
 
@@ -1503,6 +1545,7 @@ int main(void)
     test_precession();
     test_switching();
     test_bad_input();
+    test_bad_states();
     test_pendulum();
     test_drum();
     test_euler_tank();
