@@ -420,8 +420,8 @@ VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 
    A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
    are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
-   A and b come from T itself by exact differences of the quadratic, dT/dq by central differences of order 6: within
-   2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
+   A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
+   central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
 typedef struct VM_TAG(vm_lagrange) {
     int n;        /* coordinates */
     int n_masses; /* masses, inertias, whatever is frozen */

@@ -338,7 +338,7 @@ static void test_closed_forms(void)
         double pull = (fabs(line[i].force) + fabs(line[i].rate) * (fabs(line[i].w) + fabs(line[i].v0))) /
                       line[i].m0 / least * line[i].t;
         vm_stream1 s;
-        vm_real x, v;
+        vm_real x = 0, v = 0;
         s.rate = R(line[i].rate), s.velocity = R(line[i].w),
         s.motion = line[i].relative ? VM_RELATIVE : VM_ABSOLUTE;
         CHECK(!vm_linear_flow(R(line[i].t), R(line[i].x0), R(line[i].v0), R(line[i].m0), R(line[i].force), &s, &x,
@@ -672,6 +672,23 @@ static void test_translation(void)
     check_error("(172)", "mass", "eps", fabs((double)(dz[6] - dy[VM_Y_MASS])) / eps, 2, 0, 0);
 }
 
+/* All kinds at once: p' = F + sum M' u */
+static void test_line(void)
+{
+    vm_stream1 s[4];
+    vm_flow1 flow = {0};
+    vm_real y[VM_RHS1] = {1, 3, 2}, dy[VM_RHS1]; /* v = 1.5 */
+    int i;
+    for (i = 0; i < 4; i++) s[i].rate = R(.5 * i - 1), s[i].velocity = R(2 + i), s[i].motion = i;
+    flow.n = 4, flow.streams = s, flow.force = R(.25);
+    CHECK(!vm_rhs1(0, y, dy, &flow));
+    check_error("(175),(176)", "4 streams", "eps",
+                (fabs((double)dy[1] - (.25 - 1 * (1.5 + 2) - .5 * 3 + 0 * 1.5 + .5 * 0)) + fabs((double)dy[2] + 1) +
+                 fabs((double)dy[0] - 1.5)) /
+                    eps,
+                4, 0, 0);
+}
+
 static void test_plane(void)
 {
     vm_stream s3[4];
@@ -901,6 +918,25 @@ static void test_running_out(void)
         line.n = 1, line.streams = &s;
         CHECK(solve(vm_rhs1, &line, VM_RHS1, z, 0, 2) < 0 && line.status == VM_BAD_MASS && z[2] > 0 &&
               z[2] < R(1e-3));
+    }
+}
+
+/* The least pivot, wherever it is */
+static void test_least_inertia(void)
+{
+    static const double tensors[][7] = {
+        {1, 2, 3, 0, 0, 0, 1},   {2, 1, 3, 0, 0, 0, 1},   {3, 2, 1, 0, 0, 0, 1},
+        {2, 2, 3, 1, 0, 0, 1.5}, {2, 3, 2, 0, 1, 0, 1.5}, {2, 2, 2, 1, 1, 1, 4 / 3.},
+        {2, 2, 3, 2, 0, 0, 0},   {2, 3, 2, 0, 2, 0, 0},   {-1, 2, 2, 0, 0, 0, 0}};
+    vm_flow flow = {0};
+    size_t i;
+    flow.least_inertia = R(.25);
+    for (i = 0; i < sizeof tensors / sizeof *tensors; i++) {
+        vm_real y[VM_RHS] = {0};
+        int k;
+        for (k = 0; k < 6; k++) y[VM_Y_INERTIA + k] = R(tensors[i][k]);
+        check_error("vm_event_inertia", "pivots", "eps",
+                    fabs((double)vm_event_inertia(0, y, &flow) + .25 - tensors[i][6]) / eps, 4, (double)i, 0);
     }
 }
 
@@ -1496,6 +1532,28 @@ static void test_frozen_derivative(void)
     }
 }
 
+/* A bead on a line that moves at speed c, T = m (q' + c)^2/2 + m' q'^2 ... with unlike coordinates: A, b from T */
+static vm_real moving_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+{
+    const vm_real v = rates[0] + R(.5) + R(1e-3) * rates[1];
+    (void)t, (void)q, (void)masses, (void)ctx;
+    return v * v + R(1e-6) * rates[1] * rates[1];
+}
+static void test_moving_frame(void)
+{
+    vm_real work[VM_LAGRANGE_WORK(2, 0)], y[4], q[2] = {1, 2}, rates[2] = {R(1.5), 300}, back[2];
+    vm_lagrange l = {2, 0, NULL, moving_energy, NULL, NULL, NULL, NULL};
+    const double v = 1.5 + .5 + 1e-3 * 300;
+    l.work = work;
+    CHECK(!vm_lagrange_start(&l, 0, q, rates, y) && !vm_lagrange_rates(&l, 0, y, back));
+    check_error("pi = dT/dq'", "moving frame", "eps", fabs((double)y[2] / (2 * v) - 1) / eps, 8, 0, 0);
+    /* differences over unit rates have the roundings of T at rest, 0.25, which the rate of 300 multiplies */
+    check_error("pi = dT/dq'", "moving frame", "eps*",
+                fabs((double)y[3] - (2e-3 * v + 2e-6 * 300)) / eps / (.25 * 300), 4, 0, 0);
+    check_error("q' of pi", "moving frame", "eps*",
+                (fabs((double)back[0] - 1.5) + 1e-3 * fabs((double)back[1] - 300)) / eps, 8, 0, 0);
+}
+
 static vm_real flat_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
     (void)t, (void)q, (void)masses, (void)ctx;
@@ -1531,6 +1589,7 @@ int main(void)
     test_mass_centre(0);
     test_mass_centre(1);
     test_translation();
+    test_line();
     test_plane();
     test_plane_angles();
     test_carried();
@@ -1538,6 +1597,7 @@ int main(void)
     test_at_rest();
     test_jet_damping();
     test_running_out();
+    test_least_inertia();
     test_cancelling();
     test_mass_ratios();
     test_order();
@@ -1551,6 +1611,7 @@ int main(void)
     test_euler_tank();
     test_euler();
     test_frozen_derivative();
+    test_moving_frame();
     test_lagrange_refusals();
     return check_finish("streams");
 }
