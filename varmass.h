@@ -1018,8 +1018,8 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
     return i;
 }
 
-/* The motion of a body as the streams see it: v = momentum/mass inertial and in body axes, material velocity of the
-   mass centre less v, and omega, both in body axes; energy: brought and lost are wanted */
+/* The motion of a body as the streams see it: v = momentum/mass in inertial axes; in body axes slip, the velocity
+   of its material at the mass centre less v, omega and the mass centre. energy: brought and lost are wanted */
 typedef struct VM_TAG(vmi_stream_seen) {
     const vmi_mat3 *turn;
     vm_vec3 v, slip, omega, centre;

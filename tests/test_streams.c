@@ -437,6 +437,64 @@ static void test_balances(void)
           fabs((double)y[VM_Y_BALANCE + 6]) > .05); /* something was balanced */
 }
 
+/* What was shed, stream by stream from its own velocity and place, not from the header's sums: momentum, angular
+   momentum about the origin, kinetic energy, and the work of engines and impacts; outer loads with it */
+enum { SHED_P = VM_RHS, SHED_L = SHED_P + 3, SHED_T = SHED_L + 3, WORK = SHED_T + 1, SHED = WORK + 1 };
+
+static int shed_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    scene *k = (scene *)ctx;
+    const int status = vm_rhs(t, y, dydt, &k->flow);
+    vm_vec3 p, l, F = k->flow.force, M = k->flow.moment;
+    double energy = 0, work = 0;
+    vm_body b;
+    vmi_mat3 turn;
+    int i;
+    if (status || vm_flow_body(&k->flow, VM_RHS, y, &b)) return status ? status : -1;
+    turn = vmi_rotation(b.q), p = vmi_scale(-1, F), l = vmi_scale(-1, vmi_add(M, vmi_cross(b.r, F)));
+    work = (double)(vmi_dot(F, b.v) + vmi_dot(M, b.omega));
+    for (i = 0; i < 4; i++) {
+        const vm_stream *s = k->streams + i;
+        const vm_vec3 d = vmi_times(&turn, vmi_sub(s->at, vmi_load3(y + VM_Y_CENTRE)));
+        const vm_vec3 point = vmi_add(b.v, vmi_cross(b.omega, d));
+        vm_vec3 u = s->velocity, spin = s->spin, own, relative;
+        if (i == VM_RELATIVE)
+            u = vmi_add(point, vmi_times(&turn, u)), spin = vmi_add(b.omega, vmi_times(&turn, spin));
+        if (i == VM_CARRIED) u = point, spin = b.omega;
+        if (i == VM_AT_REST) u = spin = vector(0, 0, 0);
+        own = vmi_times(&turn, vmi_inertia_times(&s->gyration, vmi_times_transposed(&turn, spin)));
+        p = vmi_sub(p, vmi_scale(s->rate, u));
+        l = vmi_sub(l, vmi_scale(s->rate, vmi_add(vmi_cross(vmi_add(b.r, d), u), own)));
+        energy -= (double)(s->rate * (vmi_dot(u, u) + vmi_dot(spin, own))) / 2;
+        u = vmi_sub(u, point), relative = vmi_sub(spin, b.omega);
+        own = vmi_times(&turn, vmi_inertia_times(&s->gyration, vmi_times_transposed(&turn, relative)));
+        work -= (double)(s->rate * (vmi_dot(u, u) + vmi_dot(relative, own))) / 2;
+    }
+    vmi_store3(dydt + SHED_P, p), vmi_store3(dydt + SHED_L, l);
+    dydt[SHED_T] = R(energy), dydt[WORK] = R(work);
+    return 0;
+}
+
+static void test_shed(void)
+{
+    scene k;
+    vm_real y[SHED] = {0};
+    vm_body a, b;
+    double bound = PICK(2e-12, 4e-5);
+    scene_init(&k);
+    CHECK(!vm_flow_start(&k.flow, &k.body, y) && !vm_flow_body(&k.flow, VM_RHS, y, &a));
+    CHECK(solve(shed_rhs, &k, SHED, y, 0, 5) >= 0 && !vm_flow_body(&k.flow, VM_RHS, y, &b));
+    check_error("body and all shed: p", "4 streams", "abs",
+                apart(vmi_add(vm_momentum(&b), vmi_load3(y + SHED_P)), vm_momentum(&a)), bound, 0, 0);
+    check_error("body and all shed: L", "4 streams", "abs",
+                apart(vmi_add(vm_angular_momentum(&b, vector(0, 0, 0)), vmi_load3(y + SHED_L)),
+                      vm_angular_momentum(&a, vector(0, 0, 0))),
+                4 * bound, 0, 0);
+    check_error("body and all shed: T", "4 streams", "abs",
+                fabs((double)(vm_kinetic_energy(&b) + y[SHED_T] - y[WORK] - vm_kinetic_energy(&a))), bound, 0, 0);
+    CHECK(fabs((double)y[SHED_T]) > .1 && fabs((double)y[WORK]) > .1);
+}
+
 /* The same at the integrator's tolerances, rk45: what is not kept goes by them */
 static void test_balance_of_tolerance(void)
 {
@@ -1583,6 +1641,7 @@ int main(void)
     test_one_dimension();
     test_closed_forms();
     test_balances();
+    test_shed();
     test_balance_of_tolerance();
     test_small_jumps();
     test_jump_limit();
