@@ -1394,10 +1394,10 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
         return vmi_flow_refuse(VM_RHS_TRANSLATION, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
-        rate += s->rate;
-        if (s->motion == VM_RELATIVE) force = vmi_add(force, vmi_scale(s->rate, vmi_add(v, s->velocity)));
-        else if (s->motion == VM_ABSOLUTE) force = vmi_add(force, vmi_scale(s->rate, s->velocity));
-        else if (s->motion == VM_CARRIED) force = vmi_add(force, vmi_scale(s->rate, v));
+        vm_vec3 u = vmi_add(v, s->velocity);
+        if (s->motion != VM_RELATIVE)
+            u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
+        rate += s->rate, force = vmi_add(force, vmi_scale(s->rate, u));
     }
     vmi_store3(dydt, v), vmi_store3(dydt + 3, force);
     dydt[6] = rate;
@@ -1412,10 +1412,9 @@ VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_RHS1, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
-        rate += s->rate;
-        if (s->motion == VM_RELATIVE) force += s->rate * (v + s->velocity);
-        else if (s->motion == VM_ABSOLUTE) force += s->rate * s->velocity;
-        else if (s->motion == VM_CARRIED) force += s->rate * v;
+        vm_real u = v + s->velocity;
+        if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
+        rate += s->rate, force += s->rate * u;
     }
     dydt[0] = v, dydt[1] = force, dydt[2] = rate;
     return 0;
