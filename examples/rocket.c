@@ -104,7 +104,8 @@ static int launch(double spin, sample *samples)
     r.surface.at.z = level(propellant);
     r.flow.n = 1, r.flow.streams = &r.jet, r.flow.update = fly, r.flow.ctx = &r, r.flow.centre.z = centre;
     r.flow.least_mass = dry_mass;
-    dry.g = vm_event_mass, dry.ctx = &r.flow, dry.direction = -1, dry.action = ODE_RESTART, dry.change = burnt_out;
+    dry.g = vm_flow_mass_left, dry.ctx = &r.flow, dry.direction = -1, dry.action = ODE_RESTART,
+    dry.change = burnt_out;
     options.rtol = 1e-11, options.events = &dry, options.n_events = 1;
     if (vm_flow_start(&r.flow, &b, y)) return 1;
     momentum = vm_momentum(&b);

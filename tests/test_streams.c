@@ -948,7 +948,8 @@ static void test_running_out(void)
     memset(&dry, 0, sizeof dry);
     tank_init(&k);
     k.stream.at = k.flow.centre = vector(0, 0, 0), k.stream.gyration = tensor(.05, .05, .05, 0, 0, 0);
-    dry.g = vm_event_mass, dry.ctx = &k.flow, dry.direction = -1, dry.action = ODE_STOP, k.flow.least_mass = R(.25);
+    dry.g = vm_flow_mass_left, dry.ctx = &k.flow, dry.direction = -1, dry.action = ODE_STOP,
+    k.flow.least_mass = R(.25);
     CHECK(!vm_flow_start(&k.flow, &k.body, y));
     CHECK(solve_events(vm_rhs, &k.flow, VM_RHS, y, 0, 100, &dry, 1, &t) == ODE_EVENT);
     check_error("mass running out", "time", "abs", fabs(t - 11.5), PICK(1e-12, 1e-4), 0, 0);
@@ -960,7 +961,7 @@ static void test_running_out(void)
     CHECK(k.flow.status == VM_BAD_MASS && t > 11.9 && t < 12 + 1e-5 && y[VM_Y_MASS] > 0);
     /* the inertia first */
     k.stream.gyration = tensor(.4, .4, .4, 0, 0, 0), k.body.inertia = tensor(2, 1.5, 1.2, 0, 0, 0);
-    dry.g = vm_event_inertia, k.flow.least_inertia = R(.01);
+    dry.g = vm_flow_inertia_left, k.flow.least_inertia = R(.01);
     CHECK(!vm_flow_start(&k.flow, &k.body, y));
     memset(&dry.count, 0, sizeof dry.count);
     CHECK(solve_events(vm_rhs, &k.flow, VM_RHS, y, 0, 100, &dry, 1, &t) == ODE_EVENT);
@@ -993,8 +994,8 @@ static void test_least_inertia(void)
         vm_real y[VM_RHS] = {0};
         int k;
         for (k = 0; k < 6; k++) y[VM_Y_INERTIA + k] = R(tensors[i][k]);
-        check_error("vm_event_inertia", "pivots", "eps",
-                    fabs((double)vm_event_inertia(0, y, &flow) + .25 - tensors[i][6]) / eps, 4, (double)i, 0);
+        check_error("vm_flow_inertia_left", "pivots", "eps",
+                    fabs((double)vm_flow_inertia_left(0, y, &flow) + .25 - tensors[i][6]) / eps, 4, (double)i, 0);
     }
 }
 
@@ -1349,7 +1350,7 @@ static void test_pendulum(void)
     static const double table[][3] = {
 #include "data/streams_pendulum.h"
     };
-    vm_real work[VM_LAGRANGE_WORK(1, 2)], y[2], q = 1, rate = R(.5);
+    vm_real work[VM_LAGRANGE_RHS_WORK(1, 2)], y[2], q = 1, rate = R(.5);
     vm_lagrange l = {1, 2, rod_masses, rod_energy, rod_forces, NULL, NULL, NULL};
     size_t i;
     l.work = work;
@@ -1392,7 +1393,7 @@ static int drum_forces(vm_real t, const vm_real *q, const vm_real *rates, const 
 
 static void test_drum(void)
 {
-    vm_real work[VM_LAGRANGE_WORK(1, 1)], y[2], q = 0, rate = R(omega_b), rates[2];
+    vm_real work[VM_LAGRANGE_RHS_WORK(1, 1)], y[2], q = 0, rate = R(omega_b), rates[2];
     vm_lagrange l = {1, 1, drum_masses, drum_energy, drum_forces, NULL, NULL, NULL};
     l.work = work;
     CHECK(!vm_lagrange_start(&l, 0, &q, &rate, y) && solve(vm_lagrange_rhs, &l, 2, y, 0, .5) >= 0);
@@ -1480,7 +1481,7 @@ static int tank_forces(vm_real t, const vm_real *q, const vm_real *rates, const 
 static void test_euler_tank(void)
 {
     lagrange_tank l;
-    vm_real work[VM_LAGRANGE_WORK(6, 7)], y[12], q[6] = {0, 0, 0, R(.4), R(1.1), R(-.3)}, rates[6], z[VM_RHS];
+    vm_real work[VM_LAGRANGE_RHS_WORK(6, 7)], y[12], q[6] = {0, 0, 0, R(.4), R(1.1), R(-.3)}, rates[6], z[VM_RHS];
     vm_lagrange equations = {6, 7, tank_masses, tank_energy, tank_forces, NULL, NULL, NULL};
     vm_body b;
     vmi_mat3 turn, other;
@@ -1577,7 +1578,7 @@ static vm_real arm_energy(vm_real t, const vm_real *q, const vm_real *rates, con
 }
 static void test_frozen_derivative(void)
 {
-    vm_real work[VM_LAGRANGE_WORK(1, 1)], q, rate = R(1.5);
+    vm_real work[VM_LAGRANGE_RHS_WORK(1, 1)], q, rate = R(1.5);
     vm_lagrange l = {1, 1, arm_masses, arm_energy, NULL, NULL, NULL, NULL};
     int i;
     l.work = work;
@@ -1599,7 +1600,7 @@ static vm_real moving_energy(vm_real t, const vm_real *q, const vm_real *rates, 
 }
 static void test_moving_frame(void)
 {
-    vm_real work[VM_LAGRANGE_WORK(2, 0)], y[4], q[2] = {1, 2}, rates[2] = {R(1.5), 300}, back[2];
+    vm_real work[VM_LAGRANGE_RHS_WORK(2, 0)], y[4], q[2] = {1, 2}, rates[2] = {R(1.5), 300}, back[2];
     vm_lagrange l = {2, 0, NULL, moving_energy, NULL, NULL, NULL, NULL};
     const double v = 1.5 + .5 + 1e-3 * 300;
     l.work = work;
@@ -1620,7 +1621,7 @@ static vm_real flat_energy(vm_real t, const vm_real *q, const vm_real *rates, co
 
 static void test_lagrange_refusals(void)
 {
-    vm_real work[VM_LAGRANGE_WORK(2, 0)], y[4] = {1, 2, 3, 4}, q[2] = {0, 0}, rates[2] = {1, 1};
+    vm_real work[VM_LAGRANGE_RHS_WORK(2, 0)], y[4] = {1, 2, 3, 4}, q[2] = {0, 0}, rates[2] = {1, 1};
     vm_lagrange l = {2, 0, NULL, flat_energy, NULL, NULL, NULL, NULL};
     CHECK(vm_lagrange_start(&l, 0, q, rates, y) == VM_BAD_ARGUMENT && y[0] == 1);
     l.work = work;
