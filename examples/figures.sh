@@ -23,3 +23,7 @@ gnuplot -e "csv='$folder/dzhanibekov.csv'; svg='$folder/dzhanibekov.svg'" exampl
 echo "  $folder/dzhanibekov.svg   a wing nut that turns over"
 gnuplot -e "csv='$folder/tumbling.csv'; svg='$folder/tumbling.svg'" examples/tumbling.gp || exit 1
 echo "  $folder/tumbling.svg   a tumbling satellite sheds a panel"
+for name in rocket dust; do
+    gnuplot -e "csv='$folder/$name.csv'; svg='$folder/$name.svg'" examples/$name.gp || exit 1
+    echo "  $folder/$name.svg"
+done
