@@ -461,7 +461,6 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_INERTIA: return "no body has this inertia";
     case VM_SINGULAR: return "linear equations without a unique solution";
     case VM_BAD_OSCILLATOR: return "alpha, stiffness, frequency or amplitude out of range";
-    case VM_BAD_OSCILLATOR: return "alpha, stiffness, frequency or amplitude out of range";
     default: return "unknown status";
     }
 }
@@ -1173,24 +1172,27 @@ VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
     return VM_OK;
 }
 
-/* Mass and frequency of the small vibration at t */
-VM_API int vmi_rotor_now(const vm_rotor *r, vm_real t, vm_real *mass, vm_real *rate, vm_real *omega)
+typedef struct VM_TAG(vmi_rotor_state) {
+    vm_real mass, rate, omega; /* omega of the small vibration */
+} vmi_rotor_state;
+
+VM_API int vmi_rotor_now(const vm_rotor *r, vm_real t, vmi_rotor_state *now)
 {
     vm_real slope;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, mass, rate);
+    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
     if (status) return status;
-    *omega = VM_SQRT(r->stiffness(0, &slope, r->stiffness_ctx) / *mass);
-    return *omega > 0 && VM_IS_FINITE(*omega) ? VM_OK : VM_BAD_OSCILLATOR;
+    now->omega = VM_SQRT(r->stiffness(0, &slope, r->stiffness_ctx) / now->mass);
+    return now->omega > 0 && VM_IS_FINITE(now->omega) ? VM_OK : VM_BAD_OSCILLATOR;
 }
 
 VM_API int vm_rotor_split(const vm_rotor *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
-    vm_real mass, rate, omega;
+    vmi_rotor_state now;
     vm_complex turned, P, N;
-    const int status = vmi_rotor_now(r, t, &mass, &rate, &omega);
+    const int status = vmi_rotor_now(r, t, &now);
     if (status) return status;
-    turned = vmi_c_times_i(-1 / omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
+    turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
     y[0] = P.re, y[1] = P.im, y[2] = N.re, y[3] = N.im, y[4] = phi;
@@ -1208,31 +1210,32 @@ VM_API void vmi_rotor_motion(const vm_real *y, vm_complex turn, vm_real omega, v
 
 VM_API int vm_rotor_join(const vm_rotor *r, vm_real t, const vm_real *y, vm_real *motion)
 {
-    vm_real mass, rate, omega;
+    vmi_rotor_state now;
     vm_complex z, v;
-    const int status = vmi_rotor_now(r, t, &mass, &rate, &omega);
+    const int status = vmi_rotor_now(r, t, &now);
     if (status) return status;
-    vmi_rotor_motion(y, vmi_c_turn(y[4]), omega, &z, &v);
+    vmi_rotor_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
     motion[0] = z.re, motion[1] = z.im, motion[2] = v.re, motion[3] = v.im;
     return VM_OK;
 }
 
 /* P' and N' (470)-(473) at the fast phase phi:
-     P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),  m f = F + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
+     P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
+     m f = F + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
    F with r m' u; the half that is missing from r comes from omega'. */
-VM_API void vmi_rotor_rates(const vm_rotor *r, vm_real t, const vm_real *y, vm_real phi, vm_complex *dP,
-                            vm_complex *dN)
+VM_API void vmi_rotor_rates(const vm_rotor *r, vm_real t, const vmi_rotor_state *now, const vm_real *y, vm_real phi,
+                            vm_complex *dP, vm_complex *dN)
 {
     const vm_complex turn = vmi_c_turn(phi);
-    vm_real mass, rate, omega, slope, extra;
+    const vm_real push = 1 / (2 * now->omega * now->mass);
+    vm_real slope, extra;
     vm_complex z, v, f;
-    vmi_rotor_now(r, t, &mass, &rate, &omega);
-    vmi_rotor_motion(y, turn, omega, &z, &v);
-    extra = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx) - mass * omega * omega;
-    f = vmi_c_add(vmi_rotor_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
-    f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * rate, v)));
-    *dP = vmi_c_times_i(-1 / (2 * omega * mass), vmi_c_times(f, vmi_c_conjugate(turn)));
-    *dN = vmi_c_times_i(1 / (2 * omega * mass), vmi_c_times(f, turn));
+    vmi_rotor_motion(y, turn, now->omega, &z, &v);
+    extra = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx) - now->mass * now->omega * now->omega;
+    f = vmi_c_add(vmi_rotor_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * now->rate, v)));
+    *dP = vmi_c_times_i(-push, vmi_c_times(f, vmi_c_conjugate(turn)));
+    *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
 VM_API int vmi_rotor_samples(const vm_rotor *r) { return r->samples > 0 ? r->samples : 32; }
@@ -1240,18 +1243,18 @@ VM_API int vmi_rotor_samples(const vm_rotor *r) { return r->samples > 0 ? r->sam
 /* The mean of so many samples in a period from y[4] on */
 VM_API int vmi_rotor_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_rotor *r, int samples)
 {
+    const vm_real share = 1 / (vm_real)samples;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
-    vm_real mass, rate, omega;
-    const int status = vmi_rotor_now(r, t, &mass, &rate, &omega);
+    vmi_rotor_state now;
+    const int status = vmi_rotor_now(r, t, &now);
     int j;
     if (status) return status;
     for (j = 0; j < samples; j++) {
-        vmi_rotor_rates(r, t, y, y[4] + 2 * VM_PI * (vm_real)j / (vm_real)samples, &dP, &dN);
+        vmi_rotor_rates(r, t, &now, y, y[4] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP), N = vmi_c_add(N, dN);
     }
-    dydt[0] = P.re / (vm_real)samples, dydt[1] = P.im / (vm_real)samples;
-    dydt[2] = N.re / (vm_real)samples, dydt[3] = N.im / (vm_real)samples;
-    dydt[4] = omega;
+    dydt[0] = P.re * share, dydt[1] = P.im * share, dydt[2] = N.re * share, dydt[3] = N.im * share;
+    dydt[4] = now.omega;
     return VM_OK;
 }
 

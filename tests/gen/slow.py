@@ -2,10 +2,9 @@
 and Jacobi functions, and the first Fourier coefficients of ca(alpha, 1, s), to 20 digits.
 
 usage: python3 tests/gen/slow.py, from the top of the project; needs mpmath. Minutes."""
-from mpmath import mp, mpf, beta, betainc, ellipk, ellipe, findroot, quad, cos, pi, nstr, sqrt
+from mpmath import mp, mpf, beta, betainc, ellipk, ellipe, findroot, quad, sin, pi, nstr
 
 mp.dps = 30
-# exactly representable in float where they are not meant to be decimals
 ALPHAS = [0, mpf(1) / 1024, 0.125, 0.5, 0.75, 1, 1.25, 1.5, 2, 2.5, 3, 5, 10, 100, 1024, 2**20]
 
 
@@ -21,7 +20,7 @@ def means(m):
 def jacobi_coefficients(a):
     """a1, a2, a3 of (411)-(413), a1 by its definition"""
     right = beta(1 / (a + 1), mpf(1) / 2) / (a + 1)
-    mu = findroot(lambda m: ellipk(m) - right, mpf(0.3) if a > 1 else mpf(-1))
+    mu = findroot(lambda m: ellipk(m) - right, (mpf(-5), mpf('0.7')), solver='anderson')
     m = mu / (mu - 1) if a != 1 else mpf(0)
     c2, c4, c6 = means(m)
     a2 = (1 - m) - (1 - 2 * m) * c2 - m * c4
@@ -29,17 +28,12 @@ def jacobi_coefficients(a):
 
 
 def fourier(a, n):
-    """c_n = (4/pi)(1/n) int_0^1 sin(n pi/2) cos(n pi/2 I) dy, y = 1 - w^2, integrated by parts from ca"""
-    def angle(w):
-        y = 1 - w * w
-        return betainc(1 / (a + 1), mpf(1) / 2, 0, y**(a + 1), regularized=True)
-
-    def s_of(w):
-        return n * pi / 2 * (1 - angle(w))
-    # c_n = 2 int_0^1 ca cos(n pi u/2) du = (4/(n pi)) int_0^1 sin(n pi u(y)/2) dy, u = 1 - I
-    from mpmath import sin
+    """c_n = 2 int_0^1 ca cos(n pi u/2) du = (4/(n pi)) int_0^1 sin(n pi u(y)/2) dy, u = 1 - I_z(1/(a+1), 1/2), z = y^(a+1),
+    with y = 1 - w^2"""
+    def u(w):
+        return 1 - betainc(1 / (a + 1), mpf(1) / 2, 0, (1 - w * w)**(a + 1), regularized=True)
     edges = [0] + [mpf(2)**-k for k in range(14, 0, -2)] + [mpf(7) / 8, 1]
-    return 4 / (n * pi) * quad(lambda w: sin(s_of(w)) * 2 * w, edges)
+    return 4 / (n * pi) * quad(lambda w: sin(n * pi / 2 * u(w)) * 2 * w, edges)
 
 
 def row(*numbers):
