@@ -16,7 +16,7 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation
+TESTS = jacobi ateb integrators events varmass dissertation slow
 EXAMPLES = table5 example1 example2
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
@@ -83,6 +83,7 @@ data:
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
+	python3 tests/gen/slow.py
 
 clean:
 	rm -rf build

@@ -1368,7 +1368,8 @@ VM_API vm_real vmi_rotor_invariant(vm_real x, void *orbit)
 VM_API vm_real vm_rotor_amplitude(const vm_rotor *r, vm_real A0, vm_real mass0, vm_real mass)
 {
     vmi_rotor_orbit o;
-    vm_real slope, here, there = 0, step = VM_C(0.0625), x = 0;
+    vm_real slope, here, there, step = VM_C(0.0625), x = 0;
+    int bounded = 0;
     if (!(A0 > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(A0) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
@@ -1376,14 +1377,18 @@ VM_API vm_real vm_rotor_amplitude(const vm_rotor *r, vm_real A0, vm_real mass0, 
     o.r = r, o.A0 = A0, o.mass = mass;
     o.first = r->gyro * r->gyro + mass0 * r->stiffness(A0, &slope, r->stiffness_ctx);
     here = vmi_rotor_invariant(0, &o);
-    if (here > 0) step = -step;
-    while (VM_IS_FINITE(here) && here != 0) { /* outward until the invariant has changed its sign */
+    if (here == 0 || here != here) return here == 0 ? A0 : VM_NAN;
+    for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
         there = vmi_rotor_invariant(x + step, &o);
-        if (!((there > 0) == (here > 0)) || !VM_IS_FINITE(there)) break;
-        x += step, step *= 2, here = there;
+        while (there != there) { /* F_e' is no number there */
+            step /= 2, bounded = 1;
+            if (VM_FABS(step) < VM_EPSILON) return VM_NAN;
+            there = vmi_rotor_invariant(x + step, &o);
+        }
+        if (there == 0 || (there > 0) != (here > 0)) break;
+        x += step, here = there;
     }
-    if (!VM_IS_FINITE(here) || !VM_IS_FINITE(there)) return VM_NAN;
-    return here == 0 ? A0 : A0 * vmi_exp(vmi_slow_zero(vmi_rotor_invariant, &o, x, x + step, here, there), 0);
+    return A0 * vmi_exp(vmi_slow_zero(vmi_rotor_invariant, &o, x, x + step, here, there), 0);
 }
 
 /* ---- Chapter 7.8: two bodies with a nonlinear connection ---------------------------------------------------- */
