@@ -259,9 +259,9 @@ typedef struct VM_TAG(vm_linear_mass) {
 } vm_linear_mass;
 VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass);
 
-/* m x'' + k x|x|^(alpha-1) = (b - c x^2) x' - r m' x' (404). Here b > 0 feeds the vibration; b and c are the eps b and
-   eps c of [1], of either sign. vm_vdp_init checks alpha, k, b, c, reactive and method and fills a1, a2, a3, which the
-   other functions need; the mass is for the equations of motion only. */
+/* m x'' + k x|x|^(alpha-1) = (b - c x^2) x' - r m' x' (404). Here b > 0 feeds the vibration; b and c are the eps b
+   and eps c of [1], of either sign. vm_vdp_init checks alpha, k, b, c, reactive and method and fills a1, a2, a3,
+   which the other functions need; the mass is for the equations of motion only. */
 typedef struct VM_TAG(vm_vdp) {
     vm_real alpha, k, b, c; /* alpha >= 0; k > 0 N/m^alpha; kg/s; kg/(s m^2) */
     vm_real reactive;       /* r: 1 where what joins or leaves is at rest, 0 where it has the body's velocity */
@@ -277,22 +277,22 @@ enum {
 };
 VM_API int vm_vdp_init(vm_vdp *v);
 
-/* Amplitude at t where it was A0 at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424), (427),
-   (429), (431)-(435), (437) in one, as corrected, smooth through q = 0. Right to 1e-14 but for what is averaged.
-   c < 0 may carry it to infinity in a finite time: NaN from there on. */
+/* Amplitude at t where it was A0 at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
+   (427), (429), (431)-(435), (437) in one, as corrected, smooth through q = 0. Right to 1e-14 but for what is
+   averaged. c < 0 may carry it to infinity in a finite time: NaN from there on. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m);
 /* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
    none. stable, where not null: whether the amplitudes around tend to the one returned. */
 VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL);
-/* Equations for rk45 or rk87, ctx a vm_vdp: of motion, y = (x, x') (404); averaged, y = (A, psi), any mass (410), where
-   x = A ca(psi). They return a status of this header, which stops the run, where the mass is not positive. */
+/* Equations for rk45 or rk87, ctx a vm_vdp: of motion, y = (x, x') (404); averaged, y = (A, psi), any mass (410),
+   where x = A ca(psi). They return a status of this header, which stops the run, where the mass is not positive. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp);
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp);
 
 /* -- Chapter 7.7: Laval's rotor -- */
 
-/* The disc's centre z = x + i y (451), with the shaft's stiffness F_e(rho)/rho, which [1] calls F_e', and the gyroscopic
-   constant g = Omega_p g of the remark after (516):
+/* The disc's centre z = x + i y (451), with the shaft's stiffness F_e(rho)/rho, which [1] calls F_e', and the
+   gyroscopic constant g = Omega_p g of the remark after (516):
      m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
    A zero field means none; mass and stiffness must be there. */
 typedef struct VM_TAG(vm_complex) {
@@ -326,18 +326,23 @@ VM_API vm_real vm_rotor_momentum(const vm_rotor *r, vm_real mass, vm_complex z, 
 VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 
 /* Small nonlinearity: two circular motions (460), (461) of the frequency omega = sqrt(F_e'(0)/m),
-     z = P e^(i phi) + N e^(-i phi), z' = i omega (P e^(i phi) - N e^(-i phi)), P = A1 e^(i theta1), N = A2 e^(-i theta2),
-   y = (Re P, Im P, Re N, Im N, phi), phi' = omega, from and to y = (x, y, x', y') at time t. The equations (470)-(473)
-   exactly, and averaged over phi while P and N stay: forward and backward motion are in 1:1 resonance, so that the
-   average over psi1 and psi2 apart, (474)-(477), is wrong unless f turns with z. In P and N nothing is singular where
-   A1 or A2 is 0. All that differs from m z'' + F_e'(0) z = 0 is perturbation: F_z, u, g, F_e'(rho) - F_e'(0). */
+     z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
+     P = A1 e^(i theta1),  N = A2 e^(-i theta2),
+   y = (Re P, Im P, Re N, Im N, phi), phi' = omega, from and to y = (x, y, x', y') at time t. The equations
+   (470)-(473) exactly, and averaged over phi while P and N stay: forward and backward motion are in 1:1 resonance,
+   so that the average over psi1 and psi2 apart, (474)-(477), is wrong unless f turns with z. In P and N nothing is
+   singular where A1 or A2 is 0. All that differs from m z'' + F_e'(0) z = 0 is perturbation: F_z, u, g, F_e'(rho) -
+   F_e'(0). */
 VM_API int vm_rotor_split(const vm_rotor *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y);
 VM_API int vm_rotor_join(const vm_rotor *r, vm_real t, const vm_real *y, vm_real *motion);
 VM_API int vm_rotor_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 VM_API int vm_rotor_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 
 /* Strong nonlinearity: nearly circular motion z = A e^(i psi), z' = i W z, of the frequency W of m W^2 - 2 g W =
-   F_e'(A), forward (sense >= 0) or backward. Averaged equations (506), (507) with g, y = (A, psi), y1' > 0 forward. */
+   F_e'(A), forward (sense >= 0) or backward. Averaged equations (506), (507) with g, y = (A, psi). A errs by the
+   order of the loads over times of their inverse; the phase adds that up where F_e' is not constant: 0.005 were
+   measured for loads that turn with z, order 1 for others. Not for a linear F_e with loads that do not turn with z:
+   they send the motion off the circle. */
 VM_API vm_real vm_rotor_frequency(const vm_rotor *r, vm_real A, vm_real mass, int sense);
 VM_API int vm_rotor_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 VM_API int vm_rotor_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
@@ -349,15 +354,16 @@ VM_API vm_real vm_rotor_amplitude(const vm_rotor *r, vm_real A0, vm_real mass0, 
 
 /* -- Chapter 7.8: two bodies with a nonlinear connection -- */
 
-/* Equal masses m with k (x - y)|x - y|^(alpha-1) between them, and -r m' x', -r m' y' (517), (518). y = (x, y, x', y'). */
+/* Equal masses m with k (x - y)|x - y|^(alpha-1) between them, and -r m' x', -r m' y' (517), (518). y = (x, y, x',
+   y'). */
 typedef struct VM_TAG(vm_pair) {
     vm_real alpha, k, reactive; /* alpha >= 0; k > 0 N/m^alpha; r */
     vm_slow_mass mass;          /* not needed by vm_pair_at */
     void *mass_ctx;
 } vm_pair;
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair);
-/* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of its
-   first ripple, so that any initial velocities do. Averaged equations of the modes for any mass. */
+/* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
+   its first ripple, so that any initial velocities do. Averaged equations of the modes for any mass. */
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes);
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y);
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair);
@@ -367,9 +373,9 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
 
 /* -- Chapter 8: harmonic excitation -- */
 
-/* m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + force cos theta, theta' = nu, where m, k, nu, force may drift slowly: now
-   holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks alpha,
-   b, reactive and now at t = 0, and prepares what the averaged functions need: call it first. */
+/* m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + force cos theta, theta' = nu, where m, k, nu, force may drift slowly:
+   now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
+   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first. */
 typedef struct VM_TAG(vm_forced_now) {
     vm_real mass, mass_rate; /* kg, kg/s */
     vm_real k, k_rate;       /* N/m^alpha, per s */
@@ -387,9 +393,9 @@ typedef struct VM_TAG(vm_forced) {
 VM_API int vm_forced_init(vm_forced *f);
 
 /* Equations for rk45 or rk87, ctx a vm_forced: of motion, y = (x, x', theta); the same in amplitude and Ateb phase,
-   exactly, y = (A, psi, theta), singular at A = 0; averaged near the main resonance nu = w(A), y = (A, delta, theta),
-   where delta is the phase before the force. The averaged ones err by the order of b, m' and force, over times
-   of the order of their inverses: no more than 4 periods a step, not 20. */
+   exactly, y = (A, psi, theta), singular at A = 0; averaged near the main resonance nu = w(A), y = (A, delta,
+   theta), where delta is the phase before the force. The averaged ones err by the order of b, m' and force over
+   times of their inverses, off the resonance by more. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced);
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced);
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced);
@@ -398,24 +404,26 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y);
 VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion);
 
-/* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of them,
-   or a negative status. Those far from w(A) = nu are labels only: the averaged equations hold near the resonance. */
+/* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of
+   them, or a negative status. Those far from w(A) = nu are labels only: the averaged equations hold near the
+   resonance. */
 typedef struct VM_TAG(vm_steady) {
-    vm_real A, delta;
+    vm_real nu, A, delta;
     vm_real trace, det; /* of the averaged equations there: rates lambda^2 - trace lambda + det = 0 */
     int stable;         /* det > 0 and trace < 0; det < 0 is a saddle */
 } vm_steady;
 VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3]);
-/* The amplitude-frequency curve by its amplitude: nu[0] <= nu[1] at which A is steady, none where the force is too
-   small for it (0), or the number of them. Their mean is the backbone w(A). */
-VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_real nu[2]);
+/* The amplitude-frequency curve, traced by its amplitude: the steady vibrations of amplitude A at any nu > 0, the
+   backbone w(A) in the middle between two. Their number, 0 where the force is too small for A, or a negative
+   status. */
+VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady curve[2]);
 /* The amplitude where the curve meets the backbone, its largest; infinite without damping */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t);
 
-/* Passage through the resonance, all rates as they are at time t. The backbone's amplitude A at nu; torque: the drift of
-   w - nu over the force's hold on it, below 1 the vibration may be captured and follow A, with the phase delta, above 1
-   it passes; jump: half the range of the relative change of A in a quick passage, torque >> 1, over all phases. For
-   alpha = 1 A cannot be told from nu: it is the amplitude given. */
+/* Passage through the resonance, all rates as they are at time t. The backbone's amplitude A at nu; torque: the
+   drift of w - nu over the force's hold on it, below 1 the vibration may be captured and follow A, with the phase
+   delta, above 1 it passes; jump: half the range of the relative change of A in a quick passage, torque >> 1, over
+   all phases. For alpha = 1 A cannot be told from nu: it is the amplitude given. */
 typedef struct VM_TAG(vm_passage) {
     vm_real A, torque, delta, jump; /* delta NaN where torque > 1 */
 } vm_passage;
@@ -443,8 +451,8 @@ VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buf
 /* Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx);
-/* q/Om, what averaging takes for small: q = ((2r-1) m' + 2b)/m + k'/k and the rate Om of the Ateb phase at amplitude A.
-   The amplitude laws err by about (q/Om)^2, waveforms by q/Om over times of order 1/q. */
+/* q/Om, what averaging takes for small: q = ((2r-1) m' + 2b)/m + k'/k and the rate Om of the Ateb phase at
+   amplitude A. The amplitude laws err by about (q/Om)^2, waveforms by q/Om over times of order 1/q. */
 VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
                                vm_real reactive, vm_real alpha);
 
@@ -1055,7 +1063,8 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 }
 
 /* 1/A^2 = e^-F (1/A0^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
-   constant, so that the integral is phi(F) int dt/m. Written with e^-|F| and the larger of the two terms taken out. */
+   constant, so that the integral is phi(F) int dt/m. Written with e^-|F| and the larger of the two terms taken out.
+   */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m)
 {
     vm_real ln_ratio, integral, F, damping, e, s, denominator;
@@ -1319,8 +1328,9 @@ VM_API int vm_rotor_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     return vmi_rotor_circular(t, y, dydt, (const vm_rotor *)rotor, -1);
 }
 
-/* The zero of f in [a, b], where it has the values fa, fb of opposite signs: regula falsi whose standing end is halved
-   (Illinois), a bisection wherever that does not halve the interval in three steps; to the resolution of x */
+/* The zero of f in [a, b], where it has the values fa, fb of opposite signs: regula falsi whose standing end is
+   halved (Illinois), a bisection wherever that does not halve the interval in three steps; to the resolution of x
+   */
 VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -1696,7 +1706,7 @@ VM_API vm_steady vmi_forced_state(const vmi_frozen *z, vm_real alpha, vm_real A)
 {
     const vm_real w = z->w1 * vmi_raised(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
     vm_steady s;
-    s.A = A;
+    s.nu = z->nu, s.A = A;
     s.delta = ateb_phase(-p * A * w / z->push, off * A * w / z->push, 1);
     s.trace = -(alpha + 3) * p / 2;
     s.det = p * p * gain + off * (z->exponent * w + gain * off);
@@ -1704,8 +1714,8 @@ VM_API vm_steady vmi_forced_state(const vmi_frozen *z, vm_real alpha, vm_real A)
     return s;
 }
 
-/* The values of x = ln A between which the excess is monotonic: w of det = 0, which is 2 alpha w^2 - (3 alpha + 1) nu w
-   + (alpha + 1)(nu^2 + p^2) = 0; their number */
+/* The values of x = ln A between which the excess is monotonic: w of det = 0, which is 2 alpha w^2 - (3 alpha + 1)
+   nu w + (alpha + 1)(nu^2 + p^2) = 0; their number */
 VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
@@ -1752,20 +1762,24 @@ VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
     return found;
 }
 
-VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_real nu[2])
+VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady curve[2])
 {
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vmi_frozen z;
-    vm_real w, hold, width;
+    vm_real w, hold, width, p;
+    int found = 0;
     if (status) return status;
     if (!(A > 0) || !VM_IS_FINITE(A)) return VM_BAD_OSCILLATOR;
     z = vmi_forced_frozen(f, &n);
-    w = vmi_forced_natural(f, &n, A), hold = VM_FABS(z.push) / (w * A), z.p = VM_FABS(z.p);
-    if (!(hold >= z.p)) return 0;
-    width = VM_SQRT(hold - z.p) * VM_SQRT(hold + z.p);
-    nu[0] = w - width, nu[1] = w + width;
-    return width > 0 ? 2 : 1;
+    w = vmi_forced_natural(f, &n, A), hold = VM_FABS(z.push) / (w * A), p = VM_FABS(z.p);
+    if (!(hold >= p) || z.push == 0) return 0;
+    width = VM_SQRT(hold - p) * VM_SQRT(hold + p);
+    z.nu = w - width;
+    if (z.nu > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    z.nu = w + width;
+    if (width > 0 || !found) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    return found;
 }
 
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
@@ -1777,8 +1791,8 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_raised(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative drift of
-   w - nu; and for gamma = 0 the same jump */
+/* delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative
+   drift of w - nu; and for gamma = 0 the same jump */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     const vm_forced_now n = vmi_forced_at(f, t);

@@ -1,7 +1,8 @@
-/* Chapters 7.6-8 of varmass.h: Van der Pol, Laval's rotor, two bodies, harmonic excitation, diagnostics. Oracles, in this
-   order: numbers of 20 digits (tests/gen/slow.py, and the reference cases that are given with the corrected equations),
-   pointwise identities, direct integration; and the printed forms that are wrong, which must fail by what they are known
-   to fail by. Bounds on averaged results are twice what was measured, which is of the order of the neglected terms. */
+/* Chapters 7.6-8 of varmass.h: Van der Pol, Laval's rotor, two bodies, harmonic excitation, diagnostics. Oracles,
+   in this order: numbers of 20 digits (tests/gen/slow.py, and the reference cases that are given with the corrected
+   equations), pointwise identities, direct integration; and the printed forms that are wrong, which must fail by
+   what they are known to fail by. Bounds on averaged results are twice what was measured, which is of the order of
+   the neglected terms. */
 #include "../varmass.h"
 #include "check.h"
 
@@ -114,7 +115,8 @@ static void test_vdp_coefficients(void)
     }
 }
 
-/* (408): the recurrence, by which the table above was made, against the mean of cn^6 itself, and its printed series */
+/* (408): the recurrence, by which the table above was made, against the mean of cn^6 itself, and its printed series
+   */
 static void test_c6(void)
 {
     static const double moduli[] = {-1.5, -0.25, 0.03125, 0.0625, 0.5, 0.75};
@@ -208,7 +210,8 @@ static void test_vdp_amplitude(void)
     }
 }
 
-/* The closed form by other means: expm1 and log1p of the C library, all signs of b, c and m', through q = 0 and m' = 0 */
+/* The closed form by other means: expm1 and log1p of the C library, all signs of b, c and m', through q = 0 and m'
+   = 0 */
 static void test_vdp_closed(void)
 {
     static const double shifts[] = {0, 1e-300, 1e-20, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 1};
@@ -415,7 +418,8 @@ static vm_rotor make_rotor(vm_linear_mass *m, vm_power_force *p, loads *l)
     return r;
 }
 
-/* (447), (448), (451) against (443)-(446), written in polar coordinates; atan(y/x) as printed fails for x < 0; (454) */
+/* (447), (448), (451) against (443)-(446), written in polar coordinates; atan(y/x) as printed fails for x < 0;
+   (454) */
 static void test_rotor_equations(void)
 {
     int i;
@@ -582,7 +586,8 @@ static void test_rotor_single(void)
     printed_fails("(489)", -0.0628, rate, 5.28);
 }
 
-/* Reactive thrust on z = A e^(i psi): its moment holds Im(u e^(-i psi)) = u_y cos psi - u_x sin psi, (502) has u_z sin psi */
+/* Reactive thrust on z = A e^(i psi): its moment holds Im(u e^(-i psi)) = u_y cos psi - u_x sin psi, (502) has u_z
+   sin psi */
 static void test_rotor_thrust(void)
 {
     int i;
@@ -828,7 +833,7 @@ static void test_pair_example(void)
         printed = fmax(printed, fabs(-law / amplitude - 1));
         CHECK((i % 2 == 0) == (points[i].x < 2)); /* y starts at its largest, 3: (535) as printed at its smallest */
     }
-    check_error("(534)-(536)", "direct", "", worst, is_float ? 6e-3 : 1.1e-4, n, 0);
+    check_error("(534)-(536)", "direct", "", worst, is_float ? 6e-3 : 1.1e-4, (double)n, 0);
     CHECK(printed > 1.9);
     near("(525)-(527)", "q stays", (double)(y[0] + y[1]), 4, 1e-12, 1e-5);
 }
@@ -1095,7 +1100,8 @@ static void test_forced_steady(void)
         growth g = {0, 0};
         const vm_forced f = make_forced(alpha, 0.5, 1, 0.02, Om1 * 1.01, &g);
         vm_steady s[3];
-        vm_real nu[2], y[3], d[3] = {0};
+        vm_steady c[2];
+        vm_real y[3], d[3] = {0};
         int k, j;
         CHECK(vm_forced_steady(&f, 0, s) == 3);
         near("steady", "A_peak", (double)vm_forced_peak(&f, 0), rows[i][5], 1e-14, 2e-5);
@@ -1108,14 +1114,18 @@ static void test_forced_steady(void)
             CHECK(vm_forced_averaged_rhs(0, y, d, (void *)&f) == VM_OK);
             check_error("steady", "A' = delta' = 0", "eps",
                         fmax(fabs((double)d[0]), fabs((double)(d[1] * s[k].A))) / eps, 400, alpha, (double)s[k].A);
-            CHECK(vm_forced_curve(&f, 0, s[k].A, nu) == 2);
-            j = fabs((double)(nu[0] - f.now.nu)) < fabs((double)(nu[1] - f.now.nu)) ? 0 : 1;
-            near("curve", "nu(A)", (double)nu[j], (double)f.now.nu, 1e-14, 1e-5);
-            near("backbone", "w(A)", (double)(nu[0] + nu[1]) / 2, Om1 * pow((double)s[k].A, (alpha - 1) / 2), 1e-13,
+            CHECK(vm_forced_curve(&f, 0, s[k].A, c) == 2 && c[0].nu < c[1].nu);
+            j = fabs((double)(c[0].nu - f.now.nu)) < fabs((double)(c[1].nu - f.now.nu)) ? 0 : 1;
+            near("curve", "nu(A)", (double)c[j].nu, (double)f.now.nu, 1e-14, 1e-5);
+            check_error("curve", "delta", "", fabs((double)(c[j].delta - s[k].delta)), is_float ? 3e-3 : 1e-11, alpha,
+                        (double)s[k].A);
+            CHECK(c[j].stable == s[k].stable);
+            near("backbone", "w(A)", (double)(c[0].nu + c[1].nu) / 2, Om1 * pow((double)s[k].A, (alpha - 1) / 2), 1e-13,
                  1e-5);
         }
-        CHECK(vm_forced_curve(&f, 0, R(1.001 * rows[i][5]), nu) == 0 &&
-              vm_forced_curve(&f, 0, R(0.999 * rows[i][5]), nu) == 2);
+        CHECK(vm_forced_curve(&f, 0, R(1.001 * rows[i][5]), c) == 0 &&
+              vm_forced_curve(&f, 0, R(0.999 * rows[i][5]), c) == 2);
+        CHECK(vm_forced_curve(&f, 0, R(1e-3), c) == (alpha < 1 ? 2 : 1)); /* no negative frequency */
     }
 }
 
@@ -1446,7 +1456,7 @@ static void test_hard(void)
     CHECK(vm_vdp_amplitude(&v, 100, 0, linear(1, 0)) == 0);
     memset(&r, 0, sizeof r);
     r.stiffness = vm_rotor_power, r.stiffness_ctx = &p, r.reactive = 1;
-    for (p.alpha = 0; p.alpha < 1e4; p.alpha = p.alpha * 3 + VM_C(0.1)) { /* the mass 1e6-fold and to 1e-3 */
+    for (p.alpha = 0; p.alpha < 10000; p.alpha = p.alpha * 3 + VM_C(0.1)) { /* the mass 1e6-fold and to 1e-3 */
         near("(509)", "mass to 1e6", (double)vm_rotor_amplitude(&r, 1, 1, R(1e6)),
              pow(1e6, -1 / ((double)p.alpha + 3)), 1e-14, 2e-6);
         near("(509)", "mass to 1e-3", (double)vm_rotor_amplitude(&r, 1, 1, R(0.001)),
@@ -1464,7 +1474,7 @@ static void test_bad_input(void)
     growth g = {0, 0};
     vm_forced f = make_forced(3, 1, 1, 1, 1, &g), other;
     vm_pair p = make_pair(3, 1, 1, &m);
-    vm_real y[5] = {1, 2, 3, 4, 5}, d[5] = {7, 7, 7, 7, 7}, nu[2];
+    vm_real y[5] = {1, 2, 3, 4, 5}, d[5] = {7, 7, 7, 7, 7};
     vm_steady s[3];
     vm_passage passage;
     int i;
@@ -1492,7 +1502,7 @@ static void test_bad_input(void)
         CHECK(vm_forced_rhs(0, y, d, &other) < 0 && vm_forced_exact_rhs(0, y, d, &other) < 0 &&
               vm_forced_averaged_rhs(0, y, d, &other) < 0 && vm_forced_split(&other, 0, y, d) < 0 &&
               vm_forced_join(&other, 0, y, d) < 0 && vm_forced_passage(&other, 0, 1, &passage) < 0 &&
-              vm_forced_curve(&other, 0, 1, nu) < 0 && is_nan(vm_forced_peak(&other, 0)));
+              vm_forced_curve(&other, 0, 1, s) < 0 && is_nan(vm_forced_peak(&other, 0)));
     }
     CHECK(is_nan(vm_vdp_amplitude(&v, VM_NAN, 1, linear(1, 0.1))) &&
           is_nan(vm_vdp_amplitude(&v, 1, VM_NAN, linear(1, 0.1))));
@@ -1509,7 +1519,7 @@ static void test_bad_input(void)
     CHECK(vm_pair_at(&p, 1, y, m, d) == VM_BAD_MASS && vm_pair_at(&p, VM_NAN, y, linear(1, 0), d) == VM_NOT_FINITE);
     y[1] = VM_NAN;
     CHECK(vm_pair_at(&p, 0, y, m, d) == VM_NOT_FINITE && vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE);
-    CHECK(vm_forced_curve(&f, 0, 0, nu) == VM_BAD_OSCILLATOR);
+    CHECK(vm_forced_curve(&f, 0, 0, s) == VM_BAD_OSCILLATOR);
     other = f, other.now.force = 0, CHECK(vm_forced_steady(&other, 0, s) == 0);
     for (i = 0; i < 5; i++) CHECK(d[i] == 7); /* untouched by all of these */
     CHECK(strcmp(vm_strerror(VM_BAD_OSCILLATOR), vm_strerror(-99)) != 0);

@@ -28,8 +28,8 @@ def jacobi_coefficients(a):
 
 
 def fourier(a, n):
-    """c_n = 2 int_0^1 ca cos(n pi u/2) du = (4/(n pi)) int_0^1 sin(n pi u(y)/2) dy, u = 1 - I_z(1/(a+1), 1/2), z = y^(a+1),
-    with y = 1 - w^2"""
+    """c_n = 2 int_0^1 ca cos(n pi u/2) du = (4/(n pi)) int_0^1 sin(n pi u(y)/2) dy, where y = 1 - w^2 and
+    u = 1 - I_z(1/(a+1), 1/2), z = y^(a+1)"""
     def u(w):
         return 1 - betainc(1 / (a + 1), mpf(1) / 2, 0, (1 - w * w)**(a + 1), regularized=True)
     edges = [0] + [mpf(2)**-k for k in range(14, 0, -2)] + [mpf(7) / 8, 1]
