@@ -1102,7 +1102,7 @@ static void test_forced_steady(void)
         vm_steady s[3];
         vm_steady c[2];
         vm_real y[3], d[3] = {0};
-        int k, j;
+        int k, j, found;
         CHECK(vm_forced_steady(&f, 0, s) == 3);
         near("steady", "A_peak", (double)vm_forced_peak(&f, 0), rows[i][5], 1e-14, 2e-5);
         check_error("steady", "delta", "", fabs((double)s[2].delta - rows[i][4]), is_float ? 3e-3 : 2e-12, alpha,
@@ -1114,14 +1114,17 @@ static void test_forced_steady(void)
             CHECK(vm_forced_averaged_rhs(0, y, d, (void *)&f) == VM_OK);
             check_error("steady", "A' = delta' = 0", "eps",
                         fmax(fabs((double)d[0]), fabs((double)(d[1] * s[k].A))) / eps, 400, alpha, (double)s[k].A);
-            CHECK(vm_forced_curve(&f, 0, s[k].A, c) == 2 && c[0].nu < c[1].nu);
+            found = vm_forced_curve(&f, 0, s[k].A, c); /* one at the lowest amplitude: the other nu would be < 0 */
+            CHECK(found == 2 || (k == 0 && found == 1)), CHECK(found < 2 || c[0].nu < c[1].nu);
+            if (found == 1) c[1] = c[0];
             j = fabs((double)(c[0].nu - f.now.nu)) < fabs((double)(c[1].nu - f.now.nu)) ? 0 : 1;
             near("curve", "nu(A)", (double)c[j].nu, (double)f.now.nu, 1e-14, 1e-5);
             check_error("curve", "delta", "", fabs((double)(c[j].delta - s[k].delta)), is_float ? 3e-3 : 1e-11, alpha,
                         (double)s[k].A);
             CHECK(c[j].stable == s[k].stable);
-            near("backbone", "w(A)", (double)(c[0].nu + c[1].nu) / 2, Om1 * pow((double)s[k].A, (alpha - 1) / 2), 1e-13,
-                 1e-5);
+            if (found == 2)
+                near("backbone", "w(A)", (double)(c[0].nu + c[1].nu) / 2, Om1 * pow((double)s[k].A, (alpha - 1) / 2),
+                     1e-14, 1e-5);
         }
         CHECK(vm_forced_curve(&f, 0, R(1.001 * rows[i][5]), c) == 0 &&
               vm_forced_curve(&f, 0, R(0.999 * rows[i][5]), c) == 2);
