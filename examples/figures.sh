@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draw the figures of examples 1 and 2 from the CSV files in the folder named, as SVG beside them.
+# Draw the figures of the examples from the CSV files in the folder named, as SVG beside them.
 folder=$1
 if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
     echo "no gnuplot: the curves are in $folder/*.csv, no figures drawn"
@@ -17,3 +17,15 @@ draw example1 Jacobi 12 example1_jacobi "Fig. 24"
 draw example2 Ateb 4 example2_ateb "Fig. 25"
 draw example2 trigonometric 8 example2_trigonometric "the same, trigonometric"
 draw example2 Jacobi 12 example2_jacobi "the same, Jacobi"
+slow() { # slow NUMBER PANELS CASES WAVES LOW HIGH LABEL
+    gnuplot -e "csv='$folder/figure$1.csv'; svg='$folder/figure$1.svg'; panels=$2; cases=$3; waves=$4; low=$5; high=$6" \
+        -e "label='$7'" examples/slow.gp || exit 1
+    echo "  $folder/figure$1.svg   Fig. $1"
+}
+slow 21 3 1 2 -0.2 0.3 x
+slow 26 3 3 0 0 3.4 amplitude
+slow 27 3 1 1 -2.8 4 x
+slow 28 1 3 0 0 5 amplitude
+slow 29 2 1 1 -2.8 4 x
+slow 30 2 1 1 -1.1 1.6 "x, y"
+slow 32 2 1 1 -1.5 5 "x, y"
