@@ -17,7 +17,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation slow
-EXAMPLES = table5 example1 example2 slow
+EXAMPLES = table5 example1 example2 slow resonance
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
@@ -31,6 +31,7 @@ run: $(EXAMPLES:%=build/examples/%)
 	@echo; ./build/examples/example1 build/figures/example1.csv
 	@echo; ./build/examples/example2 build/figures/example2.csv
 	@echo; ./build/examples/slow build/figures
+	@echo; ./build/examples/resonance build/figures
 	@sh examples/figures.sh build/figures
 
 test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi

@@ -29,3 +29,6 @@ slow 28 1 3 0 0 5 amplitude
 slow 29 2 1 1 -2.8 4 x
 slow 30 2 1 1 -1.1 1.6 "x, y"
 slow 32 2 1 1 -1.5 5 "x, y"
+gnuplot -e "folder='$folder'" examples/resonance.gp || exit 1
+echo "  $folder/resonance.svg   resonance curve under harmonic force"
+echo "  $folder/passage.svg   passage through the resonance while the mass grows"
