@@ -1731,7 +1731,8 @@ VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
 /* The steady amplitudes of alpha != 1: one at most below, between and above the turns */
 VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
 {
-    const vm_real far = vmi_log(VM_MAX).hi / (2 + VM_FABS(alpha - 1)); /* A w^2 is a number to there */
+    const vm_real steep = VM_FABS(z->exponent) > 1 ? VM_FABS(z->exponent) : 1;
+    const vm_real far = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
     vm_real ends[5], turns[3], left, right;
     int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
     ends[0] = -far, ends[n + 1] = far;
