@@ -1238,7 +1238,7 @@ static void test_forced_steady_random(void)
         double before = 0, x;
         const int n = vm_forced_steady(&f, 0, s);
         int changes = 0;
-        for (x = -60; x < 60; x += fabs(x - tip) < 0.03 / steep ? 5e-6 / steep : 0.02) {
+        for (x = -60; x < 60; x += fmax(2e-6 / steep, fmin(0.02, fabs(x - tip) / 200))) {
             const double A = exp(x), w = (double)f.Om1 * pow(A, (alpha - 1) / 2),
                          p = (double)(2 * f.b) / (alpha + 3);
             const double excess = log(A * w * hypot(w - (double)f.now.nu, p) / (double)(f.now.force * f.G));
