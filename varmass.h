@@ -440,9 +440,9 @@ enum {
     VM_TURNING_POINTS = 0, /* x' = 0 */
     VM_ZERO_CROSSINGS = 1  /* x = 0 */
 };
-/* The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period) and
-   located to an eps of t; the first room of them are written. A negative status for a step that is not positive, or a
-   trajectory that is not finite. */
+/* The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period,
+   negative where t1 < t0) and located to an eps of t; the first room of them are written. A negative status for a
+   step of the wrong sign, or a trajectory that is not finite. */
 VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
                            vm_point *points);
 /* The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step.
@@ -1011,9 +1011,11 @@ VM_API vm_real vmi_slow_elastic(vm_real x, vm_real k, vm_real alpha)
     return VM_COPYSIGN(k * vmi_raised(VM_FABS(x), alpha), x);
 }
 
-/* Om = sqrt((alpha+1)/2) sqrt(k/m) A^((alpha-1)/2), the rate of the Ateb phase */
+/* Om = sqrt((alpha+1)/2) sqrt(k/m) A^((alpha-1)/2), the rate of the Ateb phase; 0 at rest, where it may be infinite
+   */
 VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
 {
+    if (A == 0 && alpha < 1) return 0;
     return VM_SQRT((alpha + 1) / 2 * (k / mass)) * vmi_raised(VM_FABS(A), (alpha - 1) / 2);
 }
 
@@ -1067,13 +1069,14 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
    */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m)
 {
-    vm_real ln_ratio, integral, F, damping, e, s, denominator;
+    vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
     if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
     damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_slow_phi(-VM_FABS(F));
-    s = VM_FABS(A0) * VM_SQRT(VM_FABS(damping)); /* squared, and with damping's sign, beside 1/e^-|F| */
-    if (s > 1) denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping), A0 /= s;
+    root = VM_SQRT(VM_FABS(damping));
+    s = VM_FABS(A0) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
+    if (s > 1) denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping), A0 = VM_COPYSIGN(1 / root, A0);
     else denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
     return denominator < 0 ? VM_NAN : A0 * VM_SQRT((F > 0 ? 1 : e) / denominator);
 }
@@ -1496,7 +1499,7 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
     if (status) return status;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
-    rate0 = modes[0] > 0 ? vmi_slow_rate(modes[0], 2 * p->k, m.mass, p->alpha) : 0;
+    rate0 = vmi_slow_rate(modes[0], 2 * p->k, m.mass, p->alpha);
     exponent = VM_C(0.5) - (p->alpha - 1) / 2 * drift;
     modes[1] += rate0 * m.mass * integral * vmi_slow_phi(exponent * ln_ratio);
     modes[0] *= vmi_exp(-drift * ln_ratio, 0);
@@ -1842,7 +1845,7 @@ VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm
     if (!motion || (room > 0 && !points) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
         return VM_BAD_ARGUMENT;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
-    if (!(step > 0) || !(intervals < VM_C(2e9))) return VM_NOT_FINITE;
+    if (!(intervals >= 0) || !(intervals < VM_C(2e9))) return VM_NOT_FINITE;
     last = (long)intervals;
     s.motion = motion, s.ctx = ctx, s.kind = kind;
     for (here = vmi_point_function(t0, &s); i < last; here = there) {

@@ -1477,6 +1477,10 @@ static void test_points(void)
     CHECK(vm_find_points(cosine_motion, NULL, 2, 0, 1, 1, 0, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, 1, 1, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, 0, 0, NULL) == VM_NOT_FINITE);
+    CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, -1, 0, NULL) == VM_NOT_FINITE);
+    n = vm_find_points(cosine_motion, NULL, VM_TURNING_POINTS, R(31.5), 1, R(-0.5), 40, few);
+    CHECK(n == 10);
+    for (i = 0; i < n; i++) near_eps("turning points", "backward", (double)few[i].t, (double)(10 - i) * pi, 4);
     CHECK(vm_find_points(cosine_motion, NULL, 0, 0, VM_INFINITY, 1, 0, NULL) == VM_NOT_FINITE);
     CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, VM_NAN, 0, NULL) == VM_NOT_FINITE);
     free.mass_ctx = &m;
@@ -1531,6 +1535,10 @@ static void test_hard(void)
     /* any amplitude falls on the same decay; the least is fed exponentially; mass 1e6-fold, down to 1e-3 */
     near("(437)", "huge amplitude", (double)vm_vdp_amplitude(&v, 1000, R(large), linear(1, 0)),
          (double)vm_vdp_amplitude(&v, 1000, R(large / 1e10), linear(1, 0)), 1e-15, 1e-6);
+    near("(437)", "the largest amplitude", (double)vm_vdp_amplitude(&v, R(1e9), VM_MAX, linear(1, 0)),
+         (double)vm_vdp_steady(&v, 0, NULL), 1e-15, 1e-6);
+    near("(437)", "its sign", (double)vm_vdp_amplitude(&v, R(1e9), -1, linear(1, 0)),
+         -(double)vm_vdp_steady(&v, 0, NULL), 1e-15, 1e-6);
     near("(437)", "small amplitude", (double)vm_vdp_amplitude(&v, 100, R(1 / large), linear(1, 0)) * large,
          exp(1. / 3), 1e-14, 3e-6);
     near("(437)", "long after", (double)vm_vdp_amplitude(&v, R(1e9), R(0.001), linear(1, 0)),
@@ -1547,6 +1555,17 @@ static void test_hard(void)
     CHECK(vm_vdp_steady(&v, R(0.05), &stable) == 0 && stable);
     CHECK(vm_vdp_steady(&v, 0, &stable) > 0 && stable);
     CHECK(vm_vdp_amplitude(&v, 100, 0, linear(1, 0)) == 0);
+    {
+        vm_linear_mass m = linear(1, 0.1); /* at rest, where the rate of the phase would be infinite */
+        vm_pair still = make_pair(0.5, 1, 1, &m);
+        const vm_real y0[4] = {2, 2, 1, 1};
+        vm_real modes[4] = {1, 1, 1, 1}, dmodes[4] = {1, 1, 1, 1}, y[4] = {0};
+        CHECK(vm_pair_split(&still, 0, y0, modes) == VM_OK && modes[0] == 0);
+        CHECK(vm_pair_averaged_rhs(0, modes, dmodes, &still) == VM_OK && dmodes[0] == 0 && dmodes[1] == 0);
+        CHECK(vm_pair_at(&still, 10, y0, m, y) == VM_OK && y[0] == y[1] && y[2] == y[3]);
+        near("(525)", "drift", (double)y[0], 2 + log(2.) / (double)m.rate, 1e-14, 1e-5); /* q' = q'(0) m0/m */
+        near("(525)", "drift's rate", (double)y[2], 0.5, 1e-14, 1e-5);
+    }
     memset(&r, 0, sizeof r);
     r.stiffness = vm_rotor_power, r.stiffness_ctx = &p, r.reactive = 1;
     for (p.alpha = 0; p.alpha < 10000; p.alpha = p.alpha * 3 + VM_C(0.1)) { /* the mass 1e6-fold and to 1e-3 */
