@@ -27,7 +27,8 @@ static void near_eps(const char *equation, const char *what, double got, double 
 /* The form as printed is off by what it is stated to be off by, to a tenth of that */
 static void printed_fails(const char *equation, double printed, double truth, double stated)
 {
-    check_error(equation, "as printed", "share", fabs(fabs(printed / truth - 1) / stated - 1), 0.1, printed, truth);
+    check_error(equation, "as printed", "share", fabs(fabs(printed / truth - 1) / stated - 1),
+                is_float ? 0.1 : 0.02, printed, truth);
 }
 
 static int rough; /* f is not smooth, so that rk45 integrates it, as it does in float */
@@ -108,9 +109,9 @@ static void test_vdp_coefficients(void)
         const vm_vdp trig = vdp(alpha, 1, 1, 1, VM_VDP_TRIGONOMETRIC);
         near_eps("a3 (410)", "Ateb", (double)ateb.a3, table[i][1], 6);
         near_eps("a2/a1", "Ateb", (double)(ateb.a2 / ateb.a1), 2 / (alpha + 3), 1);
-        near_eps("a1 (411)", "Jacobi", (double)jacobi.a1, table[i][2], 40);
-        near_eps("a2 (412)", "Jacobi", (double)jacobi.a2, table[i][3], 40);
-        near_eps("a3 (413)", "Jacobi", (double)jacobi.a3, table[i][4], 60);
+        near_eps("a1 (411)", "Jacobi", (double)jacobi.a1, table[i][2], 12);
+        near_eps("a2 (412)", "Jacobi", (double)jacobi.a2, table[i][3], 12);
+        near_eps("a3 (413)", "Jacobi", (double)jacobi.a3, table[i][4], 20);
         near_eps("a3/a1", "trigonometric", (double)(trig.a3 / trig.a1), 1 / (2 * (alpha + 3)), 2);
     }
 }
@@ -162,10 +163,10 @@ static void test_vdp_equations(void)
         /* A' bracket = -c A^3 fourths/m - A (m'/m - m'/(2m) + (alpha-1)/2 A'/A - b/m) squares */
         want = (-c * A * A * A * fourths / m - A * (rate / (2 * m) - b / m) * squares) /
                (bracket + (alpha - 1) / 2 * squares);
-        check_error("(406), (409)", "(410)", "eps", fabs((double)d[0] - want) / eps, 200, alpha, A);
+        check_error("(406), (409)", "(410)", "eps", fabs((double)d[0] - want) / eps, 60, alpha, A);
         p = 1 / (A * A), dp = -2 * (double)d[0] / (A * A * A); /* (414) */
         want = (rate - 2 * b) / m * (double)(v.a2 / v.a1) * p + 2 * (double)v.a3 * c / ((double)v.a1 * m);
-        check_error("(415)", "of (410)", "eps", fabs(dp - want) / eps / (1 + p), 200, alpha, A);
+        check_error("(415)", "of (410)", "eps", fabs(dp - want) / eps / (1 + p), 8, alpha, A);
         CHECK(fabs(one / fourths - 1) > 0.5);
     }
 }
@@ -197,18 +198,18 @@ static void test_vdp_reference(void)
     size_t i;
     for (i = 0; i < sizeof rows / sizeof *rows; i++) {
         ateb = vdp(rows[i][0], 0.01, 0.01, 1, VM_VDP_ATEB), jacobi = vdp(rows[i][0], 0.01, 0.01, 1, VM_VDP_JACOBI);
-        near("a1 (411)", "R6", (double)jacobi.a1, rows[i][1], 1e-14, 3e-6);
-        near("a2 (412)", "R6", (double)jacobi.a2, rows[i][2], 1e-14, 3e-6);
-        near("a3 (413)", "R6", (double)jacobi.a3, rows[i][3], 1e-14, 6e-6);
-        near("a3", "R6", (double)ateb.a3, rows[i][5], 4e-15, 1e-6);
-        near("A_S (438)", "R6, Jacobi", (double)vm_vdp_steady(&jacobi, 0, NULL), rows[i][4], 1e-14, 3e-6);
-        near("A_S (438)", "R6, Ateb", (double)vm_vdp_steady(&ateb, 0, NULL), rows[i][6], 4e-15, 1e-6);
+        near("a1 (411)", "R6", (double)jacobi.a1, rows[i][1], 3e-15, 3e-6);
+        near("a2 (412)", "R6", (double)jacobi.a2, rows[i][2], 3e-15, 3e-6);
+        near("a3 (413)", "R6", (double)jacobi.a3, rows[i][3], 3e-15, 6e-6);
+        near("a3", "R6", (double)ateb.a3, rows[i][5], 2e-15, 1e-6);
+        near("A_S (438)", "R6, Jacobi", (double)vm_vdp_steady(&jacobi, 0, NULL), rows[i][4], 3e-15, 3e-6);
+        near("A_S (438)", "R6, Ateb", (double)vm_vdp_steady(&ateb, 0, NULL), rows[i][6], 2e-15, 1e-6);
     }
     for (i = 0; i < 3; i++) {
         const double m0 = growing[i][0];
         ateb = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_ATEB), jacobi = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_JACOBI);
-        near("A_S (425)", "Jacobi", (double)vm_vdp_steady(&jacobi, R(0.01 * m0), NULL), growing[i][1], 1e-14, 6e-6);
-        near("A_S (425)", "Ateb", (double)vm_vdp_steady(&ateb, R(0.01 * m0), NULL), growing[i][2], 1e-14, 6e-6);
+        near("A_S (425)", "Jacobi", (double)vm_vdp_steady(&jacobi, R(0.01 * m0), NULL), growing[i][1], 3e-15, 6e-6);
+        near("A_S (425)", "Ateb", (double)vm_vdp_steady(&ateb, R(0.01 * m0), NULL), growing[i][2], 3e-15, 6e-6);
         CHECK(growing[i][3] < 0.9975 * growing[i][1] && growing[i][3] > 0.996 * growing[i][1] - 1e-3);
     }
     ateb = vdp(1, 1, 1, 0, VM_VDP_ATEB); /* 2 sqrt 3 after (438) */
@@ -238,8 +239,8 @@ static void test_vdp_amplitude(void)
         const vm_linear_mass m = linear(rows[i][1], 0.01 * rows[i][1]);
         const char *equation = rows[i][0] > 0 ? "(423)" : "(427)";
         near(equation, "Jacobi", (double)vm_vdp_amplitude(&jacobi, R(rows[i][3]), R(rows[i][2]), m), rows[i][4],
-             1e-14, 3e-6);
-        near(equation, "Ateb", (double)vm_vdp_amplitude(&ateb, R(rows[i][3]), R(rows[i][2]), m), rows[i][5], 1e-14,
+             3e-15, 3e-6);
+        near(equation, "Ateb", (double)vm_vdp_amplitude(&ateb, R(rows[i][3]), R(rows[i][2]), m), rows[i][5], 3e-15,
              3e-6);
     }
 }
@@ -308,7 +309,7 @@ static void test_vdp_direct(void)
     p = vdp_direct(v, 2, 1.5, 395); /* case a), 2b = m0: the amplitude would stay */
     A = (double)vm_vdp_amplitude(&v, p.t, R(1.5), linear(2, 0.02));
     near("(421), q = 0", "direct", A, (double)p.x, 1e-5, steep);
-    near("(421), q = 0", "stated", (double)p.x, 1.26827, 1e-3, 3e-3);
+    near("(421), q = 0", "stated", (double)p.x, 1.26827, 1e-5, 3e-3);
     CHECK(fabs(1.5 / (double)p.x - 1) > 0.18);
     CHECK(vm_vdp_steady(&v, R(0.02), NULL) == 0);
 
@@ -316,7 +317,7 @@ static void test_vdp_direct(void)
     q = -1 * a2 / 3; /* case c): the exponent in the bracket */
     A = (double)vm_vdp_amplitude(&v, p.t, 1, linear(3, 0.03));
     near("case c)", "direct", A, (double)p.x, 1e-5, steep);
-    near("case c)", "stated", (double)p.x, 0.84824, 1e-3, 3e-3);
+    near("case c)", "stated", (double)p.x, 0.84824, 2e-5, 3e-3);
     printed_fails("case c)", sqrt(pow(M, q) * a2 / (a2 + 2 * a3 * (1 - pow(M, -q)))), (double)p.x,
                   0.9583 / 0.84824 - 1);
     CHECK(vm_vdp_steady(&v, R(0.03), NULL) == 0); /* (426) */
@@ -326,8 +327,8 @@ static void test_vdp_direct(void)
 
     v = vdp(5. / 3, 0.01, 0, 1, VM_VDP_ATEB); /* (431): negative damping alone */
     p = vdp_direct(v, 1, 0.3, T400);
-    near("(431)", "direct", (double)vm_vdp_amplitude(&v, p.t, R(0.3), linear(1, 0.01)), (double)p.x, 1e-4, steep);
-    near("(431)", "stated", (double)p.x, 0.42187, 1e-3, 5e-3);
+    near("(431)", "direct", (double)vm_vdp_amplitude(&v, p.t, R(0.3), linear(1, 0.01)), (double)p.x, 2e-5, steep);
+    near("(431)", "stated", (double)p.x, 0.42187, 5e-5, 5e-3);
 
     v = vdp(5. / 3, 0, 0.01, 1, VM_VDP_ATEB); /* (433), (434): b = 0; in (433) m' has the wrong sign */
     p = vdp_direct(v, 1, 1, T400), M = 1 + 0.01 * (double)p.t;
@@ -389,7 +390,7 @@ static void test_vdp_cycle(void)
         rough = alphas[i] < 3;
         y[0] = vm_vdp_steady(&v, 0, NULL), y[1] = 0, v.mass_ctx = &m;
         n = track(vm_vdp_rhs, &v, 2, 300, alphas[i] < 1 ? 1e-12 : 1e-10, y, 0, 1, VM_TURNING_POINTS);
-        near("(438)", "stays", fabs((double)points[n - 1].x), (double)vm_vdp_steady(&v, 0, NULL), 3e-5, 4e-3);
+        near("(438)", "stays", fabs((double)points[n - 1].x), (double)vm_vdp_steady(&v, 0, NULL), 2e-6, 4e-3);
     }
     rough = 0;
 }
@@ -421,14 +422,14 @@ static void test_vdp_no_reactive(void)
     v = vdp(5. / 3, 0.01, 0, 0, VM_VDP_ATEB);
     p = vdp_direct(v, 1, 0.3, T400), M = 1 + 0.01 * (double)p.t;
     A = (double)vm_vdp_amplitude(&v, p.t, R(0.3), linear(1, 0.01));
-    near("(432)", "direct", A, (double)p.x, 1e-4, steep);
-    near("(432)", "stated", (double)p.x, 0.83961, 5e-3, 5e-3);
+    near("(432)", "direct", A, (double)p.x, 2e-5, steep);
+    near("(432)", "stated", (double)p.x, 0.83961, 3e-5, 5e-3);
     printed_fails("(432)", 0.3 * pow(M, 2 * a2), (double)p.x, 1.18322 / 0.83961 - 1);
 
     v = vdp(5. / 3, 0, 0.01, 0, VM_VDP_ATEB);
     p = vdp_direct(v, 1, 1, 2000), M = 1 + 0.01 * (double)p.t;
     near("(435)", "direct", (double)vm_vdp_amplitude(&v, p.t, 1, linear(1, 0.01)), (double)p.x, 2e-5, steep);
-    near("(435)", "stated", (double)p.x, 1.23999, 3e-4, 5e-3);
+    near("(435)", "stated", (double)p.x, 1.23999, 3e-5, 5e-3);
     printed_fails("(435)", sqrt(1 / (1 + 2 * a3 * log(M))), (double)p.x, 1 - 0.77204 / 1.23999);
     near("(435)", "limit", (double)vm_vdp_steady(&v, R(0.01), NULL), sqrt(a2 / (2 * a3)), 1e-14, 3e-6);
 }
@@ -469,8 +470,8 @@ static void test_vdp_any_mass(void)
         double coarse[2], fine[2];
         rough = alphas[i] != 1 && alphas[i] != 3 && alphas[i] != 5;
         vdp_errors(alphas[i], 0.02, coarse);
-        check_error("(410), (416)", "m quadratic", "eps^2", coarse[0] / 4e-4, is_float ? 40 : 6, alphas[i], 0.02);
-        check_error("(407)", "m quadratic", "eps", coarse[1] / 0.02, is_float ? 3 : 2, alphas[i], 0.02);
+        check_error("(410), (416)", "m quadratic", "eps^2", coarse[0] / 4e-4, is_float ? 40 : 0.5, alphas[i], 0.02);
+        check_error("(407)", "m quadratic", "eps", coarse[1] / 0.02, is_float ? 3 : 0.4, alphas[i], 0.02);
         if (is_float) continue;
         vdp_errors(alphas[i], 0.005, fine);
         check_error("(410), (416)", "order", "", 2 - log(coarse[0] / fine[0]) / log(4), 0.1, alphas[i], 0);
@@ -592,12 +593,12 @@ static void test_rotor_exchange(void)
     near_eps("(485)", "A1", hypot((double)y[0], (double)y[1]), 1, 2);
     CHECK(hypot((double)y[2], (double)y[3]) < 4 * eps);
     solve(vm_rotor_averaged_rhs, &r, 5, 0, t1, 1e-10, y);
-    check_error("(474)-(477)", "A1 at half a beat", "", hypot((double)y[0], (double)y[1]), is_float ? 1e-3 : 1e-8,
+    check_error("(474)-(477)", "A1 at half a beat", "", hypot((double)y[0], (double)y[1]), is_float ? 1e-3 : 1e-11,
                 0, 0);
-    near("(474)-(477)", "A2 at half a beat", hypot((double)y[2], (double)y[3]), 1, 1e-8, 3e-3);
+    near("(474)-(477)", "A2 at half a beat", hypot((double)y[2], (double)y[3]), 1, 1e-11, 3e-3);
     solve(vm_rotor_rhs, &r, 4, 0, t1, 1e-10, motion);
     CHECK(vm_rotor_split(&r, R(t1), motion, y[4], direct) == VM_OK);
-    check_error("(474)-(477)", "direct: A1", "", hypot((double)direct[0], (double)direct[1]), 0.02, 0, 0);
+    check_error("(474)-(477)", "direct: A1", "", hypot((double)direct[0], (double)direct[1]), 1e-3, 0, 0);
     near("(474)-(477)", "direct: A2", hypot((double)direct[2], (double)direct[3]), 1, 0.01, 0.02);
 }
 
@@ -653,8 +654,8 @@ static void test_rotor_linear(void)
     n = track(vm_rotor_rhs, &r, 4, 203, 1e-9, y, 0, 2, VM_ZERO_CROSSINGS);
     for (i = 1; i + 1 < n; i++) /* after (482): the period grows with the mass, printed: it falls */
         CHECK(points[i + 1].t - points[i].t > points[i].t - points[i - 1].t);
-    near("text of (482)", "first half period", (double)(points[1].t - points[0].t), 3.25, 0.02, 0.02);
-    near("text of (482)", "last half period", (double)(points[n - 1].t - points[n - 2].t), 9.15, 0.05, 0.05);
+    near("text of (482)", "first half period", (double)(points[1].t - points[0].t), 3.25, 5e-3, 5e-3);
+    near("text of (482)", "last half period", (double)(points[n - 1].t - points[n - 2].t), 9.15, 2e-3, 5e-3);
 }
 
 /* (483)-(490), f = -2 delta z': the printed averages lack 1/(2 pi) */
@@ -783,14 +784,14 @@ static void test_rotor_law(void)
         double rho, mass = 1 + 0.01 * i;
         solve(vm_rotor_rhs, &r, 4, i - 1, i, 1e-11, y);
         rho = hypot((double)y[0], (double)y[1]), A = (double)vm_rotor_amplitude(&r, 1, 1, R(mass));
-        near("(509)", "power", A, pow(mass, -1. / 6), 1e-14, 3e-6);
+        near("(509)", "power", A, pow(mass, -1. / 6), 3e-15, 3e-6);
         worst = fmax(worst, fabs(A / rho - 1)), printed = fmax(printed, fabs(pow(mass, -0.2) / rho - 1));
         h = (double)vm_rotor_momentum(&r, R(mass), vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]));
-        check_error("(514), (515)", "momentum", "", fabs(h / moment - 1), is_float ? 5e-3 : 5e-10, i, 0);
+        check_error("(514), (515)", "momentum", "", fabs(h / moment - 1), is_float ? 5e-3 : 2e-11, i, 0);
         if (i == 10) {
-            near("(514), (515)", "E3, x", (double)y[0], -0.494339964193726892, 1e-8, 2e-4);
-            near("(514), (515)", "E3, y", (double)y[1], -0.8503267084380806242, 1e-8, 2e-4);
-            near("(514), (515)", "E3, rho", rho, 0.9835789298689738402, 1e-9, 1e-4);
+            near("(514), (515)", "E3, x", (double)y[0], -0.494339964193726892, 1e-11, 2e-4);
+            near("(514), (515)", "E3, y", (double)y[1], -0.8503267084380806242, 1e-11, 2e-4);
+            near("(514), (515)", "E3, rho", rho, 0.9835789298689738402, 1e-11, 1e-4);
             near("(513)", "E3", A, 0.9842404717097668119, 1e-14, 3e-6);
         }
         if (i == 100)
@@ -807,18 +808,18 @@ static void test_rotor_law(void)
         const double law = pow(5, -1 / (alphas[i] + 3));
         p.alpha = R(alphas[i]);
         near("(509)", "powers, direct", orbit(&r, 0.01, 400, 1, 1e-9), law, 1.6e-3, 6e-3);
-        near("(509)", "powers, closed", (double)vm_rotor_amplitude(&r, 1, 1, 5), law, 1e-14, 3e-6);
-        near("(509)", "powers, vm_osc", (double)vm_osc_amplitude_law(5, 0, 1, p.alpha), law, 1e-14, 3e-6);
+        near("(509)", "powers, closed", (double)vm_rotor_amplitude(&r, 1, 1, 5), law, 3e-15, 3e-6);
+        near("(509)", "powers, vm_osc", (double)vm_osc_amplitude_law(5, 0, 1, p.alpha), law, 3e-15, 3e-6);
         r.reactive = 0;
         near("(509)", "r = 0, direct", orbit(&r, 0.01, 400, 1, 1e-9), 1 / law, 2e-3, 6e-3);
-        near("(509)", "r = 0, closed", (double)vm_rotor_amplitude(&r, 1, 1, 5), 1 / law, 1e-14, 3e-6);
+        near("(509)", "r = 0, closed", (double)vm_rotor_amplitude(&r, 1, 1, 5), 1 / law, 3e-15, 3e-6);
         r.reactive = 1;
     }
     r.stiffness = duffing;
     A = (double)vm_rotor_amplitude(&r, 1, 1, 4);
-    near("(509)", "F_e = rho + rho^3/2", pow(A, 4) * (1 + A * A / 2) * 4, 1.5, 1e-14, 3e-6);
+    near("(509)", "F_e = rho + rho^3/2", pow(A, 4) * (1 + A * A / 2) * 4, 1.5, 3e-15, 3e-6);
     near("(509)", "the same, direct", orbit(&r, 0.01, 300, 1, 1e-9), A, 1e-3, 5e-3);
-    near("(509)", "back", (double)vm_rotor_amplitude(&r, R(A), 4, 1), 1, 1e-14, 1e-6);
+    near("(509)", "back", (double)vm_rotor_amplitude(&r, R(A), 4, 1), 1, 3e-15, 1e-6);
 }
 
 /* The gyroscopic remark: A^2 (m W - g) stays, not A^2 m W, and the frequency equation without k1 */
@@ -882,13 +883,13 @@ static void test_pair_modes(void)
         CHECK(vm_pair_rhs(R(t), y, d, &p) == VM_OK);
         force = 2 * (double)p.k / mass * pow(fabs((double)(y[1] - y[0])), (double)p.alpha) * (y[1] > y[0] ? 1 : -1);
         check_error("(521)", "pointwise", "eps",
-                    fabs((double)(d[2] + d[3]) + drag * (double)(y[2] + y[3])) / (1 + fabs(force)) / eps, 20, t, 0);
+                    fabs((double)(d[2] + d[3]) + drag * (double)(y[2] + y[3])) / (1 + fabs(force)) / eps, 4, t, 0);
         check_error("(522)", "pointwise", "eps",
-                    fabs((double)(d[3] - d[2]) + force + drag * (double)(y[3] - y[2])) / (1 + fabs(force)) / eps,
-                    100, t, 0);
+                    fabs((double)(d[3] - d[2]) + force + drag * (double)(y[3] - y[2])) / (1 + fabs(force)) / eps, 6,
+                    t, 0);
         CHECK(vm_pair_split(&p, R(t), y, modes) == VM_OK && vm_pair_join(&p, R(t), modes, back) == VM_OK);
         for (k = 0; k < 4; k++) worst = fmax(worst, fabs((double)(back[k] - y[k])));
-        check_error("(520), (524)", "back", "", worst, is_float ? 1e-4 : 2e-5, t,
+        check_error("(520), (524)", "back", "", worst, is_float ? 1e-4 : 1e-9, t,
                     (double)p.alpha); /* three rounds */
     }
 }
@@ -909,11 +910,11 @@ static void test_pair_example(void)
     check_error("(523)", "phase of p0 > 0", "", fabs((double)modes[1]), 0, 0,
                 0); /* printed: p0 = -2, half a period off */
     solve(vm_pair_rhs, &p, 4, 0, 5, 1e-12, y);
-    near("(530), (531)", "E2, x", (double)y[0], 1.357393389013328054, 1e-11, 1e-4);
-    near("(530), (531)", "E2, y", (double)y[1], 2.642606610986671946, 1e-11, 1e-4);
+    near("(530), (531)", "E2, x", (double)y[0], 1.357393389013328054, 2e-12, 1e-4);
+    near("(530), (531)", "E2, y", (double)y[1], 2.642606610986671946, 2e-12, 1e-4);
     memcpy(y, start, sizeof y);
     n = track(vm_pair_rhs, &p, 4, 500, 1e-11, y, 1, 3, VM_TURNING_POINTS);
-    near("(533)", "first period", (double)points[1].t, 2.645, 1e-3, 3e-3);
+    near("(533)", "first period", (double)points[1].t, 2.645, 1e-4, 3e-3);
     near("(533)", "at t = 0", (double)vm_osc_period(2, VM_SQRT(VM_C(2.0)), 3), 2.622, 1e-4, 1e-4);
     printed_fails("(533)", (double)vm_osc_period(2, 1, 3), (double)points[1].t, 3.708 / 2.645 - 1);
     for (i = 0; i < n; i++) {
@@ -922,9 +923,9 @@ static void test_pair_example(void)
         printed = fmax(printed, fabs(-law / amplitude - 1));
         CHECK((i % 2 == 0) == (points[i].x < 2)); /* y starts at its largest, 3: (535) as printed at its smallest */
     }
-    check_error("(534)-(536)", "direct", "", worst, is_float ? 6e-3 : 1.1e-4, (double)n, 0);
+    check_error("(534)-(536)", "direct", "", worst, is_float ? 6e-3 : 1e-6, (double)n, 0);
     CHECK(printed > 1.9);
-    near("(525)-(527)", "q stays", (double)(y[0] + y[1]), 4, 1e-12, 1e-5);
+    near("(525)-(527)", "q stays", (double)(y[0] + y[1]), 4, 1e-14, 1e-5);
 }
 
 /* Largest error of the closed form, and of the averaged equations, over 2/e, from any start */
@@ -964,7 +965,7 @@ static void test_pair_waveform(void)
                 rough = alphas[i] < 1.4 && alphas[i] != 1;
                 coarse = pair_error(alphas[i], r, 0.02, closed);
                 check_error("(528), (529)", closed ? "closed" : "averaged", "eps", coarse / 0.02,
-                            is_float ? 3 : 1.5, alphas[i], r);
+                            is_float ? 5 : 0.2, alphas[i], r);
                 if (is_float) continue;
                 fine = pair_error(alphas[i], r, 0.005, closed);
                 check_error("(528), (529)", "order", "", 1 - log(coarse / fine) / log(4), 0.25, alphas[i], r);
@@ -1065,8 +1066,8 @@ static void test_forced_exact(void)
              ((double)f.now.k_rate / (2 * (double)f.now.k) - (double)f.now.mass_rate / (2 * (double)f.now.mass) +
               (a + 1) / 2 * (double)d[0] / A + copysign(pow(fabs(ca), a), ca) * psi / sa);
         scale = 1 + fabs((double)dm[1]) + fabs(v);
-        check_error("exact A, psi", "x'", "eps", fabs(dx - (double)dm[0]) / scale / eps, 40, a, A);
-        check_error("exact A, psi", "x''", "eps", fabs(dv - (double)dm[1]) / scale / eps, 400, a, A);
+        check_error("exact A, psi", "x'", "eps", fabs(dx - (double)dm[0]) / scale / eps, 8, a, A);
+        check_error("exact A, psi", "x''", "eps", fabs(dv - (double)dm[1]) / scale / eps, 20, a, A);
         CHECK(d[2] == dm[2]);
     }
 }
@@ -1104,13 +1105,13 @@ static void test_forced_reference(void)
         rough = rows[i].alpha < 3 && rows[i].alpha != 1;
         solve(vm_forced_rhs, &f, 3, 0, rows[i].T, 1e-13, y);
         check_error("x(T), x'(T)", "direct", "",
-                    fmax(fabs((double)y[0] - rows[i].x), fabs((double)y[1] - rows[i].v)), is_float ? 1e-2 : 4e-9,
+                    fmax(fabs((double)y[0] - rows[i].x), fabs((double)y[1] - rows[i].v)), is_float ? 1e-2 : 1e-9,
                     rows[i].alpha, rows[i].T);
         rough = 0;
         if (rows[i].A == 0) continue;
         solve(vm_forced_averaged_rhs, &f, 3, 0, rows[i].T, 1e-13, slow);
-        near("averaged", "A(T)", (double)slow[0], rows[i].A, 5e-12, 1e-3);
-        check_error("averaged", "delta(T)", "", fabs((double)slow[1] - rows[i].delta), is_float ? 1e-2 : 2e-10,
+        near("averaged", "A(T)", (double)slow[0], rows[i].A, 2e-12, 1e-3);
+        check_error("averaged", "delta(T)", "", fabs((double)slow[1] - rows[i].delta), is_float ? 1e-2 : 1e-11,
                     rows[i].alpha, 0);
     }
 }
@@ -1194,26 +1195,26 @@ static void test_forced_steady(void)
         int k, j, found;
         CHECK(vm_forced_steady(&f, 0, s) == 3);
         near("steady", "A_peak", (double)vm_forced_peak(&f, 0), rows[i][5], 1e-14, 2e-5);
-        check_error("steady", "delta", "", fabs((double)s[2].delta - rows[i][4]), is_float ? 3e-3 : 2e-12, alpha,
+        check_error("steady", "delta", "", fabs((double)s[2].delta - rows[i][4]), is_float ? 3e-3 : 1e-13, alpha,
                     0);
         for (k = 0; k < 3; k++) {
-            if (rows[i][k + 1] != 0) near("steady", "A", (double)s[k].A, rows[i][k + 1], 3e-13, 3e-5);
+            if (rows[i][k + 1] != 0) near("steady", "A", (double)s[k].A, rows[i][k + 1], 3e-14, 3e-5);
             CHECK(s[k].stable == (k != 1) && (s[k].det < 0) == (k == 1) && s[k].trace < 0);
             y[0] = s[k].A, y[1] = s[k].delta, y[2] = 0; /* it stays */
             CHECK(vm_forced_averaged_rhs(0, y, d, (void *)&f) == VM_OK);
             check_error("steady", "A' = delta' = 0", "eps",
-                        fmax(fabs((double)d[0]), fabs((double)(d[1] * s[k].A))) / eps, 400, alpha, (double)s[k].A);
+                        fmax(fabs((double)d[0]), fabs((double)(d[1] * s[k].A))) / eps, 8, alpha, (double)s[k].A);
             found = vm_forced_curve(&f, 0, s[k].A, c); /* one at the lowest amplitude: the other nu would be < 0 */
             CHECK(found == 2 || (k == 0 && found == 1)), CHECK(found < 2 || c[0].nu < c[1].nu);
             if (found == 1) c[1] = c[0];
             j = fabs((double)(c[0].nu - f.now.nu)) < fabs((double)(c[1].nu - f.now.nu)) ? 0 : 1;
             near("curve", "nu(A)", (double)c[j].nu, (double)f.now.nu, 1e-14, 1e-5);
-            check_error("curve", "delta", "", fabs((double)(c[j].delta - s[k].delta)), is_float ? 3e-3 : 1e-11,
+            check_error("curve", "delta", "", fabs((double)(c[j].delta - s[k].delta)), is_float ? 3e-3 : 1e-13,
                         alpha, (double)s[k].A);
             CHECK(c[j].stable == s[k].stable);
             if (found == 2)
                 near("backbone", "w(A)", (double)(c[0].nu + c[1].nu) / 2,
-                     Om1 * pow((double)s[k].A, (alpha - 1) / 2), 1e-14, 1e-5);
+                     Om1 * pow((double)s[k].A, (alpha - 1) / 2), 2e-15, 1e-5);
         }
         CHECK(vm_forced_curve(&f, 0, R(1.001 * rows[i][5]), c) == 0 &&
               vm_forced_curve(&f, 0, R(0.999 * rows[i][5]), c) == 2);
@@ -1257,8 +1258,8 @@ static void test_forced_steady_random(void)
             y[1] = R((double)s[k].delta - h), vm_forced_averaged_rhs(0, y, down, &f);
             b = (double)(up[0] - down[0]) / (2 * h), d = (double)(up[1] - down[1]) / (2 * h);
             x = a * a + d * d + fabs(b * c) + 1e-4;
-            check_error("stability", "trace", "rel", fabs(a + d - (double)s[k].trace) / sqrt(x), 1e-6, alpha, A);
-            check_error("stability", "det", "rel", fabs(a * d - b * c - (double)s[k].det) / x, 1e-6, alpha, A);
+            check_error("stability", "trace", "rel", fabs(a + d - (double)s[k].trace) / sqrt(x), 1e-7, alpha, A);
+            check_error("stability", "det", "rel", fabs(a * d - b * c - (double)s[k].det) / x, 3e-7, alpha, A);
         }
     }
     CHECK(threes > 10);
@@ -1350,7 +1351,7 @@ static void test_forced_periodic(void)
              multipliers[0] / 2 + sqrt(multipliers[0] * multipliers[0] / 4 - multipliers[1]), saddle[i][2], 5e-5,
              1);
         near("section 4", "the same, averaged", predicted, saddle[i][2], 5e-4, 1);
-        near("section 4", "product", multipliers[1], saddle[i][2] * saddle[i][3], 1e-4, 1);
+        near("section 4", "product", multipliers[1], saddle[i][2] * saddle[i][3], 3e-5, 1);
         CHECK(!s[1].stable);
     }
     rough = 0;
@@ -1487,7 +1488,7 @@ static void test_points(void)
     n = track(vm_vdp_rhs, &free, 2, 100, 1e-10, y, 0, 1, VM_TURNING_POINTS);
     CHECK(n == 31);
     for (i = 0; i < n; i++)
-        near("turning points", "of a run", (double)points[i].t, (double)(i + 1) * pi, 1e-7, 1e-3);
+        near("turning points", "of a run", (double)points[i].t, (double)(i + 1) * pi, 1e-10, 1e-3);
     CHECK(vm_find_points_of_step(NULL, 0, 1, 0, y, 0, NULL) == VM_BAD_ARGUMENT);
 }
 
@@ -1502,10 +1503,10 @@ static void test_envelopes(void)
     long n;
     v.mass_ctx = &m;
     solve(vm_vdp_rhs, &v, 2, 0, 10, 1e-12, y);
-    near("(398)", "E1, x(10)", (double)y[0], 0.8329476745754213932, 1e-11, 1e-4);
-    near("(398)", "E1, x'(10)", (double)y[1], -0.1999729378502724774, 1e-10, 1e-3);
+    near("(398)", "E1, x(10)", (double)y[0], 0.8329476745754213932, 1e-12, 1e-4);
+    near("(398)", "E1, x'(10)", (double)y[1], -0.1999729378502724774, 2e-12, 1e-3);
     solve(vm_vdp_rhs, &v, 2, 10, 20, 1e-12, y);
-    near("(398)", "E1, x(20)", (double)y[0], 0.1626996653923250896, 1e-10, 1e-3);
+    near("(398)", "E1, x(20)", (double)y[0], 0.1626996653923250896, 1e-11, 1e-3);
     y[0] = 1, y[1] = 0;
     n = track(vm_vdp_rhs, &v, 2, 50, 1e-10, y, 0, 1, VM_TURNING_POINTS);
     near("(399)", "envelope error", (double)vm_envelope_error(VM_TURNING_POINTS, n, points, power_law, &sixth),
@@ -1540,13 +1541,13 @@ static void test_hard(void)
     near("(437)", "its sign", (double)vm_vdp_amplitude(&v, R(1e9), -1, linear(1, 0)),
          -(double)vm_vdp_steady(&v, 0, NULL), 1e-15, 1e-6);
     near("(437)", "small amplitude", (double)vm_vdp_amplitude(&v, 100, R(1 / large), linear(1, 0)) * large,
-         exp(1. / 3), 1e-14, 3e-6);
+         exp(1. / 3), 1e-15, 3e-6);
     near("(437)", "long after", (double)vm_vdp_amplitude(&v, R(1e9), R(0.001), linear(1, 0)),
          (double)vm_vdp_steady(&v, 0, NULL), 1e-15, 1e-6);
     near("(423)", "mass to 1e6", (double)vm_vdp_amplitude(&v, R(1e8), 1, linear(1, 0.01)),
          (double)vm_vdp_steady(&v, R(0.01), NULL), 1e-2, 1e-2);
     near("(431)", "mass to 1e-3", (double)vm_vdp_amplitude(&bare, R(99.9), 1, linear(1, -0.01)),
-         pow(1 - (double)R(0.01) * (double)R(99.9), -1. / 6), 1e-12, 1e-2);
+         pow(1 - (double)R(0.01) * (double)R(99.9), -1. / 6), 1e-13, 1e-2);
     CHECK(vm_vdp_amplitude(&v, R(1e9), 1, linear(1, 1)) > 0);       /* the other end: dies, F to -infinity */
     CHECK(is_nan(vm_vdp_amplitude(&grows, 1000, 1, linear(1, 0)))); /* c < 0: infinite before that */
     CHECK(vm_vdp_amplitude(&grows, 10, 1, linear(1, 0)) > 1);
@@ -1570,9 +1571,9 @@ static void test_hard(void)
     r.stiffness = vm_rotor_power, r.stiffness_ctx = &p, r.reactive = 1;
     for (p.alpha = 0; p.alpha < 10000; p.alpha = p.alpha * 3 + VM_C(0.1)) { /* the mass 1e6-fold and to 1e-3 */
         near("(509)", "mass to 1e6", (double)vm_rotor_amplitude(&r, 1, 1, R(1e6)),
-             pow(1e6, -1 / ((double)p.alpha + 3)), 1e-14, 2e-6);
+             pow(1e6, -1 / ((double)p.alpha + 3)), 3e-15, 2e-6);
         near("(509)", "mass to 1e-3", (double)vm_rotor_amplitude(&r, 1, 1, R(0.001)),
-             pow((double)R(0.001), -1 / ((double)p.alpha + 3)), 1e-14, 2e-6);
+             pow((double)R(0.001), -1 / ((double)p.alpha + 3)), 3e-15, 2e-6);
     }
 }
 
