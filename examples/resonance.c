@@ -41,7 +41,7 @@ static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, do
     vm_point p;
     rk45_options options = {0};
     rk45 s;
-    double last = 0, passed = NAN, nu;
+    double last = 0, passed = VM_NAN, nu;
     int status;
     options.rtol = options.atol = 1e-8;
     status = rk45_init(&s, vm_forced_rhs, f, 3, 0, y, &options, work);
@@ -84,7 +84,7 @@ static void resonance(FILE *csv)
     drifts up = {0.5 * Om1, rate, 0}, down = {1.9 * Om1, -rate, 0};
     vm_forced f;
     vm_real y[3] = {0.3, 0, 0};
-    double fold[2] = {INFINITY, 0}, nu;
+    double fold[2] = {VM_INFINITY, 0}, nu;
     write_branch(&still, 0, fold, csv), write_branch(&still, 1, fold, csv);
     printf("Resonance curve of m x'' + x^3 = -%g x' + %g cos(nu t): A_peak = %.4f\n", b, force,
            (double)vm_forced_peak(&still, 0));
