@@ -844,6 +844,19 @@ static void test_rotor_gyro(void)
         near("A^2 (m W - g)", "stated, law", A, cases[i][4], 1e-5, 1e-5);
         near("A^2 (m W - g)", "law, direct", A, direct, 5e-4, 6e-3);
         near("A^2 (m W - g)", "closed", pow(A, 4) * (g * g + 4 * A * A), g * g + 1, 1e-14, 3e-6);
+        { /* the averaged equations, and the angular momentum of the exact ones */
+            vm_linear_mass m = linear(1, 0.01);
+            vm_real slow[2] = {1, 0}, y[4] = {1, 0, 0, 0};
+            r.mass = vm_slow_mass_linear, r.mass_ctx = &m;
+            solve(sense > 0 ? vm_rotor_forward_rhs : vm_rotor_backward_rhs, &r, 2, 0, 300, 1e-10, slow);
+            near("A^2 (m W - g)", "averaged", (double)slow[0], A, 1e-11, 1e-5);
+            CHECK((slow[1] > 0) == (sense > 0));
+            y[3] = vm_rotor_frequency(&r, 1, 1, sense);
+            solve(vm_rotor_rhs, &r, 4, 0, 300, 1e-11, y);
+            near("A^2 (m W - g)", "momentum",
+                 (double)vm_rotor_momentum(&r, 4, vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3])),
+                 cases[i][2] - g, 1e-9, 1e-2);
+        }
         while (high - low > 1e-9) { /* (506): A^2 m W */
             const double x = (low + high) / 2, W = (double)vm_rotor_frequency(&r, R(x), 4, sense);
             if (x * x * 4 * W / cases[i][2] > 1) high = x;
