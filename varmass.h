@@ -1739,7 +1739,7 @@ VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
     vm_real ends[5], turns[3], left, right;
     int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
     ends[0] = -far, ends[n + 1] = far;
-    for (i = 0; i < n; i++) ends[i + 1] = turns[i];
+    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -far ? -far : turns[i] > far ? far : turns[i];
     for (i = 0; i <= n; i++) {
         left = vmi_forced_excess(ends[i], z), right = vmi_forced_excess(ends[i + 1], z);
         if (!((left > 0) != (right > 0))) continue;

@@ -1278,6 +1278,28 @@ static void test_forced_steady_random(void)
     CHECK(threes > 10);
 }
 
+/* alpha next to 1, where the backbone leaves the range of numbers: the linear response; no force, no damping,
+   resonance */
+static void test_forced_edges(void)
+{
+    static const double alphas[] = {1 - 1e-3, 1 - 1e-5, 1 + 1e-5, 1 + 1e-3};
+    growth g = {0, 0};
+    vm_steady s[3], linear_response[3];
+    vm_forced f = make_forced(1, 0.5, 1, 0.02, 1.5, &g);
+    int i;
+    CHECK(vm_forced_steady(&f, 0, linear_response) == 1);
+    near("steady", "alpha = 1", (double)linear_response[0].A, 0.01 / hypot(0.5, 0.0025 * 2), 1e-4,
+         1e-4); /* q/4 = b/(2m) */
+    for (i = 0; i < 4; i++) {
+        f = make_forced(alphas[i], 0.5, 1, 0.02, 1.5, &g);
+        CHECK(vm_forced_steady(&f, 0, s) == 1);
+        near("steady", "alpha -> 1", (double)s[0].A, (double)linear_response[0].A, 0.02, 0.02);
+    }
+    f = make_forced(1, 0, 1, 0.02, 1, &g);
+    CHECK(vm_forced_steady(&f, 0, s) == 0 && vm_forced_peak(&f, 0) > VM_MAX); /* grows without bound */
+    CHECK(vm_forced_curve(&f, 0, 1, s) == 2 && !s[0].stable);                 /* no damping: a centre at most */
+}
+
 /* The motion over one period of the force from y, and its derivative by y; returns c1 A, |first harmonic| of x */
 static double forced_period(vm_forced *f, vm_real *y, double derivative[2][2], double *phase)
 {
@@ -1683,6 +1705,7 @@ int main(void)
     test_forced_waveform();
     test_forced_steady();
     test_forced_steady_random();
+    test_forced_edges();
     test_forced_periodic();
     test_forced_capture();
     test_forced_jump();
