@@ -1288,8 +1288,8 @@ static void test_forced_edges(void)
     vm_forced f = make_forced(1, 0.5, 1, 0.02, 1.5, &g);
     int i;
     CHECK(vm_forced_steady(&f, 0, linear_response) == 1);
-    near("steady", "alpha = 1", (double)linear_response[0].A, 0.01 / hypot(0.5, 0.0025 * 2), 1e-4,
-         1e-4); /* q/4 = b/(2m) */
+    /* q/4 = b/(2m) */
+    near("steady", "alpha = 1", (double)linear_response[0].A, 0.01 / hypot(0.5, 0.005), 3e-15, 1e-6);
     for (i = 0; i < 4; i++) {
         f = make_forced(alphas[i], 0.5, 1, 0.02, 1.5, &g);
         CHECK(vm_forced_steady(&f, 0, s) == 1);
@@ -1656,7 +1656,10 @@ static void test_bad_input(void)
           is_nan(vm_vdp_amplitude(&v, 1, VM_NAN, linear(1, 0.1))));
     CHECK(is_nan(vm_vdp_amplitude(&v, VM_INFINITY, 1, linear(1, 0.1))));
     CHECK(is_nan(vm_vdp_amplitude(&v, 1, 1, linear(1, -1))) && is_nan(vm_vdp_amplitude(&v, 2, 1, linear(1, -1))));
+    CHECK(is_nan(vm_vdp_amplitude(&v, 1, VM_INFINITY, linear(1, 0.1))));
     CHECK(is_nan(vm_vdp_steady(&v, VM_NAN, NULL)));
+    memset(&w, 0, sizeof w); /* not prepared by vm_vdp_init */
+    CHECK(is_nan(vm_vdp_amplitude(&w, 1, 1, linear(1, 0.1))) && is_nan(vm_vdp_steady(&w, 0, NULL)));
     v.mass_ctx = &m; /* the mass is gone at t = 1 */
     CHECK(vm_vdp_rhs(1, y, d, &v) == VM_BAD_MASS && vm_vdp_averaged_rhs(2, y, d, &v) == VM_BAD_MASS);
     CHECK(vm_rotor_rhs(1, y, d, &r) == VM_BAD_MASS && vm_rotor_split(&r, 1, y, 0, d) == VM_BAD_MASS);
