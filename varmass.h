@@ -234,9 +234,9 @@ VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 /* State at t after start: (46)-(51), exact; VM_DOMAIN unless s = 0. end may be start, here and below. Error within
    30 eps (1 + (omega + |k*|) |t|) of the sizes of the terms; damping and stiffness may be 0. */
 VM_API int vm_rotor_free(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
-/* A0, B0, C0, D0 (51) of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), m, w^2 = stiffness/mass > 0.
-   The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, misprinted after (52), is
-   w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t). */
+/* A0, B0, C0, D0 (51) of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), m, w^2 = stiffness/mass >
+   0. The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, misprinted after (52), is w
+   sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t). */
 VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *abcd);
 
 /* The break, (52)-(64) corrected: the whole touches the stator at A and loses a piece, whose point A keeps its
@@ -262,8 +262,8 @@ typedef struct VM_TAG(vm_rotor_break) {
     vm_real
         stop_inertia; /* the I_S2 that would stop the rest: I_S (R - SS2)/R for alpha = 0  [after (64) corrected] */
 } vm_rotor_break;
-/* The remainder's spin, state[5], is Omega_b + Omega_r1  [(59), (64) corrected]. Refuses m not in (0, M), an I_S1 that is
-   negative or lost in rounding errors (VM_BAD_INERTIA), a whole with s != 0 and S2 at A (VM_DOMAIN). */
+/* The remainder's spin, state[5], is Omega_b + Omega_r1  [(59), (64) corrected]. Refuses m not in (0, M), an I_S1
+   that is negative or lost in rounding errors (VM_BAD_INERTIA), a whole with s != 0 and S2 at A (VM_DOMAIN). */
 VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
                               vm_rotor_break *result);
 
@@ -272,8 +272,8 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
 VM_API int vm_rotor_linear(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
 VM_API int vm_rotor_linear_uncoupled(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
 
-/* Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0. The conversions refuse
-   r = 0 and r < 0. */
+/* Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0. The conversions
+   refuse r = 0 and r < 0. */
 VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar);
 VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y);
@@ -295,18 +295,20 @@ VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
    else 0 (for k*, s or Omega = 0 some motions neither grow nor fade) */
 VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega);
 
-/* What r grows by when Omega = torque/damping is not below omega: psi' is caught at omega and the torque left over goes
-   into the orbit. r r' = k* (Omega - omega)/(2 p^2 omega) + k* s/(4 p^2 r), r(0) = 0, so that
-     r -> (3 k* s t/(4 p^2))^(1/3) at resonance,  r -> sqrt(k* (Omega - omega) t/(p^2 omega)) above it.
-   The leading term, relative error about s/r. NaN below resonance, for t < 0 and s < 0. */
+/* r(t) after a start from rest where Omega = torque/damping is not below omega: psi' is caught at omega, and what the
+   torque has left goes into the orbit. r = |s|/4 + R with R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R),
+   R(0) = 0, which changes over from one law to the other,
+     R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
+   The first two orders of s/r: what is left is of the order s^2/r, and the time of the capture. NaN below
+   resonance, for t < 0, k* < 0 and omega = 0. */
 VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega);
 
 /* -- Chapter 4: Lagrange's equations across a jump -- */
 
-/* Generalized coordinates q_i, i < n. A body enters by dr[i] = dr/dq_i of its mass centre and turn[i] = d(angle)/dq_i,
-   both in inertial axes (87)-(90); with these every function adds to its last argument: a body's share of the mass
-   matrix (n by n; T = qdot^T matrix qdot/2, kg if q is in m), its generalized momentum (as it moves), the generalized
-   impulse (95) of an impulse that acts on a body with mass centre r. */
+/* Generalized coordinates q_i, i < n. A body enters by dr[i] = dr/dq_i of its mass centre and turn[i] =
+   d(angle)/dq_i, both in inertial axes (87)-(90); with these every function adds to its last argument: a body's
+   share of the mass matrix (n by n; T = qdot^T matrix qdot/2, kg if q is in m), its generalized momentum (as it
+   moves), the generalized impulse (95) of an impulse that acts on a body with mass centre r. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix);
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p);
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
@@ -350,8 +352,8 @@ typedef struct VM_TAG(vm_pendulum_cut) {
     vm_real L1, L2;           /* angular momenta about O of the rest (130) and the part (128) corrected */
     vm_real pivot_x, pivot_y; /* impulse of the pivot on the rest during the cut, N s */
 } vm_pendulum_cut;
-/* part is l, 0 < l < L; u in the axes of the pendulum. phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),
-   s = 1 for (cos, sin), -1 for (sin, cos): (125), (132) corrected, with what cancels cancelled */
+/* part is l, 0 < l < L; u in the axes of the pendulum. phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y
+   u_x)), s = 1 for (cos, sin), -1 for (sin, cos): (125), (132) corrected, with what cancels cancelled */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut);
 
@@ -501,8 +503,8 @@ VM_API vmi_complex vmi_complex_over(vmi_complex a, vmi_complex b)
     return vmi_complex_of((a.re + a.im * q) / d, (a.im - a.re * q) / d);
 }
 
-/* The step of z = (re[i], im[i]) towards a root of c[0] z^n + ... + c[n], which the other approximations repel: p/p' of
-   p over the product of the z - z_j (Ehrlich, Aberth). 0 where p is within its rounding errors of 0. */
+/* The step of z = (re[i], im[i]) towards a root of c[0] z^n + ... + c[n], which the other approximations repel:
+   p/p' of p over the product of the z - z_j (Ehrlich, Aberth). 0 where p is within its rounding errors of 0. */
 VM_API vmi_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vmi_complex z = vmi_complex_of(re[i], im[i]), one = vmi_complex_of(1, 0);
@@ -991,8 +993,8 @@ VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
     return a;
 }
 
-/* y, psi, y', psi' of (69) at h by the series in t, for |h| times vmi_rotor_rate at most 1: the n-th terms of y and of s psi
-   are then below 1/n! of the first ones */
+/* y, psi, y', psi' of (69) at h by the series in t, for |h| times vmi_rotor_rate at most 1: the n-th terms of y and
+   of s psi are then below 1/n! of the first ones */
 VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, vm_real *z)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -1059,9 +1061,9 @@ VM_API vmi_swing vmi_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* (71), (72) with M* in the place of k* Omega, for z = y, psi, y', psi' and |t| times the rate of 1 and more. y answers
-   to -s psi, and psi = psi0 + psi0' E1 + M* E2, E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k. g0, g1, g2 solve
-   g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
+/* (71), (72) with M* in the place of k* Omega, for z = y, psi, y', psi' and |t| times the rate of 1 and more. y
+   answers to -s psi, and psi = psi0 + psi0' E1 + M* E2, E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k. g0, g1, g2 solve g''
+   + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
 VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_swing *g, vm_real *z)
 {
     const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
@@ -1078,7 +1080,8 @@ VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_swi
     z[3] = rate0 * E0 + a->torque * E1;
 }
 
-/* z = M (z, 1) of the coupled equations: M = [exp(A t) | answer to the torque], doubled from where the series holds */
+/* z = M (z, 1) of the coupled equations: M = [exp(A t) | answer to the torque], doubled from where the series holds
+   */
 VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
 {
     vm_real m[5][4], old[5][4], h = t; /* m[j]: the answer to the unit state j, to the torque for j = 4 */
@@ -1198,8 +1201,8 @@ VM_API int vmi_rotor_rest(const vm_rotor *whole, const vm_rotor_piece *p, vm_rot
     return rest->inertia > 8 * VM_EPSILON * whole->inertia ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* (52)-(58), all but rest, state and piece, from SS2 and v_S in axes along SA and counterclockwise across it; e is the
-   direction of S2A. Returns AS2. */
+/* (52)-(58), all but rest, state and piece, from SS2 and v_S in axes along SA and counterclockwise across it; e is
+   the direction of S2A. Returns AS2. */
 VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p, vm_real spin, const vm_real *d,
                                  const vm_real *v, vm_real *e, vm_rotor_break *b)
 {
@@ -1393,8 +1396,8 @@ VM_API vm_real vmi_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* r r' = A + B/r gives tau = t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A r/B: convex, so that Newton's method falls to
-   the root from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
+/* r r' = A + B/r gives tau = t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A r/B: convex, so that Newton's method
+   falls to the root from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
 VM_API vm_real vmi_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -1410,17 +1413,18 @@ VM_API vm_real vmi_growth_root(vm_real tau)
 
 VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
 {
-    vm_real over, w, A, B, at_resonance, z;
+    vm_real over, w, A, B, R, z;
     if (!rotor || vmi_check_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega)) return VM_NAN;
     over = -vmi_rotor_detuning(rotor, Omega), w = VM_SQRT(rotor->stiffness / rotor->mass);
     if (!(over >= 0) || !(w > 0) || !(rotor->damping >= 0)) return VM_NAN;
     A = rotor->damping * (over / rotor->mass / (VM_FABS(Omega) + w)) / (2 * rotor->mass * w);
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
-    at_resonance = vmi_raised(3 * B * t, VM_C(1.) / 3);
-    if (A == 0 || t == 0) return at_resonance;
-    z = A * at_resonance / B;
-    if (!(z < 1 / VM_EPSILON)) return VM_SQRT(2 * A * t); /* B = 0 among it */
-    return z < VM_EPSILON ? at_resonance : vmi_growth_root(z * z * z / 3) * B / A;
+    R = vmi_raised(3 * B * t, VM_C(1.) / 3);
+    if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
+    z = A * R / B;
+    if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t); /* B = 0 among it */
+    else if (z > VM_EPSILON) R = vmi_growth_root(z * z * z / 3) * B / A;
+    return VM_FABS(rotor->s) / 4 + R;
 }
 
 /* ---- Chapter 4: Lagrange's equations across a jump ---------------------------------------------------------- */
@@ -1475,8 +1479,8 @@ VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot,
     return VM_OK;
 }
 
-/* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little, with
-   a small error */
+/* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,
+   with a small error */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part, vm_real sign, const vm_real *impulse, vm_real *qdot_after,
                              vm_real *work)
