@@ -16,8 +16,8 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation
-EXAMPLES = table5 example1 example2
+TESTS = jacobi ateb integrators events varmass dissertation rotor lagrange
+EXAMPLES = table5 example1 example2 rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events
 TEST_FILES = build/command $(HEADERS) tests/check.h examples/envelope.h examples/table5_data.h $(wildcard tests/data/*.h)
@@ -30,6 +30,8 @@ run: $(EXAMPLES:%=build/examples/%)
 	@./build/examples/table5
 	@echo; ./build/examples/example1 build/figures/example1.csv
 	@echo; ./build/examples/example2 build/figures/example2.csv
+	@echo; ./build/examples/rotor build/figures/rotor
+	@echo; ./build/examples/pendulum build/figures/pendulum
 	@sh examples/figures.sh build/figures
 
 test: $(TEST_PROGRAMS) build/tests/exhaustive_jacobi
@@ -83,6 +85,7 @@ data:
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
+	python3 tests/gen/rotor_reference.py
 
 clean:
 	rm -rf build

@@ -550,9 +550,10 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
    |im|, real ones by falling re */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
+    const vm_real near = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
     int i, j, k;
     for (i = 0; i < n; i++) {
-        if (vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
+        if (VM_FABS(im[i]) <= near * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
         for (j = i; j > 0; j--) {
             const vm_real rise = VM_FABS(im[j]) - VM_FABS(im[j - 1]);
             if (rise > 0 || (rise == 0 && re[j] <= re[j - 1])) break;
@@ -993,21 +994,20 @@ VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
     return a;
 }
 
-/* y, psi, y', psi' of (69) at h by the series in t, for |h| times vmi_rotor_rate at most 1: the n-th terms of y and
-   of s psi are then below 1/n! of the first ones */
-VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, vm_real *z)
+/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_rotor_rate at most 1: the
+   n-th terms of y and of s psi are then below 1/n! of the first ones */
+VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
     const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
     vm_real y0 = z[0], psi0 = z[1], y1 = z[2] * h, psi1 = z[3] * h, drive = a->torque * h * h;
     int n;
-    if (h == 0) return;
-    z[0] += y1, z[1] += psi1;
-    for (n = 2; n < terms; n++) {
+    change[0] = y1, change[1] = psi1, change[2] = change[3] = 0;
+    for (n = 2; n < terms && h != 0; n++) {
         const vm_real share = 1 / (vm_real)(n * (n - 1)), y2 = -omega_h2 * (y0 + a->s * psi0) * share;
         const vm_real psi2 = (drive - k_h * (vm_real)(n - 1) * psi1 - coupling_h2 * y0) * share;
-        z[0] += y2, z[1] += psi2;
-        z[2] += (vm_real)n * y2 / h, z[3] += (vm_real)n * psi2 / h;
+        change[0] += y2, change[1] += psi2;
+        change[2] += (vm_real)n * y2 / h, change[3] += (vm_real)n * psi2 / h;
         y0 = y1, psi0 = psi1, y1 = y2, psi1 = psi2, drive = 0;
     }
 }
@@ -1080,28 +1080,31 @@ VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_swi
     z[3] = rate0 * E0 + a->torque * E1;
 }
 
-/* z = M (z, 1) of the coupled equations: M = [exp(A t) | answer to the torque], doubled from where the series holds
-   */
+/* z changes by M (z, 1), M = [exp(A t) - E | answer to the torque]: doubled from where the series holds, M <- 2 M + M M,
+   which keeps the digits of what E would swallow */
 VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
 {
-    vm_real m[5][4], old[5][4], h = t; /* m[j]: the answer to the unit state j, to the torque for j = 4 */
-    vmi_rotor_linear free = *a;
+    vm_real m[5][4], old[5][4], unit[4], h = t; /* m[j]: of the unit state j, of the torque for j = 4 */
+    vmi_rotor_linear driven = *a;
     int doublings = 0, i, j, k;
     for (; VM_FABS(h) * vmi_rotor_rate(a) > 1; h /= 2) doublings++;
-    free.torque = 0;
     for (j = 0; j < 5; j++) {
-        for (i = 0; i < 4; i++) m[j][i] = i == j;
-        vmi_rotor_series(j < 4 ? &free : a, h, m[j]);
+        for (i = 0; i < 4; i++) unit[i] = i == j;
+        driven.torque = j < 4 ? 0 : a->torque;
+        vmi_rotor_series(&driven, h, unit, m[j]);
     }
     for (; doublings > 0; doublings--) {
         memcpy(old, m, sizeof m);
         for (j = 0; j < 5; j++)
             for (i = 0; i < 4; i++)
-                for (m[j][i] = j < 4 ? 0 : old[4][i], k = 0; k < 4; k++) m[j][i] += old[k][i] * old[j][k];
+                for (m[j][i] *= 2, k = 0; k < 4; k++) m[j][i] += old[k][i] * old[j][k];
     }
-    memcpy(old[0], z, sizeof old[0]);
-    for (i = 0; i < 4; i++)
-        for (z[i] = m[4][i], j = 0; j < 4; j++) z[i] += m[j][i] * old[0][j];
+    memcpy(unit, z, sizeof unit);
+    for (i = 0; i < 4; i++) {
+        vm_real change = m[4][i];
+        for (j = 0; j < 4; j++) change += m[j][i] * unit[j];
+        z[i] += change;
+    }
 }
 
 VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
@@ -1119,8 +1122,7 @@ VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real 
     x = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
     vx = start[3] * g.c - g.w_s * (start[0] + a.s);
     z[0] = start[1], z[1] = start[2], z[2] = start[4], z[3] = start[5];
-    if (VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_series(&a, t, z);
-    else if (coupled) vmi_rotor_double(t, &a, z);
+    if (coupled || VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_double(t, &a, z);
     else vmi_rotor_follow(t, &a, &g, z);
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(vx) || !vmi_all_finite(4, z)) return VM_NOT_FINITE;
     end[0] = x, end[1] = z[0], end[2] = z[1];

@@ -21,32 +21,38 @@ static void set(vm_real *y, double a, double b, double c, double d, double e, do
     y[0] = R(a), y[1] = R(b), y[2] = R(c), y[3] = R(d), y[4] = R(e), y[5] = R(f);
 }
 
-static void check_case(const char *what, const char *region, vm_real got, double true_value, double scale, double bound)
+static void check_case(const char *what, const char *region, vm_real got, double true_value, double scale,
+                       double bound)
 {
     check_error(what, region, "eps", ERROR_EPS(got, true_value, 0, scale), bound, true_value, 0);
 }
 
-/* of order 8, to about the best the type can */
+/* To about the best that the type can: order 8; in float order 5, whose fewer evaluations leave less rounding errors */
 static int integrate(ode_rhs f, void *ctx, vm_real *y, double t)
 {
     vm_real work[RK87_WORK(6)];
-    rk87_options o = {0};
-    rk87 s;
+    rk45_options o = {0};
+    rk45 s;
     int status;
-    o.rtol = o.atol = is_float ? R(1e-6) : R(1e-13);
-    rk87_init(&s, f, ctx, 6, 0, y, &o, work);
-    status = rk87_solve(&s, R(t));
+    o.rtol = o.atol = is_float ? R(1e-5) : R(1e-13);
+    if (is_float) {
+        rk45_init(&s, f, ctx, 6, 0, y, &o, work);
+        status = rk45_solve(&s, R(t));
+    } else {
+        rk87_init(&s, f, ctx, 6, 0, y, &o, work);
+        status = rk87_solve(&s, R(t));
+    }
     memcpy(y, s.y, 6 * sizeof *y);
     return status;
 }
 
-/* the largest error of a state, in units of what integrate() is good for */
+/* the largest error of a state, in units of about what integrate() is good for */
 static double apart(const vm_real *y, const vm_real *z)
 {
     double worst = 0;
     int i;
     for (i = 0; i < 6; i++) worst = fmax(worst, fabs((double)(y[i] - z[i])));
-    return worst / (is_float ? 1e-5 : 1e-12);
+    return worst / (is_float ? 1e-5 : 1e-13);
 }
 
 /* ---- (46)-(51): before the break ---- */
@@ -77,7 +83,7 @@ static void test_case_C1(void)
     speed = hypot((double)y[3], (double)y[4]);
     check_case("v_Sb (52)", "C1", R(speed), 0.5731537279920264463668, 1, 4);
     check_case("v_Sb from A0..D0", "C1", R(speed_from_orbit(abcd, w, t, 0)), 0.5731537279920264463668, 1, 4);
-    CHECK(fabs(speed_from_orbit(abcd, w, t, 1) - 0.4963006479) < 1e-5); /* as printed, 13 % off */
+    CHECK(fabs(speed_from_orbit(abcd, w, t, 1) - 0.4963006479) < 1e-5);        /* as printed, 13 % off */
     CHECK(fabs(speed_from_orbit(abcd, w, 0, 1) - hypot(0.5, 0.4)) < 10 * eps); /* right at t1 = 0 only */
     A = (double)abcd[0], B = (double)abcd[1], C = (double)abcd[2], D = (double)abcd[3];
     check_case("x (50)", "C1", R((A + C) * cos(w * t) + (D - B) * sin(w * t)), 0.3503788357778127207376, 1, 3);
@@ -98,10 +104,11 @@ static void test_free_motion(void)
         set(start, uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
         memcpy(z, start, sizeof z);
         CHECK(vm_rotor_free(R(t), &r, start, y) == VM_OK && integrate(vm_rotor_rhs, &r, z, t) >= 0);
-        check_error("(46)", "against rk87", "tol", apart(y, z), is_float ? 20 : 20, i, t);
-        if (!(r.damping > R(0.3) / r.mass * r.inertia)) continue;
+        check_error("(46)", "against rk87", "tol", apart(y, z), 10, i, t);
+        if (!(r.damping > R(0.3) * r.inertia) || r.torque == 0) continue;
         CHECK(vm_rotor_free(400 * r.inertia / r.damping, &r, start, y) == VM_OK);
-        check_case("Omega_b (47)", "free", y[5], (double)(r.torque / r.damping), fabs((double)(r.torque / r.damping)), 4);
+        check_case("Omega_b (47)", "free", y[5], (double)(r.torque / r.damping),
+                   fabs((double)(r.torque / r.damping)), 4);
     }
 }
 
@@ -167,7 +174,8 @@ static void rest_spin(double alpha, double *relative, double *relative_printed, 
     double T = v * sin(gamma - beta), moment = d * T * cos(alpha + beta); /* SS2 x v_T */
     *relative = (M * share * moment - I2 * T / reach) / I1;
     *relative_printed = (share * moment - I2 * T / reach) / I1;
-    *printed = ((I1 + I2 + M * share * d * d) * Ob - I2 * (Ob + T / reach) + share * d * d * Ob + share * moment) / I1;
+    *printed = ((I1 + I2 + M * share * d * d) * Ob - I2 * (Ob + T / reach) + share * d * d * Ob + share * moment) /
+               I1;
 }
 
 static void test_break_angles(void)
@@ -185,7 +193,8 @@ static void test_break_angles(void)
         check_case("(53)", "alpha", b.normal * b.normal + b.tangential * b.tangential, v * v, 1, 30);
         check_case("N (54)", "alpha", b.normal, v * cos((double)(b.beta - b.gamma)), 1, 10);
         check_case("T (55)", "alpha", b.tangential, v * sin((double)(b.gamma - b.beta)), 1, 10);
-        check_case("tan beta (56)", "alpha", R(tan((double)b.beta) * (1 - 0.6 * cos(alpha))), 0.6 * sin(alpha), 1, 6);
+        check_case("tan beta (56)", "alpha", R(tan((double)b.beta) * (1 - 0.6 * cos(alpha))), 0.6 * sin(alpha), 1,
+                   6);
         check_case("Omega_r (57)", "alpha", b.spin_piece * R(reach), (double)b.tangential, 1, 6);
         check_case("Omega_r1 (58)", "alpha", b.spin_rest, relative, 1, 20);
         check_case("Omega_1a (59)", "alpha", b.state[5], 2 + relative, 1, 20);
@@ -214,7 +223,7 @@ static vm_body disc(const vm_real *y, double mass, double inertia)
    (57) says of the piece; momentum and angular momentum; the shaft stays where it is */
 static void test_break_vector_form(void)
 {
-    int i;
+    int i, impossible = 0;
     for (i = 0; i < 500; i++) {
         vm_rotor whole = {0, 0, 3, R(0.4), R(0.8), 0};
         vm_rotor_piece p;
@@ -230,10 +239,14 @@ static void test_break_vector_form(void)
         CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK);
         body = disc(before, (double)whole.mass, (double)whole.inertia);
         part = disc(b.piece, (double)p.mass, (double)p.inertia);
-        body.inertia.xx = body.inertia.yy = whole.inertia; /* thick, so that the rest is possible in space */
-        CHECK(vm_separate(&body, &part, NULL, &rest) >= 0);
+        body.inertia.xx = body.inertia.yy = 4 * whole.inertia; /* thick, so that the rest is possible in space */
+        if (vm_separate(&body, &part, NULL, &rest) < 0) {      /* a rest that no flat body has */
+            impossible++;
+            continue;
+        }
         check_error("(58), (59)", "vm_separate", "eps",
-                    fabs((double)(rest.omega.z - b.state[5])) / eps * (double)(b.rest.inertia / whole.inertia), 30, i, 0);
+                    fabs((double)(rest.omega.z - b.state[5])) / eps * (double)(b.rest.inertia / whole.inertia), 30,
+                    i, 0);
         check_error("I_S1", "vm_separate", "eps",
                     fabs((double)(rest.inertia.zz - b.rest.inertia)) / eps / (double)whole.inertia, 8, i, 0);
         check_error("v_S1 (59)", "vm_separate", "eps",
@@ -249,8 +262,10 @@ static void test_break_vector_form(void)
         a = vmi_vec3(before[0] + R(cos((double)p.contact)), before[1] + R(sin((double)p.contact)), 0);
         v = vmi_add(part.v, vmi_cross(part.omega, vmi_sub(a, part.r))); /* A of the piece, and of the whole: */
         a = vmi_add(body.v, vmi_cross(body.omega, vmi_sub(a, body.r)));
-        check_error("A keeps v (57)", "closure", "eps", hypot((double)(v.x - a.x), (double)(v.y - a.y)) / eps, 60, i, 0);
+        check_error("A keeps v (57)", "closure", "eps", hypot((double)(v.x - a.x), (double)(v.y - a.y)) / eps, 60,
+                    i, 0);
     }
+    CHECK(impossible < 10);
 }
 
 /* m -> 0, m -> M, and pieces that leave nothing */
@@ -265,13 +280,15 @@ static void test_break_limits(void)
     set(before, 0.1, 0.2, 0.3, 0.9, -0.4, 2);
     p.inertia = 0, p.mass = R(1e-6);
     CHECK(vm_rotor_break_off(&whole, before, &p, &light) == VM_OK);
-    for (m = 1e-6; m > least; m /= 10) { /* the changes go with m, to a few eps of themselves */
+    for (m = 1e-6; m > least; m /= 10) { /* the changes go with m M/(M - m), to a few eps of themselves */
+        double moment = (double)(light.spin_rest * light.rest.inertia / R(1e-6) * light.rest.mass);
         p.mass = R(m);
         CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK);
         check_error("Omega_r1/m", "m -> 0", "eps",
-                    fabs((double)b.spin_rest / m * 1e-6 / (double)light.spin_rest - 1) / eps, 6 + 2e-6 / eps, m, 0);
-        check_error("s/m", "m -> 0", "eps", fabs((double)b.rest.s / m * 1e-6 / (double)light.rest.s - 1) / eps,
-                    6 + 2e-6 / eps, m, 0);
+                    fabs((double)(b.spin_rest * b.rest.inertia / p.mass * b.rest.mass) / moment - 1) / eps, 8, m,
+                    0);
+        check_error("s/m", "m -> 0", "eps", fabs((double)(b.rest.s / p.mass * b.rest.mass / p.distance) - 1) / eps,
+                    4, m, 0);
     }
     CHECK(b.state[5] == before[5] && b.state[3] == before[3] && b.rest.inertia == whole.inertia);
     p.distance = 0, p.inertia = 0; /* m -> M from the middle: the rest is a ring that keeps its inertia */
@@ -321,28 +338,31 @@ static int rhs_69(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 static void test_remainder(void)
 {
-    static const double cases[2][6] = {
-        {0.625, -0.1533745010129565912545, 0.7688162863359383865255, 4.849621465461194533551, 0.6037825839006644010631,
-         0.7839657005866755544996},
-        {1, -1.091259011650718279185, 0.3085313, 6.162762858423204766815, 0.7016215230240906640867,
-         1.134037454742628731321}};
+    static const double cases[2][6] = {{0.625, -0.1533745010129565912545, 0.7688162863359383865255,
+                                        4.849621465461194533551, 0.6037825839006644010631,
+                                        0.7839657005866755544996},
+                                       {1, -1.091259011650718279185, 0.3085313, 6.162762858423204766815,
+                                        0.7016215230240906640867, 1.134037454742628731321}};
     int i;
     for (i = 0; i < 2; i++) { /* C5: Fig. 18 at t = 10 */
         vm_rotor r = rotor_of(1, 0.5, 4, 1, cases[i][0]);
         vm_real y[6];
-        double unit = is_float ? 1e-5 : 1e-12;
+        double unit = is_float ? 1e-5 : 1e-13;
         set(y, 0, 0, 0.5, 0, 0, 0);
         CHECK(integrate(vm_rotor_rhs, &r, y, 10) >= 0);
-        check_error("x (68)", "C5", "tol", fabs((double)y[0] - cases[i][1]) / unit, 20, cases[i][0], 0);
-        if (i == 0) check_error("y (68)", "C5", "tol", fabs((double)y[1] - cases[i][2]) / unit, 20, cases[i][0], 0);
-        if (i == 1) check_error("y (68)", "C5", "tol", fabs((double)y[1] - 0.3085364131674529190863) / unit, 20, 1, 0);
-        check_error("psi (68)", "C5", "tol", fabs((double)y[2] - cases[i][3]) / unit, 20, cases[i][0], 0);
-        check_error("psi' (68)", "C5", "tol", fabs((double)y[5] - cases[i][4]) / unit, 20, cases[i][0], 0);
-        check_error("r (68)", "C5", "tol", fabs(hypot((double)y[0], (double)y[1]) - cases[i][5]) / unit, 20, cases[i][0],
-                    0);
+        check_error("x (68)", "C5", "tol", fabs((double)y[0] - cases[i][1]) / unit, 4, cases[i][0], 0);
+        if (i == 0) check_error("y (68)", "C5", "tol", fabs((double)y[1] - cases[i][2]) / unit, 4, cases[i][0], 0);
+        if (i == 1)
+            check_error("y (68)", "C5", "tol", fabs((double)y[1] - 0.3085364131674529190863) / unit, 4, 1, 0);
+        check_error("psi (68)", "C5", "tol", fabs((double)y[2] - cases[i][3]) / unit, 4, cases[i][0], 0);
+        check_error("psi' (68)", "C5", "tol", fabs((double)y[5] - cases[i][4]) / unit, 4, cases[i][0], 0);
+        check_error("r (68)", "C5", "tol", fabs(hypot((double)y[0], (double)y[1]) - cases[i][5]) / unit, 4,
+                    cases[i][0], 0);
     }
-    for (i = 0; i < 200; i++) { /* (65), (66) are (68); torque = (shaft - S1) x F; energy goes with torque and damping */
-        double p[5] = {uniform(0, 4), uniform(-1, 1), uniform(0.3, 4), uniform(0, 2), uniform(-1, 1)}, power, force[2];
+    for (i = 0; i < 200;
+         i++) { /* (65), (66) are (68); torque = (shaft - S1) x F; energy goes with torque and damping */
+        double p[5] = {uniform(0, 4), uniform(-1, 1), uniform(0.3, 4), uniform(0, 2), uniform(-1, 1)}, power,
+               force[2];
         vm_rotor r = rotor_of(p[0], p[1], p[2], p[3], p[4]);
         vm_real y[6], a[6], b[6];
         double c, s, m = (double)r.mass, k = (double)r.stiffness, e = (double)r.s;
@@ -353,8 +373,8 @@ static void test_remainder(void)
         for (j = 0; j < 6; j++) check_case("(65)-(68)", "rhs", a[j], (double)b[j], 10, 8);
         c = cos((double)y[2]), s = sin((double)y[2]);
         force[0] = m * (double)a[3], force[1] = m * (double)a[4];
-        check_case("torque (65)", "rhs", r.inertia * a[5] + r.damping * y[5] - r.torque, e * (c * force[1] - s * force[0]),
-                   10, 8);
+        check_case("torque (65)", "rhs", r.inertia * a[5] + r.damping * y[5] - r.torque,
+                   e * (c * force[1] - s * force[0]), 10, 8);
         power = m * (double)(y[3] * a[3] + y[4] * a[4]) + (double)(r.inertia * y[5] * a[5]) +
                 k * ((double)y[0] + e * c) * ((double)y[3] - e * s * (double)y[5]) +
                 k * ((double)y[1] + e * s) * ((double)y[4] + e * c * (double)y[5]);
@@ -375,7 +395,8 @@ static const struct {
 static vm_rotor rotor_from(const double *p)
 {
     vm_rotor r;
-    r.mass = R(p[0]), r.inertia = R(p[1]), r.stiffness = R(p[2]), r.damping = R(p[3]), r.torque = R(p[4]), r.s = R(p[5]);
+    r.mass = R(p[0]), r.inertia = R(p[1]), r.stiffness = R(p[2]), r.damping = R(p[3]), r.torque = R(p[4]),
+    r.s = R(p[5]);
     return r;
 }
 
@@ -392,7 +413,8 @@ static void test_linear_reference(void)
         int huge = 0, status;
         set(y, p[0], p[1], p[2], p[3], p[4], p[5]);
         for (j = 0; j < 6; j++) huge = huge || linear_cases[i].condition[j] > 0.01 * (double)VM_MAX;
-        status = (linear_cases[i].coupled ? vm_rotor_linear : vm_rotor_linear_uncoupled)(R(linear_cases[i].t), &r, y, y);
+        status = (linear_cases[i].coupled ? vm_rotor_linear : vm_rotor_linear_uncoupled)(R(linear_cases[i].t), &r,
+                                                                                         y, y);
         if (huge) continue;
         CHECK(status == VM_OK);
         for (j = 0; j < 6; j++)
@@ -404,7 +426,8 @@ static void test_linear_reference(void)
 }
 
 /* (70)-(72) word for word: x, y, psi' */
-static void printed_linear(const double *p, const double *y0, double Omega, double t, double *x, double *y, double *rate)
+static void printed_linear(const double *p, const double *y0, double Omega, double t, double *x, double *y,
+                           double *rate)
 {
     double w2 = p[0], w = sqrt(w2), s = p[1], k = p[3], sum = w2 + k * k, lack = Omega - y0[5];
     *x = (y0[0] + s) * cos(w * t) + y0[3] / w * sin(w * t) - s;
@@ -439,14 +462,15 @@ static void test_linear_printed(void)
             q[5] = k, memcpy(z, start, sizeof z);
             CHECK(integrate(rhs_69, q, z, t) >= 0);
             CHECK((k ? vm_rotor_linear : vm_rotor_linear_uncoupled)(R(t), &r, start, y) == VM_OK);
-            check_error("(69)", k ? "coupled" : "uncoupled", "tol", apart(y, z) / (1 + fabs((double)z[1])), 20, t, i);
+            check_error("(69)", k ? "coupled" : "uncoupled", "tol", apart(y, z) / (1 + fabs((double)z[1])), 4, t,
+                        i);
         }
     }
     /* Fig. 18's rotor at t = 3: what (71), (72) lack against all of (69), and (69) against (68) */
     r = rotor_of(1, 0.5, 4, 1, 0.625);
     set(start, 0, 0, 0.5, 0, 0, 0);
     CHECK(vm_rotor_linear_uncoupled(3, &r, start, y) == VM_OK && vm_rotor_linear(3, &r, start, z) == VM_OK);
-    CHECK(fabs((double)(y[1] - z[1])) > 0.15 && fabs((double)(y[5] - z[5])) > 1 && fabs((double)z[1]) < 2);
+    CHECK(fabs((double)(y[1] - z[1]) - 0.14764) < 1e-4 && fabs((double)(y[5] - z[5]) + 1.20598) < 1e-4);
     for (t = 0.5; t < 4; t += 2.5) {
         memcpy(z, start, sizeof z);
         CHECK(vm_rotor_linear(R(t), &r, start, y) == VM_OK && integrate(vm_rotor_rhs, &r, z, t) >= 0);
@@ -487,7 +511,8 @@ static void test_polar(void)
         set(y, uniform(-2, 2), uniform(-2, 2), uniform(-9, 9), uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
         if (hypot((double)y[0], (double)y[1]) < 0.3) continue;
         CHECK(vm_rotor_to_polar(y, polar) == VM_OK && vm_rotor_from_polar(polar, back) == VM_OK);
-        for (k = 0; k < 6; k++) check_case("to and from", "polar", back[k], (double)y[k], 3, 4), q[k] = (double)polar[k];
+        for (k = 0; k < 6; k++)
+            check_case("to and from", "polar", back[k], (double)y[k], 3, 4), q[k] = (double)polar[k];
         check_case("phi", "polar", R(q[1]), atan2((double)y[1], (double)y[0]), 1, 6);
         vm_rotor_rhs(0, y, a, &r);
         CHECK(vm_rotor_polar_rhs(0, polar, b, &r) == 0);
@@ -507,7 +532,7 @@ static void test_polar(void)
         set(y, 0.4, 0.3, 0.5, 0, 0.2, 0.3);
         CHECK(vm_rotor_to_polar(y, polar) == VM_OK && integrate(vm_rotor_polar_rhs, &r, polar, 5) >= 0);
         CHECK(vm_rotor_from_polar(polar, polar) == VM_OK && integrate(vm_rotor_rhs, &r, y, 5) >= 0);
-        check_error("(75)", "rk87", "tol", apart(y, polar), 50, 0, 0);
+        check_error("(75)", "rk87", "tol", apart(y, polar), 4, 0, 0);
         polar[0] = 0;
         CHECK(vm_rotor_polar_rhs(0, polar, y, &r) == VM_DOMAIN && vm_rotor_from_polar(polar, y) == VM_DOMAIN);
         y[0] = y[1] = 0;
@@ -531,7 +556,8 @@ static void test_steady(void)
         radius = (double)vm_rotor_steady(&r, R(Omega)); /* psi = phi - pi (77), phi as radius turns negative (76) */
         if (fabs(radius) > 50) continue;
         CHECK((radius * (double)r.s > 0) == (Omega * Omega < w2));
-        set(y, -radius * cos(phi), -radius * sin(phi), phi, Omega * radius * sin(phi), -Omega * radius * cos(phi), Omega);
+        set(y, -radius * cos(phi), -radius * sin(phi), phi, Omega * radius * sin(phi), -Omega * radius * cos(phi),
+            Omega);
         vm_rotor_rhs(0, y, a, &r);
         far = 10 * (1 + fabs(radius));
         check_case("(76), (77)", "steady", a[3], Omega * Omega * radius * cos(phi), far, 10);
@@ -541,9 +567,11 @@ static void test_steady(void)
     r = rotor_of(1, 0.5, 4, 1, 1);
     for (step = 0.25; step > eps; step /= 2) { /* towards resonance from below and above */
         check_error("r_SS", "near resonance", "eps",
-                    fabs((double)vm_rotor_steady(&r, R(1 - step)) / (0.5 / (step * (2 - step))) - 1) / eps, 3, step, 0);
+                    fabs((double)vm_rotor_steady(&r, R(1 - step)) / (0.5 / (step * (2 - step))) - 1) / eps, 3, step,
+                    0);
         check_error("r_SS", "near resonance", "eps",
-                    fabs((double)vm_rotor_steady(&r, R(1 + step)) / (-0.5 / (step * (2 + step))) - 1) / eps, 3, step, 0);
+                    fabs((double)vm_rotor_steady(&r, R(1 + step)) / (-0.5 / (step * (2 + step))) - 1) / eps, 3,
+                    step, 0);
         CHECK(vm_rotor_stable(&r, R(1 - step)) && !vm_rotor_stable(&r, R(1 + step)));
     }
     CHECK((double)vm_rotor_steady(&r, 1) > (double)VM_MAX);
@@ -573,10 +601,10 @@ static complex_number determinant_79(complex_number l, const double *p, double O
 {
     double w2 = p[0], s = p[1], D = w2 - Omega * Omega, r0 = -s * w2 / D, b = s * w2, e = s * w2 * p[2] * r0;
     complex_number one = {1, 0}, l2 = times(l, l), A, B, C, det, minor;
-    A = plus(l2, D, one);                                 /* rho rows: A rho - 2 Omega r0 l xi = 0 */
+    A = plus(l2, D, one);                                               /* rho rows: A rho - 2 Omega r0 l xi = 0 */
     B = plus(times(plus(l2, 0, one), plus(one, r0 - 1, one)), -b, one); /* r0 l^2 - s w^2 */
-    C = plus(plus(l2, p[3], l), -e, one);                 /* l^2 + k l - s w^2 p^2 r0 */
-    minor = plus(times(B, C), -b * e, one);               /* xi and eta: B C - (s w^2)(s w^2 p^2 r0) */
+    C = plus(plus(l2, p[3], l), -e, one);                               /* l^2 + k l - s w^2 p^2 r0 */
+    minor = plus(times(B, C), -b * e, one); /* xi and eta: B C - (s w^2)(s w^2 p^2 r0) */
     det = times(A, minor);
     det = plus(det, 4 * Omega * Omega * r0, times(l2, C)); /* - (-2 Omega r0 l)(2 Omega l) C */
     det.re /= r0, det.im /= r0;
@@ -586,7 +614,8 @@ static complex_number determinant_79(complex_number l, const double *p, double O
 static complex_number equation_81(complex_number l, const double *p, double Omega, int printed)
 {
     double w2 = p[0], D = w2 - Omega * Omega, GD = p[1] * p[1] * p[2] * w2 * w2;
-    complex_number one = {1, 0}, l2 = times(l, l), A = plus(l2, D, one), C = plus(plus(l2, p[3], l), GD / D, one), f;
+    complex_number one = {1, 0}, l2 = times(l, l), A = plus(l2, D, one), C = plus(plus(l2, p[3], l), GD / D, one),
+                   f;
     f = times(times(A, A), C);
     f = plus(f, 4 * Omega * Omega, printed ? C : times(l2, C));
     return plus(f, -GD, A);
@@ -610,12 +639,14 @@ static void test_char_poly(void)
         q = times(q, l);
         det = determinant_79(l, p, Omega), f = equation_81(l, p, Omega, 0);
         size = hypot(det.re, det.im) + 100 * (1 + fabs((double)column[2]));
-        check_error("det (79) = (81)", "random", "eps", hypot(det.re - f.re, det.im - f.im) / size / DBL_EPSILON, 10, i, 0);
+        check_error("det (79) = (81)", "random", "eps", hypot(det.re - f.re, det.im - f.im) / size / DBL_EPSILON,
+                    10, i, 0);
         check_error("lambda c = (81)", "random", "eps", hypot(q.re - f.re, q.im - f.im) / size / eps, 10, i, 0);
         f = equation_81(l, p, Omega, 1);
         wrong = fmax(wrong, hypot(det.re - f.re, det.im - f.im) / hypot(det.re, det.im));
         f = equation_81(zero, p, Omega, 1); /* as printed, no root 0 */
-        CHECK(hypot(f.re, f.im) > 0.1);
+        CHECK(fabs(f.re / (4 * Omega * Omega * p[1] * p[1] * p[2] * p[0] * p[0] / (p[0] - Omega * Omega)) - 1) <
+              1e-9);
         f = equation_81(zero, p, Omega, 0);
         CHECK(hypot(f.re, f.im) <= 1e-12 * p[1] * p[1] * p[2] * p[0] * p[0] * fabs(p[0] - Omega * Omega));
     }
@@ -637,7 +668,8 @@ static void check_roots(const char *region, const vm_real *re, const vm_real *im
         double nearest = VM_INFINITY;
         for (k = 0; k < 5; k++)
             nearest = fmin(nearest, hypot((double)re[k] - true_re[j], (double)im[k] - true_im[j]));
-        check_error("eigenvalues (81)", region, "cond", nearest == 0 ? 0 : nearest / eps / condition[j], 8, parameter, j);
+        check_error("eigenvalues (81)", region, "cond", nearest == 0 ? 0 : nearest / eps / condition[j], 8,
+                    parameter, j);
     }
     for (j = 0; j < 5; j++) {
         CHECK(im[j] == 0 || (im[j] > 0 ? j < 4 && im[j + 1] == -im[j] && re[j + 1] == re[j] : im[j - 1] == -im[j]));
@@ -664,7 +696,8 @@ static void test_eigenvalues(void)
     check_case("c1 = k D", "C6", c[3], 0.609375, 1, 2);
     check_case("d1 = 4 G Omega^2", "C6", c[4], 2.564102564102564102564, 1, 6);
     {
-        double D = 1 - 0.625 * 0.625, GD = 0.25 * 4, G = GD / D, O4 = 4 * 0.625 * 0.625; /* (81) as printed, by powers */
+        double D = 1 - 0.625 * 0.625, GD = 0.25 * 4, G = GD / D,
+               O4 = 4 * 0.625 * 0.625; /* (81) as printed, by powers */
         printed[0] = 1, printed[1] = 1, printed[2] = G + 2 * D, printed[3] = 2 * D;
         printed[4] = D * D + 2 * D * G - GD + O4, printed[5] = D * D + O4, printed[6] = D * D * G - GD * D + O4 * G;
     }
@@ -688,7 +721,8 @@ static void test_stability(void)
 {
     int i, k, mismatches = 0, doubtful = 0, printed_off = 0;
     for (i = 0; i < 4000; i++) {
-        double w2 = uniform(0.1, 4), Omega = uniform(0.05, 3), c = uniform(0.1, 20), most = -VM_INFINITY;
+        double w2 = uniform(0.1, 4), Omega = uniform(0.05, 3), c = uniform(0.1, 20), most = -VM_INFINITY,
+               largest = 0;
         vm_rotor r;
         vm_real column[6], re[5], im[5];
         int positive = 1, stable;
@@ -698,12 +732,13 @@ static void test_stability(void)
         CHECK(vm_rotor_routh(&r, R(Omega), column) == VM_OK && vm_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK);
         for (k = 0; k < 6; k++) positive = positive && column[k] > 0;
         for (k = 0; k < 5; k++) most = fmax(most, (double)re[k]);
+        for (k = 0; k < 5; k++) largest = fmax(largest, hypot((double)re[k], (double)im[k]));
         mismatches += positive != stable;
-        if (fabs(most) < (is_float ? 1e-3 : 1e-9)) doubtful++;
+        if (fabs(most) < 20 * eps * largest) doubtful++;
         else mismatches += (most < 0) != stable;
         printed_off += (Omega < c / (double)r.mass) != stable; /* (82): Omega < c/(M - m) is not Omega^2 < it */
     }
-    CHECK(mismatches == 0 && doubtful < (is_float ? 400 : 4) && printed_off > 400);
+    CHECK(mismatches == 0 && doubtful < (is_float ? 100 : 4) && printed_off > 400);
     {
         vm_rotor r = rotor_of(1, 0.5, 4, 1, 1);
         vm_real at[6] = {9, 9, 9, 9, 9, 9}, im[6];
@@ -747,17 +782,16 @@ static double cube_law(double k, double t) { return pow(3 * k * 0.5 * t / 16, 1 
 
 static void test_fig18(void)
 {
-    const double at_1[] = {1, 1.01, 1.1};
-    const double slack = is_float ? 5e-3 : 2e-3;
+    const double at[] = {1, 1.01, 1.1}, slack = is_float ? 2e-4 : 1e-6; /* what integrate() leaves at t = 400 */
     int i;
-    CHECK(fabs(radius_at(0.625, 1, 400) - 0.82051282) < (is_float ? 1e-5 : 1e-8));
-    CHECK(fabs(radius_at(0.625, 0.3, 400) - 0.8205128) < 1e-4);
-    CHECK(fabs(radius_at(1, 1, 400) - 3.47) < 0.005 && fabs(cube_law(1, 400) - 3.35) < 0.005);
-    CHECK(fabs(radius_at(2.5, 1, 400) - 12.44) < 0.005 && fabs(sqrt(1.5 * 400 / 4) - 12.25) < 0.005);
+    CHECK(fabs(radius_at(0.625, 1, 400) - 0.82051282) < (is_float ? slack : 1e-8));
+    CHECK(fabs(radius_at(0.625, 0.3, 400) - 0.8205128) < 1e-4 + slack);
+    CHECK(fabs(radius_at(1, 1, 400) - 3.473205) < slack && fabs(cube_law(1, 400) - 3.347165) < 1e-6);
+    CHECK(fabs(radius_at(2.5, 1, 400) - 12.437359) < slack && fabs(sqrt(1.5 * 400 / 4) - 12.247449) < 1e-6);
     for (i = 0; i < 3; i++) { /* on resonance and a little above: with the next order, to s^2/r^2 */
-        vm_rotor r = rotor_of(1, 0.5, 4, 1, at_1[i]);
-        double growth = (double)vm_rotor_growth(400, &r, R(at_1[i])), r400 = radius_at(at_1[i], 1, 400);
-        CHECK(fabs(growth - r400) < slack);
+        vm_rotor r = rotor_of(1, 0.5, 4, 1, at[i]);
+        double growth = (double)vm_rotor_growth(400, &r, R(at[i])), r400 = radius_at(at[i], 1, 400);
+        CHECK(fabs(growth - r400) < 2e-3);
         CHECK(fabs(cube_law(1, 400) - r400) > 0.1); /* where the law at resonance alone is off by s/4 and more */
     }
 }
@@ -773,8 +807,8 @@ static void test_growth(void)
             double low = (double)vm_rotor_growth(R(t * (1 - h)), &r, R(Omega)) - 0.125;
             double high = (double)vm_rotor_growth(R(t * (1 + h)), &r, R(Omega)) - 0.125;
             double at = (double)vm_rotor_growth(R(t), &r, R(Omega)) - 0.125, slope = (high - low) / (2 * h * t);
-            check_error("R R' = A + B/R", "growth", "h^2", fabs(at * slope / (A + B / at) - 1) / (h * h), is_float ? 8 : 3,
-                        Omega, t);
+            check_error("R R' = A + B/R", "growth", "h^2", fabs(at * slope / (A + B / at) - 1) / (h * h),
+                        is_float ? 8 : 3, Omega, t);
         }
     }
     CHECK(fabs((double)vm_rotor_growth(400, &r, 1) - 0.125 - cube_law(1, 400)) < 8 * eps * 4);
@@ -815,7 +849,8 @@ static void test_bad_input(void)
         CHECK(vm_rotor_linear_uncoupled(1, &r, start, y) == status && vm_rotor_orbit(&r, start, y) == status);
         CHECK(vm_rotor_char_poly(&r, 1, y) == status && vm_rotor_routh(&r, 1, y) == status);
         CHECK(vm_rotor_eigenvalues(&r, 1, y, y) == status && vm_rotor_stable(&r, 0) == 0);
-        CHECK(vm_rotor_steady(&r, 1) != vm_rotor_steady(&r, 1) && vm_rotor_growth(1, &r, 9) != vm_rotor_growth(1, &r, 9));
+        CHECK(vm_rotor_steady(&r, 1) != vm_rotor_steady(&r, 1) &&
+              vm_rotor_growth(1, &r, 9) != vm_rotor_growth(1, &r, 9));
         CHECK(vm_rotor_break_off(&r, start, &whole_piece, &b) == status);
     }
     for (i = 0; i < 10; i++) {
@@ -836,7 +871,8 @@ static void test_bad_input(void)
     {
         vm_rotor off = good;
         off.s = 1;
-        CHECK(vm_rotor_break_off(&off, start, &whole_piece, &b) == VM_DOMAIN && vm_rotor_free(1, &off, start, y) == VM_DOMAIN);
+        CHECK(vm_rotor_break_off(&off, start, &whole_piece, &b) == VM_DOMAIN &&
+              vm_rotor_free(1, &off, start, y) == VM_DOMAIN);
         off.s = VM_INFINITY;
         CHECK(vm_rotor_free(1, &off, start, y) == VM_NOT_FINITE);
         off.s = 0, off.stiffness = 0;
@@ -844,14 +880,18 @@ static void test_bad_input(void)
         off.s = 1, off.stiffness = 1, off.inertia = R(1e-3); /* grows as exp(21 t) */
         CHECK(vm_rotor_linear(1000, &off, start, y) == VM_NOT_FINITE);
     }
-    CHECK(vm_rotor_free(VM_NAN, &good, start, y) == VM_NOT_FINITE && vm_rotor_free(1, NULL, start, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_free(1, &good, NULL, y) == VM_BAD_ARGUMENT && vm_rotor_free(1, &good, start, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_rotor_free(VM_NAN, &good, start, y) == VM_NOT_FINITE &&
+          vm_rotor_free(1, NULL, start, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_rotor_free(1, &good, NULL, y) == VM_BAD_ARGUMENT &&
+          vm_rotor_free(1, &good, start, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_rotor_orbit(NULL, start, y) == VM_BAD_ARGUMENT && vm_rotor_orbit(&good, NULL, y) == VM_BAD_ARGUMENT);
     CHECK(vm_rotor_break_off(NULL, start, &whole_piece, &b) == VM_BAD_ARGUMENT);
     CHECK(vm_rotor_break_off(&good, start, NULL, &b) == VM_BAD_ARGUMENT);
     CHECK(vm_rotor_break_off(&good, start, &whole_piece, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_char_poly(&good, VM_NAN, y) == VM_NOT_FINITE && vm_rotor_char_poly(NULL, 1, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_routh(&good, 1, NULL) == VM_BAD_ARGUMENT && vm_rotor_eigenvalues(&good, 1, y, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_rotor_char_poly(&good, VM_NAN, y) == VM_NOT_FINITE &&
+          vm_rotor_char_poly(NULL, 1, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_rotor_routh(&good, 1, NULL) == VM_BAD_ARGUMENT &&
+          vm_rotor_eigenvalues(&good, 1, y, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_rotor_to_polar(NULL, y) == VM_BAD_ARGUMENT && vm_rotor_from_polar(y, NULL) == VM_BAD_ARGUMENT);
     start[3] = VM_NAN;
     CHECK(vm_rotor_free(1, &good, start, y) == VM_NOT_FINITE && vm_rotor_orbit(&good, start, y) == VM_NOT_FINITE);
