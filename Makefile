@@ -114,7 +114,7 @@ build/tests/scan: tests/scan.c $(TEST_FILES)
 build/tests/scan_float: tests/scan.c $(TEST_FILES)
 	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) -DVM_USE_FLOAT $< -o $@ -lquadmath -lm
 
-build/examples/%: examples/%.c build/command examples/envelope.h examples/table5_data.h $(HEADERS)
+build/examples/%: examples/%.c build/command $(wildcard examples/*.h) $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 # with GSL's functions beside ours where GSL is there

@@ -264,12 +264,10 @@ static void test_units(void)
                 }
             }
             for (i = 0; i < n; i++) { /* part so that x comes out */
-                double sum = 0, all = 0;
+                double sum = 0;
                 Q[i] = R(uniform(-1, 1) * unit[i]);
-                for (j = 0; j < n; j++) {
+                for (j = 0; j < n; j++)
                     sum += (double)before[i * n + j] * (double)qdot[j] - (double)after[i * n + j] * x[j];
-                    all += fabs((double)after[i * n + j] * x[j]);
-                }
                 part[i] = R(sum + (double)Q[i]);
             }
             CHECK(vm_lagrange_separate(n, before, after, qdot, part, Q, got, work) == VM_OK);

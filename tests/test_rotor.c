@@ -229,7 +229,7 @@ static void test_break_vector_form(void)
         vm_rotor_piece p;
         vm_rotor_break b;
         vm_real before[6];
-        vm_body body, part, rest;
+        vm_body body, part, rest = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
         vm_vec3 a, v;
         double fraction = pow(10, uniform(-3, -0.3)), sine, cosine, shaft;
         whole.mass = R(uniform(1, 10)), whole.inertia = whole.mass / 2;
@@ -505,7 +505,7 @@ static void test_polar(void)
     int i;
     for (i = 0; i < 100; i++) {
         vm_rotor r = rotor_of(uniform(0.2, 4), uniform(-1, 1), uniform(0.3, 4), uniform(0, 2), uniform(-1, 1));
-        vm_real y[6], polar[6], back[6], a[6], b[6];
+        vm_real y[6], polar[6] = {0}, back[6] = {0}, a[6], b[6] = {0};
         double dx, dy, c, s, q[6];
         int k;
         set(y, uniform(-2, 2), uniform(-2, 2), uniform(-9, 9), uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
@@ -629,7 +629,7 @@ static void test_char_poly(void)
         double p[4], Omega = uniform(0.1, 3), size;
         complex_number l, det, f, zero = {0, 0}, q;
         vm_rotor r;
-        vm_real c[6], column[6];
+        vm_real c[6] = {0}, column[6] = {0};
         l.re = uniform(-2, 2), l.im = uniform(-2, 2);
         for (k = 0; k < 4; k++) p[k] = uniform(0.2, 3);
         if (fabs(p[0] - Omega * Omega) < 0.2) continue;
@@ -665,7 +665,7 @@ static void check_roots(const char *region, const vm_real *re, const vm_real *im
 {
     int j, k;
     for (j = 0; j < 5; j++) {
-        double nearest = VM_INFINITY;
+        double nearest = HUGE_VAL;
         for (k = 0; k < 5; k++)
             nearest = fmin(nearest, hypot((double)re[k] - true_re[j], (double)im[k] - true_im[j]));
         check_error("eigenvalues (81)", region, "cond", nearest == 0 ? 0 : nearest / eps / condition[j], 8,
@@ -721,8 +721,7 @@ static void test_stability(void)
 {
     int i, k, mismatches = 0, doubtful = 0, printed_off = 0;
     for (i = 0; i < 4000; i++) {
-        double w2 = uniform(0.1, 4), Omega = uniform(0.05, 3), c = uniform(0.1, 20), most = -VM_INFINITY,
-               largest = 0;
+        double w2 = uniform(0.1, 4), Omega = uniform(0.05, 3), c = uniform(0.1, 20), most = -HUGE_VAL, largest = 0;
         vm_rotor r;
         vm_real column[6], re[5], im[5];
         int positive = 1, stable;
