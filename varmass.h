@@ -475,6 +475,22 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
     return VM_COPYSIGN(angle, y);
 }
 
+/* sqrt(x^2 + y^2), within 2 ulp, where the squares overflow too */
+VM_API vm_real vmi_hypot(vm_real x, vm_real y)
+{
+    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = a > b ? a : b, least = a > b ? b : a;
+    const vm_real q = most > 0 ? least / most : 0;
+    return most * VM_SQRT(1 + q * q);
+}
+
+/* A result of n numbers, where all are finite */
+VM_API int vmi_deliver(int n, const vm_real *from, vm_real *to)
+{
+    if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;
+    memcpy(to, from, (size_t)n * sizeof *to);
+    return VM_OK;
+}
+
 typedef struct VM_TAG(vmi_complex) {
     vm_real re, im;
 } vmi_complex;
@@ -508,7 +524,7 @@ VM_API vmi_complex vmi_complex_over(vmi_complex a, vmi_complex b)
 VM_API vmi_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vmi_complex z = vmi_complex_of(re[i], im[i]), one = vmi_complex_of(1, 0);
-    const vm_real modulus = VM_SQRT(z.re * z.re + z.im * z.im);
+    const vm_real modulus = vmi_hypot(z.re, z.im);
     vmi_complex p = vmi_complex_of(c[0], 0), slope = vmi_complex_of(0, 0), others = slope;
     vm_real size = VM_FABS(c[0]);
     int j;
@@ -1109,7 +1125,7 @@ VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
 
 VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
 {
-    vm_real x, vx, z[4];
+    vm_real y[6], z[4];
     vmi_rotor_linear a;
     vmi_swing g;
     int status;
@@ -1119,15 +1135,13 @@ VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real 
     if (status) return status;
     a = vmi_rotor_reduced(rotor, coupled);
     g = vmi_swing_at(t, a.omega);
-    x = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
-    vx = start[3] * g.c - g.w_s * (start[0] + a.s);
     z[0] = start[1], z[1] = start[2], z[2] = start[4], z[3] = start[5];
     if (coupled || VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_double(t, &a, z);
     else vmi_rotor_follow(t, &a, &g, z);
-    if (!VM_IS_FINITE(x) || !VM_IS_FINITE(vx) || !vmi_all_finite(4, z)) return VM_NOT_FINITE;
-    end[0] = x, end[1] = z[0], end[2] = z[1];
-    end[3] = vx, end[4] = z[2], end[5] = z[3];
-    return VM_OK;
+    y[0] = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
+    y[3] = start[3] * g.c - g.w_s * (start[0] + a.s);
+    y[1] = z[0], y[2] = z[1], y[4] = z[2], y[5] = z[3];
+    return vmi_deliver(6, y, end);
 }
 
 VM_API int vm_rotor_linear(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
@@ -1149,19 +1163,17 @@ VM_API int vm_rotor_free(vm_real t, const vm_rotor *rotor, const vm_real *start,
 
 VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
-    vm_real w, vx, vy, x, y;
+    vm_real w, vx, vy, c[4];
     int status;
     if (!rotor || !start || !abcd) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(6, start)) return VM_NOT_FINITE;
     status = vmi_check_rotor(rotor);
+    if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
     if (status) return status;
-    if (rotor->stiffness == 0) return VM_DOMAIN;
-    w = VM_SQRT(rotor->stiffness / rotor->mass);
-    x = start[0], y = start[1], vx = start[3] / w, vy = start[4] / w;
-    if (!VM_IS_FINITE(vx) || !VM_IS_FINITE(vy)) return VM_NOT_FINITE;
-    abcd[0] = (x + vy) / 2, abcd[1] = (y - vx) / 2;
-    abcd[2] = (x - vy) / 2, abcd[3] = (y + vx) / 2;
-    return VM_OK;
+    w = VM_SQRT(rotor->stiffness / rotor->mass), vx = start[3] / w, vy = start[4] / w;
+    c[0] = (start[0] + vy) / 2, c[1] = (start[1] - vx) / 2;
+    c[2] = (start[0] - vy) / 2, c[3] = (start[1] + vx) / 2;
+    return vmi_deliver(4, c, abcd);
 }
 
 /* -- The break, in axes along SA and counterclockwise across it -- */
@@ -1209,11 +1221,10 @@ VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p,
                                  const vm_real *v, vm_real *e, vm_rotor_break *b)
 {
     const vm_real ux = v[0] - spin * d[1], uy = v[1] + spin * d[0], reduced = p->mass / b->rest.mass * whole->mass;
-    const vm_real reach_x = p->radius - d[0], reach_y = -d[1],
-                  reach = VM_SQRT(reach_x * reach_x + reach_y * reach_y);
+    const vm_real reach_x = p->radius - d[0], reach_y = -d[1], reach = vmi_hypot(reach_x, reach_y);
     vm_real moment; /* SS2 x v_T */
     e[0] = reach_x / reach, e[1] = reach_y / reach;
-    b->dragging = VM_SQRT(ux * ux + uy * uy);
+    b->dragging = vmi_hypot(ux, uy);
     b->gamma = vmi_atan2(uy, ux), b->beta = vmi_atan2(reach_y, reach_x);
     b->normal = ux * e[0] + uy * e[1];
     b->tangential = uy * e[0] - ux * e[1];
@@ -1275,32 +1286,28 @@ VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 
 VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
-    vm_real r, x = 0, z = 0, vx, vz;
+    vm_real p[6], c, s;
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(6, y)) return VM_NOT_FINITE;
-    r = VM_SQRT(y[0] * y[0] + y[1] * y[1]);
-    if (r > 0) x = y[0] / r, z = y[1] / r;
-    if (!(r > 0)) return VM_DOMAIN;
-    if (!VM_IS_FINITE(r)) return VM_NOT_FINITE;
-    vx = y[3], vz = y[4];
-    polar[5] = y[5], polar[2] = y[2];
-    polar[0] = r, polar[1] = vmi_atan2(z, x);
-    polar[3] = x * vx + z * vz, polar[4] = (x * vz - z * vx) / r;
-    return VM_OK;
+    p[0] = vmi_hypot(y[0], y[1]);
+    if (!(p[0] > 0)) return VM_DOMAIN;
+    c = y[0] / p[0], s = y[1] / p[0];
+    p[1] = vmi_atan2(y[1], y[0]), p[2] = y[2];
+    p[3] = c * y[3] + s * y[4], p[4] = (c * y[4] - s * y[3]) / p[0], p[5] = y[5];
+    return vmi_deliver(6, p, polar);
 }
 
 VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real sine, cosine, r, rate, spin;
+    vm_real z[6], c, s, across;
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(6, polar)) return VM_NOT_FINITE;
     if (!(polar[0] > 0)) return VM_DOMAIN;
-    vmi_sincos(polar[1], &sine, &cosine);
-    r = polar[0], rate = polar[3], spin = r * polar[4];
-    y[5] = polar[5], y[2] = polar[2];
-    y[0] = r * cosine, y[1] = r * sine;
-    y[3] = rate * cosine - spin * sine, y[4] = rate * sine + spin * cosine;
-    return VM_OK;
+    vmi_sincos(polar[1], &s, &c);
+    across = polar[0] * polar[4];
+    z[0] = polar[0] * c, z[1] = polar[0] * s, z[2] = polar[2];
+    z[3] = polar[3] * c - across * s, z[4] = polar[3] * s + across * c, z[5] = polar[5];
+    return vmi_deliver(6, z, y);
 }
 
 /* -- The steady motion and its stability -- */
@@ -1336,28 +1343,30 @@ VM_API int vmi_rotor_about_steady(const vm_rotor *r, vm_real Omega, vmi_rotor_st
     a->w2 = r->stiffness / r->mass, a->O2 = Omega * Omega, a->k = r->damping / r->inertia;
     a->D = detuning / r->mass;
     a->G = r->s * (r->stiffness / detuning) * (r->s * r->stiffness / r->inertia);
-    return VM_IS_FINITE(a->G) && VM_IS_FINITE(a->O2) ? VM_OK : VM_NOT_FINITE;
+    return VM_OK;
 }
 
 VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_rotor_steady a;
+    vm_real p[6];
     int status = c ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
-    c[0] = 1, c[1] = a.k;
-    c[2] = 2 * (a.w2 + a.O2) + a.G, c[3] = 2 * a.k * (a.w2 + a.O2);
-    c[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2), c[5] = a.k * (a.D * a.D);
-    return VM_OK;
+    p[0] = 1, p[1] = a.k;
+    p[2] = 2 * (a.w2 + a.O2) + a.G, p[3] = 2 * a.k * (a.w2 + a.O2);
+    p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2), p[5] = a.k * (a.D * a.D);
+    return vmi_deliver(6, p, c);
 }
 
 VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_rotor_steady a;
+    vm_real p[6];
     int status = column ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
-    column[0] = 1, column[1] = a.k, column[2] = a.G;
-    column[3] = a.k * a.D, column[4] = 4 * a.G * a.O2, column[5] = a.k * (a.D * a.D);
-    return VM_OK;
+    p[0] = 1, p[1] = a.k, p[2] = a.G;
+    p[3] = a.k * a.D, p[4] = 4 * a.G * a.O2, p[5] = a.k * (a.D * a.D);
+    return vmi_deliver(6, p, column);
 }
 
 VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega)
@@ -1370,16 +1379,19 @@ VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega)
 VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_rotor_steady a;
-    vm_real c[6], size, power;
+    vm_real c[6], x[5], y[5], size, power;
     int i, status = re && im ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (!status) status = vm_rotor_char_poly(rotor, Omega, c);
     if (status) return status;
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     for (i = 1, power = 1 / size; i < 6; i++, power /= size) c[i] *= power;
     if (!vmi_all_finite(6, c)) return VM_NOT_FINITE;
-    vmi_poly_roots(5, c, re, im);
-    for (i = 0; i < 5; i++) re[i] *= size, im[i] *= size;
-    return VM_OK;
+    vmi_poly_roots(5, c, x, y);
+    for (i = 0; i < 5; i++) x[i] *= size, y[i] *= size;
+    if (!vmi_all_finite(5, x)) return VM_NOT_FINITE;
+    status = vmi_deliver(5, y, im);
+    if (!status) memcpy(re, x, sizeof x);
+    return status;
 }
 
 /* ln(1 + x) - x + x^2/2, x >= 0, to a few eps: x^3/3 - x^4/4 ..., by powers of w = x/(2 + x), all terms positive */
@@ -1476,9 +1488,7 @@ VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot,
     for (i = 0; i < n; i++) /* the pivots, left on the diagonal */
         if (!(VM_FABS(a[i * n + i]) > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
     for (i = 0; i < n; i++) b[i] = qdot[i] + b[i] / VM_SQRT(matrix[i * n + i]);
-    if (!vmi_all_finite(n, b)) return VM_NOT_FINITE;
-    memcpy(qdot_after, b, (size_t)n * sizeof *b);
-    return VM_OK;
+    return vmi_deliver(n, b, qdot_after);
 }
 
 /* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,

@@ -21,6 +21,20 @@ static void set(vm_real *y, double a, double b, double c, double d, double e, do
     y[0] = R(a), y[1] = R(b), y[2] = R(c), y[3] = R(d), y[4] = R(e), y[5] = R(f);
 }
 
+/* omega^2, s, p^2, k*, M*, one after the other (the order of function arguments is the compiler's) */
+static void random_rotor(double *p, vm_rotor *r)
+{
+    p[0] = uniform(0, 4), p[1] = uniform(-1, 1), p[2] = uniform(0.3, 4), p[3] = uniform(0, 2),
+    p[4] = uniform(-1, 1);
+    *r = rotor_of(p[0], p[1], p[2], p[3], p[4]);
+}
+
+static void random_state(vm_real *y, double size, double angle)
+{
+    int i;
+    for (i = 0; i < 6; i++) y[i] = R(i == 2 ? uniform(-angle, angle) : uniform(-size, size));
+}
+
 static void check_case(const char *what, const char *region, vm_real got, double true_value, double scale,
                        double bound)
 {
@@ -95,13 +109,15 @@ static void test_free_motion(void)
 {
     int i;
     for (i = 0; i < 60; i++) {
-        vm_rotor r = rotor_of(uniform(0, 4), 0, uniform(0.5, 4), uniform(0, 2), uniform(-1, 1));
+        vm_rotor r;
         vm_real start[6], y[6], z[6];
-        double t = uniform(-2, 8);
+        double t = uniform(-2, 8), p[5];
+        random_rotor(p, &r);
+        r.s = 0;
         if (i % 5 == 1) r.damping = 0;
         if (i % 5 == 2) r.stiffness = 0;
         if (i % 5 == 3) r.torque = 0;
-        set(start, uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        random_state(start, 1, 1);
         memcpy(z, start, sizeof z);
         CHECK(vm_rotor_free(R(t), &r, start, y) == VM_OK && integrate(vm_rotor_rhs, &r, z, t) >= 0);
         check_error("(46)", "against rk87", "tol", apart(y, z), 10, i, t);
@@ -235,7 +251,8 @@ static void test_break_vector_form(void)
         whole.mass = R(uniform(1, 10)), whole.inertia = whole.mass / 2;
         p.mass = R(fraction) * whole.mass, p.inertia = p.mass * R(uniform(0, 0.05));
         p.distance = R(uniform(0, 0.6)), p.radius = 1, p.alpha = R(uniform(-3, 3)), p.contact = R(uniform(-3, 3));
-        set(before, uniform(-1, 1), uniform(-1, 1), 0, uniform(-1, 1), uniform(-1, 1), uniform(-3, 3));
+        random_state(before, 1, 3);
+        before[5] *= 3;
         CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK);
         body = disc(before, (double)whole.mass, (double)whole.inertia);
         part = disc(b.piece, (double)p.mass, (double)p.inertia);
@@ -359,15 +376,15 @@ static void test_remainder(void)
         check_error("r (68)", "C5", "tol", fabs(hypot((double)y[0], (double)y[1]) - cases[i][5]) / unit, 4,
                     cases[i][0], 0);
     }
-    for (i = 0; i < 200;
-         i++) { /* (65), (66) are (68); torque = (shaft - S1) x F; energy goes with torque and damping */
-        double p[5] = {uniform(0, 4), uniform(-1, 1), uniform(0.3, 4), uniform(0, 2), uniform(-1, 1)}, power,
-               force[2];
-        vm_rotor r = rotor_of(p[0], p[1], p[2], p[3], p[4]);
+    /* (65), (66) are (68); torque = (shaft - S1) x F; energy goes with torque and damping */
+    for (i = 0; i < 200; i++) {
+        double p[5], power, force[2], c, s, m, k, e;
+        vm_rotor r;
         vm_real y[6], a[6], b[6];
-        double c, s, m = (double)r.mass, k = (double)r.stiffness, e = (double)r.s;
         int j;
-        set(y, uniform(-2, 2), uniform(-2, 2), uniform(-9, 9), uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
+        random_rotor(p, &r);
+        random_state(y, 2, 9);
+        m = (double)r.mass, k = (double)r.stiffness, e = (double)r.s;
         vm_rotor_rhs(0, y, a, &r);
         rhs_68(0, y, b, p);
         for (j = 0; j < 6; j++) check_case("(65)-(68)", "rhs", a[j], (double)b[j], 10, 8);
@@ -504,11 +521,12 @@ static void test_polar(void)
 {
     int i;
     for (i = 0; i < 100; i++) {
-        vm_rotor r = rotor_of(uniform(0.2, 4), uniform(-1, 1), uniform(0.3, 4), uniform(0, 2), uniform(-1, 1));
+        vm_rotor r;
         vm_real y[6], polar[6] = {0}, back[6] = {0}, a[6], b[6] = {0};
-        double dx, dy, c, s, q[6];
+        double dx, dy, c, s, q[6], p[5];
         int k;
-        set(y, uniform(-2, 2), uniform(-2, 2), uniform(-9, 9), uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
+        random_rotor(p, &r);
+        random_state(y, 2, 9);
         if (hypot((double)y[0], (double)y[1]) < 0.3) continue;
         CHECK(vm_rotor_to_polar(y, polar) == VM_OK && vm_rotor_from_polar(polar, back) == VM_OK);
         for (k = 0; k < 6; k++)
@@ -550,12 +568,13 @@ static void test_steady(void)
     vm_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
     check_case("r_SS (77)", "C6", vm_rotor_steady(&r, R(0.625)), 0.8205128205128205128205, 1, 1);
     for (i = 0; i < 200; i++) {
-        double w2 = uniform(0.2, 4), Omega = uniform(-3, 3), k = uniform(0, 2), radius, phi = uniform(-3, 3), far;
+        double p[5], Omega = uniform(-3, 3), radius, phi = uniform(-3, 3), far;
         vm_real y[6], a[6];
-        r = rotor_of(w2, uniform(-1, 1), uniform(0.3, 4), k, k * Omega);
+        random_rotor(p, &r);
+        r.torque = r.damping * R(Omega);
         radius = (double)vm_rotor_steady(&r, R(Omega)); /* psi = phi - pi (77), phi as radius turns negative (76) */
         if (fabs(radius) > 50) continue;
-        CHECK((radius * (double)r.s > 0) == (Omega * Omega < w2));
+        CHECK((radius * (double)r.s > 0) == (Omega * Omega < p[0]));
         set(y, -radius * cos(phi), -radius * sin(phi), phi, Omega * radius * sin(phi), -Omega * radius * cos(phi),
             Omega);
         vm_rotor_rhs(0, y, a, &r);
@@ -578,6 +597,62 @@ static void test_steady(void)
     r.s = 0;
     CHECK(vm_rotor_steady(&r, R(0.5)) == 0 && vm_rotor_steady(&r, 1) != vm_rotor_steady(&r, 1));
     CHECK(vm_rotor_steady(NULL, 1) != vm_rotor_steady(NULL, 1));
+}
+
+/* Whole numbers make mass Omega^2 exact, so that one ulp of the stiffness decides */
+static void test_exact_criterion(void)
+{
+    const int bits = VM_MANT_DIG / 3;
+    int i;
+    for (i = 0; i < 2000; i++) {
+        vm_rotor r = rotor_of(1, 0.5, 4, 1, 1);
+        double most = ldexp(1, bits), Omega = floor(uniform(1, most)), mass = floor(uniform(1, most)), scale;
+        vm_real at, below, above;
+        r.mass = R(mass), at = R(mass * Omega * Omega);
+        below = at * (1 - VM_EPSILON), above = at * (1 + VM_EPSILON);
+        r.stiffness = at;
+        CHECK((double)at == mass * Omega * Omega && !vm_rotor_stable(&r, R(Omega)));
+        r.stiffness = below;
+        CHECK(!vm_rotor_stable(&r, R(Omega)) && vm_rotor_steady(&r, R(Omega)) < 0);
+        scale = 0.5 * (double)below / (double)(below - at);
+        check_error("r_SS", "an ulp away", "eps", fabs((double)vm_rotor_steady(&r, R(Omega)) / scale - 1) / eps, 3,
+                    Omega, mass);
+        r.stiffness = above;
+        CHECK(vm_rotor_stable(&r, R(Omega)) && vm_rotor_stable(&r, R(-Omega)) && vm_rotor_steady(&r, R(Omega)) > 0);
+        CHECK(vm_rotor_growth(1, &r, R(Omega)) != vm_rotor_growth(1, &r, R(Omega)));
+    }
+}
+
+/* (79) is (75) linearised about (76), by differences: rows rho'', xi'', eta'' */
+static void test_linearisation(void)
+{
+    const double h = is_float ? 0.02 : 1e-4;
+    int i, row, column;
+    for (i = 0; i < 50; i++) {
+        double p[5], Omega = uniform(0.3, 3), D, r0, w2, s, row79[3][6] = {{0}};
+        vm_rotor r;
+        vm_real y[6] = {0}, low[6] = {0}, high[6] = {0};
+        random_rotor(p, &r);
+        w2 = p[0], D = w2 - Omega * Omega;
+        r.torque = r.damping * R(Omega);
+        if (((double)r.s > 0) == (D > 0)) r.s = -r.s; /* so that r0 > 0 */
+        s = (double)r.s, r0 = -s * w2 / D;
+        if (r0 < 0.2 || r0 > 3) continue;
+        y[0] = R(r0), y[4] = y[5] = R(Omega);
+        row79[0][0] = -D, row79[0][4] = 2 * Omega * r0;
+        row79[1][1] = s * w2 / r0, row79[1][2] = -s * w2 / r0, row79[1][3] = -2 * Omega / r0;
+        row79[2][1] = -s * w2 * p[2] * r0, row79[2][2] = s * w2 * p[2] * r0, row79[2][5] = -p[3];
+        for (column = 0; column < 6; column++) {
+            vm_real from[6], to[6];
+            memcpy(from, y, sizeof y), memcpy(to, y, sizeof y);
+            from[column] -= R(h), to[column] += R(h);
+            CHECK(vm_rotor_polar_rhs(0, from, low, &r) == 0 && vm_rotor_polar_rhs(0, to, high, &r) == 0);
+            for (row = 0; row < 3; row++)
+                check_error("(79) from (75)", "differences", "h^2",
+                            fabs((double)(high[row + 3] - low[row + 3]) / (2 * h) - row79[row][column]) / (h * h),
+                            30, i, row);
+        }
+    }
 }
 
 typedef struct {
@@ -823,6 +898,62 @@ static void test_growth(void)
 
 /* ---- Bad input ---- */
 
+static vm_real hostile(void)
+{
+    const vm_real numbers[] = {0,      1,           R(0.3),         VM_EPSILON,
+                               VM_MIN, VM_MIN / 4,  1 / VM_EPSILON, VM_SQRT(VM_MAX) / 3,
+                               VM_MAX, VM_INFINITY, VM_NAN};
+    const int count = (int)(sizeof numbers / sizeof *numbers), k = (int)uniform(0, 3 * count);
+    const vm_real x = k < count ? numbers[k] : R(uniform(0, 3));
+    return uniform(-1, 3) < 0 ? -x : x;
+}
+
+/* Either success and finite results, or a status and outputs untouched */
+static void check_outcome(int status, const vm_real *out, const vm_real *kept, int n)
+{
+    int i, finite = 1;
+    for (i = 0; i < n; i++) finite = finite && VM_IS_FINITE(out[i]);
+    if (status ? status > 0 || memcmp(out, kept, (size_t)n * sizeof *out) : !finite) FAIL("outcome");
+    else check_passed++;
+}
+
+static void test_hostile(void)
+{
+    const vm_real kept[12] = {7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7};
+    vm_real y[12], start[6], t, Omega;
+    long i, good = 0;
+    int k, status;
+    for (i = 0; i < 20000; i++) {
+        vm_rotor r;
+        vm_rotor_piece p;
+        vm_rotor_break b, unbroken;
+        r.mass = hostile(), r.inertia = hostile(), r.stiffness = hostile(), r.damping = hostile(),
+        r.torque = hostile();
+        r.s = i % 2 ? 0 : hostile(), t = hostile(), Omega = hostile();
+        p.mass = hostile(), p.inertia = hostile(), p.distance = hostile(), p.alpha = hostile(),
+        p.radius = hostile();
+        p.contact = hostile();
+        for (k = 0; k < 6; k++) start[k] = hostile();
+#define OUTCOME(call, n) \
+    memcpy(y, kept, sizeof y), status = (call), check_outcome(status, y, kept, n), good += !status
+        OUTCOME(vm_rotor_free(t, &r, start, y), 6);
+        OUTCOME(vm_rotor_linear(t, &r, start, y), 6);
+        OUTCOME(vm_rotor_linear_uncoupled(t, &r, start, y), 6);
+        OUTCOME(vm_rotor_orbit(&r, start, y), 4);
+        OUTCOME(vm_rotor_to_polar(start, y), 6);
+        OUTCOME(vm_rotor_from_polar(start, y), 6);
+        OUTCOME(vm_rotor_char_poly(&r, Omega, y), 6);
+        OUTCOME(vm_rotor_routh(&r, Omega, y), 6);
+        OUTCOME(vm_rotor_eigenvalues(&r, Omega, y, y + 5), 10);
+        memset(&b, 1, sizeof b), memset(&unbroken, 1, sizeof unbroken);
+        status = vm_rotor_break_off(&r, start, &p, &b);
+        if (status) CHECK(memcmp(&b, &unbroken, sizeof b) == 0);
+        else check_outcome(0, b.state, kept, 6), check_outcome(0, b.piece, kept, 6), good++;
+        CHECK(!(vm_rotor_growth(t, &r, Omega) < 0));
+    }
+    CHECK(good > 1000);
+}
+
 static void test_bad_input(void)
 {
     const vm_rotor good = {5, 2, 7, R(0.4), R(0.8), 0};
@@ -914,12 +1045,15 @@ int main(void)
     test_transient_after_break();
     test_polar();
     test_steady();
+    test_exact_criterion();
+    test_linearisation();
     test_char_poly();
     test_eigenvalues();
     test_stability();
     test_decay();
     test_fig18();
     test_growth();
+    test_hostile();
     test_bad_input();
     return check_finish("rotor");
 }
