@@ -231,16 +231,16 @@ typedef struct VM_TAG(vm_rotor) {
 /* (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_rotor */
 VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 
-/* State at t after start: (46)-(51), exact; VM_DOMAIN unless s = 0. end may be start, here and below. Error within
-   30 eps (1 + (omega + |k*|) |t|) of the sizes of the terms; damping and stiffness may be 0. */
+/* State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0. damping and stiffness may be 0; end may be
+   start, here and below. Error: no more than the rounding of every input, t included, would do. */
 VM_API int vm_rotor_free(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
-/* A0, B0, C0, D0 (51) of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), m, w^2 = stiffness/mass >
-   0. The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, misprinted after (52), is w
-   sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t). */
+/* A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass,
+   not 0. The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, wrong after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t) */
 VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *abcd);
 
-/* The break, (52)-(64) corrected: the whole touches the stator at A and loses a piece, whose point A keeps its
-   velocity along S2A and loses that across it (57), which is an assumption of [1]: a closure, not mechanics. */
+/* The break, (52)-(64) corrected: the whole touches the stator at A and loses a piece, of which A keeps its velocity
+   while S2 loses that across S2A (57). This is an assumption of [1]; everything else follows by momenta. */
 typedef struct VM_TAG(vm_rotor_piece) {
     vm_real mass, inertia; /* m; I_S2 about the own mass centre S2, >= 0 */
     vm_real distance;      /* SS2, m */
@@ -259,16 +259,18 @@ typedef struct VM_TAG(vm_rotor_break) {
     vm_real tangential; /* T = v_S2d sin(gamma - beta) across it, counterclockwise  [(55) with the other sign] */
     vm_real spin_piece; /* Omega_r = T/AS2 (57), (63) */
     vm_real spin_rest;  /* Omega_r1, from I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T  [(58) corrected] */
-    vm_real
-        stop_inertia; /* the I_S2 that would stop the rest: I_S (R - SS2)/R for alpha = 0  [after (64) corrected] */
+    vm_real stop_inertia; /* the I_S2 that would stop the rest, where there is one: I_S (R - SS2)/R for alpha = 0
+                             [after (64), corrected] */
 } vm_rotor_break;
 /* The remainder's spin, state[5], is Omega_b + Omega_r1  [(59), (64) corrected]. Refuses m not in (0, M), an I_S1
    that is negative or lost in rounding errors (VM_BAD_INERTIA), a whole with s != 0 and S2 at A (VM_DOMAIN). */
 VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
                               vm_rotor_break *result);
 
-/* The remainder for short times, |psi| << 1, linearised: (69) complete; and without its term -s y omega^2 p^2, which
-   (70)-(72) leave out. Both for any k*, omega, s, zero included. VM_NOT_FINITE where the growth overflows. */
+/* The remainder for short times, |psi| << 1, linearised: (69) complete; and without its term -s y omega^2 p^2,
+   which (70)-(72) leave out, though it is of the order of the others. Both for any k*, omega, s, zero included, and
+   accurate as vm_rotor_free is (the first to twice that). All of (69) grows exponentially: VM_NOT_FINITE where it
+   overflows. */
 VM_API int vm_rotor_linear(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
 VM_API int vm_rotor_linear_uncoupled(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
 
@@ -280,14 +282,14 @@ VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y);
 
 /* Steady motion at psi' = Omega, which needs torque = damping Omega (47). r_SS = s omega^2/(omega^2 - Omega^2), m:
    positive as in (77), phi = psi + pi, where Omega^2 < omega^2; negative as in (76), phi = psi. Infinite at resonance
-   (NaN for s = 0). To a few eps however near resonance is. */
+   (NaN for s = 0). Within 2 eps however near resonance is. */
 VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega);
 /* Small motions about it, exp(lambda t). (81) corrected (its last term lacks lambda^2) is lambda times the polynomial
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    D = w^2 - O^2, G = s^2 p^2 w^4/D: c[6], highest power first. lambda = 0 is the freedom of the phase. */
 VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c);
-/* Its five roots, by rising |imaginary part|, pairs as (+, -). Simple ones to 50 eps of the largest, which is near
-   resonance far more than the smallest; double ones to sqrt(eps). */
+/* Its five roots, by rising |imaginary part|, pairs as (+, -): each within twice what an eps of every coefficient
+   would do, the smallest too, which near resonance is many orders below the largest. VM_DOMAIN at resonance. */
 VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im);
 /* Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2 */
 VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column);
@@ -299,16 +301,17 @@ VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega);
    torque has left goes into the orbit. r = |s|/4 + R with R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R),
    R(0) = 0, which changes over from one law to the other,
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   The first two orders of s/r: what is left is of the order s^2/r, and the time of the capture. NaN below
-   resonance, for t < 0, k* < 0 and omega = 0. */
+   s/4 is the next order. Not in it: terms of s^2/r and the time of the capture (Fig. 18 at t = 400: 0.001 of 3.473
+   and 0.093 of 12.437 too little and too much). NaN below resonance, for t < 0, k* < 0 and omega = 0. */
 VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega);
 
 /* -- Chapter 4: Lagrange's equations across a jump -- */
 
-/* Generalized coordinates q_i, i < n. A body enters by dr[i] = dr/dq_i of its mass centre and turn[i] =
-   d(angle)/dq_i, both in inertial axes (87)-(90); with these every function adds to its last argument: a body's
-   share of the mass matrix (n by n; T = qdot^T matrix qdot/2, kg if q is in m), its generalized momentum (as it
-   moves), the generalized impulse (95) of an impulse that acts on a body with mass centre r. */
+/* Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes). A body
+   enters by dr[i] = dv/dqdot_i of its mass centre and turn[i] = d omega/dqdot_i, in inertial axes (87)-(90). With
+   these each function adds to its last argument: a body's share of the mass matrix (n by n, T = qdot^T matrix
+   qdot/2), the generalized momentum of a body (as it moves), the generalized impulse (95) of what acts on a body
+   whose mass centre is at r; its moment is that about r, as (23a) should have said. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix);
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p);
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
@@ -1010,8 +1013,8 @@ VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
     return a;
 }
 
-/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_rotor_rate at most 1: the
-   n-th terms of y and of s psi are then below 1/n! of the first ones */
+/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_rotor_rate at most
+   1: the n-th terms of y and of s psi are then below 1/n! of the first ones */
 VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -1096,8 +1099,8 @@ VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_swi
     z[3] = rate0 * E0 + a->torque * E1;
 }
 
-/* z changes by M (z, 1), M = [exp(A t) - E | answer to the torque]: doubled from where the series holds, M <- 2 M + M M,
-   which keeps the digits of what E would swallow */
+/* z changes by M (z, 1), M = [exp(A t) - E | answer to the torque]: doubled from where the series holds, by
+   2 M + M M, which keeps the digits that E would swallow */
 VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
 {
     vm_real m[5][4], old[5][4], unit[4], h = t; /* m[j]: of the unit state j, of the torque for j = 4 */

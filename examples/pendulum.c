@@ -1,9 +1,8 @@
 /* A pendulum loses its outer part: Fig. 19. The angular velocity of what remains, (119)-(132), as printed and as
    corrected, by the closed form, by Lagrange's equations across the jump (96), and by momenta.
 
-   usage: pendulum [prefix]
-   writes prefix_rate.csv (l/L, phi1' corrected and printed, for two kinds of throw) and prefix_motion.csv: lines, a rod
-   each, x0, y0, x1, y1, kind (0 before, 1 the rest, 2 the part), y downwards. */
+   usage: pendulum [prefix] writes prefix_rate.csv (l/L, phi1' corrected and printed, for two kinds of throw) and
+   prefix_motion.csv: lines, a rod each, x0, y0, x1, y1, kind (0 before, 1 the rest, 2 the part), y downwards. */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"

@@ -1,10 +1,11 @@
-/* A rotor vibrates on its shaft, touches the stator and loses a piece: Figs 16-18. Its motion before (46)-(51), the break
-   (52)-(64), the remainder's transient motion (68)-(74) and where it ends (76)-(82), each as printed and as corrected.
+/* A rotor vibrates on its shaft, touches the stator and loses a piece: Figs 16-18. Its motion before (46)-(51), the
+   break (52)-(64), the remainder's transient motion (68)-(74) and where it ends (76)-(82), each as printed and as
+   corrected.
 
    usage: rotor [prefix]
-   writes prefix_orbit.csv (t, x, y, speed, speed as printed), prefix_vectors.csv (the break, Fig. 17: x, y, dx, dy),
-   prefix_spin.csv (alpha, Omega_1a corrected and printed), prefix_transient.csv (t, then y and psi' by (68), by all of
-   (69), by (71)-(72), by (73)-(74)) and prefix_fig18.csv (t, r for the three Omega, their laws). */
+   It writes prefix_orbit.csv (t, x, y, speed, speed as printed), prefix_vectors.csv (the break, Fig. 17: x, y, dx,
+   dy), prefix_spin.csv (alpha, Omega_1a corrected and printed), prefix_transient.csv (t, then y and psi' by (68), by
+   all of (69), by (71)-(72), by (73)-(74)) and prefix_fig18.csv (t, r for the three Omega, their laws). */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"

@@ -41,7 +41,8 @@ static void check_case(const char *what, const char *region, vm_real got, double
     check_error(what, region, "eps", ERROR_EPS(got, true_value, 0, scale), bound, true_value, 0);
 }
 
-/* To about the best that the type can: order 8; in float order 5, whose fewer evaluations leave less rounding errors */
+/* To about the best that the type can: order 8; in float order 5, whose fewer evaluations leave less rounding
+   errors */
 static int integrate(ode_rhs f, void *ctx, vm_real *y, double t)
 {
     vm_real work[RK87_WORK(6)];
