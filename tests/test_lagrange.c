@@ -377,6 +377,7 @@ static void test_case_D2(void)
         pendulum_numbers n = numbers_D2(axes);
         vm_pendulum p = {3, 2, R(0.7), R(1.3), 0};
         vm_pendulum_cut c;
+        memset(&c, 0, sizeof c);
         p.axes = axes;
         CHECK(vm_pendulum_separate(&p, R(0.5), R(0.6), R(0.4), R(-0.25), &c) == VM_OK);
         if (axes == VM_AXES_COS_SIN) {
@@ -433,6 +434,7 @@ static void test_pendulum_vector_form(void)
         vm_body whole, part, rest;
         vm_impulse j;
         vm_real before, after, momentum = 0, rate, work[VM_LAGRANGE_WORK(1)];
+        memset(&c, 0, sizeof c), memset(&rest, 0, sizeof rest);
         p.angle = R(uniform(-3, 3)), p.rate = R(uniform(-2, 2)), p.axes = i % 2;
         CHECK(vm_pendulum_separate(&p, R(l), R(Om), R(ux), R(uy), &c) == VM_OK);
         l = (double)R(l);
@@ -482,6 +484,7 @@ static void test_pendulum_limits(void)
     double left, worst = 0;
     vm_pendulum p = {3, 2, R(0.7), R(1.3), 0};
     vm_pendulum_cut c;
+    memset(&c, 0, sizeof c);
     for (left = 1; left > (is_float ? 1e-5 : 1e-13); left /= 2) {
         double l = 2 - left, direct, want;
         vm_real m = R(1.5 * l), rho = R(2 - l / 2), rest = R(1.5 * left * left * left);

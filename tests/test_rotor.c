@@ -249,6 +249,7 @@ static void test_break_vector_form(void)
         vm_body body, part, rest = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
         vm_vec3 a, v;
         double fraction = pow(10, uniform(-3, -0.3)), sine, cosine, shaft;
+        memset(&b, 0, sizeof b);
         whole.mass = R(uniform(1, 10)), whole.inertia = whole.mass / 2;
         p.mass = R(fraction) * whole.mass, p.inertia = p.mass * R(uniform(0, 0.05));
         p.distance = R(uniform(0, 0.6)), p.radius = 1, p.alpha = R(uniform(-3, 3)), p.contact = R(uniform(-3, 3));
@@ -440,6 +441,41 @@ static void test_linear_reference(void)
                         fabs((double)y[j] - linear_cases[i].end[j]) / eps /
                             (linear_cases[i].condition[j] + fabs(linear_cases[i].end[j])),
                         8, (double)i, linear_cases[i].t);
+    }
+}
+
+/* Each parameter through zero: the motion changes by as much as the parameter does, from either side */
+static void test_through_zero(void)
+{
+    static const char *names[] = {"stiffness", "damping", "torque", "s"};
+    vm_real start[6];
+    int which, side, coupled, i;
+    set(start, 0.1, -0.05, 0.15, 0.07, 0.11, 0.4);
+    for (which = 0; which < 4; which++) {
+        for (side = which ? -1 : 1; side < 2; side += 2) {
+            for (coupled = 0; coupled < 2; coupled++) {
+                int (*linear)(vm_real, const vm_rotor *, const vm_real *,
+                              vm_real *) = coupled ? vm_rotor_linear : vm_rotor_linear_uncoupled;
+                double small;
+                for (small = 1e-3; small > eps * eps; small /= 10) {
+                    vm_rotor r = rotor_of(1.7, 0.3, 1, 0.6, 0.5), zero = r;
+                    vm_real *p = which == 0   ? &r.stiffness
+                                 : which == 1 ? &r.damping
+                                 : which == 2 ? &r.torque
+                                              : &r.s;
+                    vm_real *q = which == 0   ? &zero.stiffness
+                                 : which == 1 ? &zero.damping
+                                 : which == 2 ? &zero.torque
+                                              : &zero.s;
+                    vm_real y[6] = {0}, z[6] = {0};
+                    *p = R(side * small), *q = 0;
+                    CHECK(linear(3, &r, start, y) == VM_OK && linear(3, &zero, start, z) == VM_OK);
+                    for (i = 0; i < 6; i++)
+                        check_error(names[which], "through zero", "shift",
+                                    fabs((double)(y[i] - z[i])) / (small + 4 * eps), 8, side * small, coupled);
+                }
+            }
+        }
     }
 }
 
@@ -792,6 +828,26 @@ static void test_eigenvalues(void)
     }
 }
 
+/* Towards resonance from below, D -> 0: the smallest root is -k D^2/(4 G w^2), that is as D^3, the largest ones +-i
+   sqrt(G), and all stay on the left */
+static void test_near_resonance(void)
+{
+    double step;
+    for (step = 1. / 32; step > (is_float ? 1e-6 : 1e-14); step /= 2) {
+        vm_rotor r = rotor_of(1, 0.5, 4, 1, 1 - step);
+        double D = step * (2 - step), G = 1 / D, Omega = 1 - step;
+        vm_real re[5] = {0}, im[5] = {0};
+        int k;
+        CHECK(vm_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK && vm_rotor_stable(&r, R(Omega)));
+        for (k = 0; k < 5; k++) /* real parts of pairs are as good as their sizes */
+            CHECK((double)re[k] < (k == 0 ? 0 : 4 * eps * fabs((double)im[k])));
+        check_error("smallest root", "D -> 0", "D^2",
+                    fabs((double)re[0] * (D * D + G * (1 + 3 * Omega * Omega)) / (D * D) + 1) / (D * D + 4 * eps),
+                    1, step, 0);
+        check_error("largest root", "D -> 0", "D", fabs((double)im[3] / sqrt(G) - 1) / (D + 4 * eps), 2, step, 0);
+    }
+}
+
 /* Routh's column, the criterion (82) and the eigenvalues agree; the printed "i.e." does not */
 static void test_stability(void)
 {
@@ -799,7 +855,7 @@ static void test_stability(void)
     for (i = 0; i < 4000; i++) {
         double w2 = uniform(0.1, 4), Omega = uniform(0.05, 3), c = uniform(0.1, 20), most = -HUGE_VAL, largest = 0;
         vm_rotor r;
-        vm_real column[6], re[5], im[5];
+        vm_real column[6] = {0}, re[5] = {0}, im[5] = {0};
         int positive = 1, stable;
         r.mass = R(c / w2), r.stiffness = R(c), r.s = R(uniform(0.05, 1)), r.inertia = R(uniform(0.05, 2)) * r.mass;
         r.damping = R(uniform(0.05, 2)) * r.inertia, r.torque = 0;
@@ -1042,6 +1098,7 @@ int main(void)
     test_break_limits();
     test_remainder();
     test_linear_reference();
+    test_through_zero();
     test_linear_printed();
     test_transient_after_break();
     test_polar();
@@ -1050,6 +1107,7 @@ int main(void)
     test_linearisation();
     test_char_poly();
     test_eigenvalues();
+    test_near_resonance();
     test_stability();
     test_decay();
     test_fig18();
