@@ -321,8 +321,10 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
    that d(T of the part)/dqdot is its generalized momentum part:
      after qdot_after = before qdot - part + impulse    separation
      after qdot_after = before qdot + part + impulse    attachment
-   Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. VM_SINGULAR where after is not
-   positive definite to within 4 n eps of unit diagonal (a coordinate that moves no mass). */
+   Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
+   qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
+   mass: a diagonal entry of after that is not positive, a pivot below 4 n eps once it is scaled to unit diagonal.
+   */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 1))
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
@@ -1037,7 +1039,7 @@ VM_API vm_real vmi_rotor_rate(const vmi_rotor_linear *a)
 }
 
 /* (e^z - 1)/z and (e^z - 1 - z)/z^2, to a few eps */
-VM_API void vmi_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
+VM_API void vmi_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
     int n;
@@ -1052,7 +1054,7 @@ VM_API void vmi_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
 }
 
 /* w - sin w, given sin w */
-VM_API vm_real vmi_less_sine(vm_real w, vm_real sine)
+VM_API vm_real vmi_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
     vm_real sum = 0;
@@ -1063,32 +1065,32 @@ VM_API vm_real vmi_less_sine(vm_real w, vm_real sine)
 }
 
 /* cos wt, 1 - cos wt, w sin wt, sin wt/w, t - sin wt/w */
-typedef struct VM_TAG(vmi_swing) {
+typedef struct VM_TAG(vmi_rotor_swing) {
     vm_real c, c1, w_s, s_w, late;
-} vmi_swing;
+} vmi_rotor_swing;
 
-VM_API vmi_swing vmi_swing_at(vm_real t, vm_real w)
+VM_API vmi_rotor_swing vmi_rotor_swing_at(vm_real t, vm_real w)
 {
-    vmi_swing g;
+    vmi_rotor_swing g;
     vm_real half, sine;
     vmi_sincos(w * t / 2, &half, &g.c);
     vmi_sincos(w * t, &sine, &g.c);
     g.c1 = 2 * half * half;
     g.w_s = w * sine;
     g.s_w = w > 0 ? sine / w : t;
-    g.late = w > 0 ? vmi_less_sine(w * t, sine) / w : 0;
+    g.late = w > 0 ? vmi_rotor_less_sine(w * t, sine) / w : 0;
     return g;
 }
 
 /* (71), (72) with M* in the place of k* Omega, for z = y, psi, y', psi' and |t| times the rate of 1 and more. y
    answers to -s psi, and psi = psi0 + psi0' E1 + M* E2, E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k. g0, g1, g2 solve g''
    + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
-VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_swing *g, vm_real *z)
+VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_rotor_swing *g, vm_real *z)
 {
     const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
     const vm_real y0 = z[0], psi0 = z[1], v0 = z[2], rate0 = z[3];
     vm_real E0, E1, E2, g0, g1, g2;
-    vmi_exp_quotients(-a->k * t, &E1, &E2);
+    vmi_rotor_exp_quotients(-a->k * t, &E1, &E2);
     E0 = vmi_exp(-a->k * t, 0), E1 *= t, E2 *= t * t;
     g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
     g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
@@ -1107,6 +1109,11 @@ VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
     vmi_rotor_linear driven = *a;
     int doublings = 0, i, j, k;
     for (; VM_FABS(h) * vmi_rotor_rate(a) > 1; h /= 2) doublings++;
+    if (doublings == 0) {
+        vmi_rotor_series(a, h, z, unit);
+        for (i = 0; i < 4; i++) z[i] += unit[i];
+        return;
+    }
     for (j = 0; j < 5; j++) {
         for (i = 0; i < 4; i++) unit[i] = i == j;
         driven.torque = j < 4 ? 0 : a->torque;
@@ -1130,14 +1137,14 @@ VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real 
 {
     vm_real y[6], z[4];
     vmi_rotor_linear a;
-    vmi_swing g;
+    vmi_rotor_swing g;
     int status;
     if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !vmi_all_finite(6, start)) return VM_NOT_FINITE;
     status = vmi_check_rotor(rotor);
     if (status) return status;
     a = vmi_rotor_reduced(rotor, coupled);
-    g = vmi_swing_at(t, a.omega);
+    g = vmi_rotor_swing_at(t, a.omega);
     z[0] = start[1], z[1] = start[2], z[2] = start[4], z[3] = start[5];
     if (coupled || VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_double(t, &a, z);
     else vmi_rotor_follow(t, &a, &g, z);
@@ -1191,7 +1198,7 @@ VM_API int vmi_check_piece(const vm_rotor *whole, const vm_rotor_piece *p)
 }
 
 /* (x, y) turned by the angle whose sine and cosine are given */
-VM_API void vmi_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
+VM_API void vmi_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
 {
     const vm_real x0 = *x;
     *x = cosine * x0 - sine * *y;
@@ -1256,11 +1263,11 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
     d[0] = piece->distance * cosine, d[1] = -piece->distance * sine;
     vmi_sincos(piece->contact, &sine, &cosine);
     v[0] = before[3], v[1] = before[4];
-    vmi_turn(-sine, cosine, &v[0], &v[1]);
+    vmi_rotor_turn(-sine, cosine, &v[0], &v[1]);
     if (!(vmi_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
 
-    vmi_turn(sine, cosine, &d[0], &d[1]);
-    vmi_turn(sine, cosine, &e[0], &e[1]);
+    vmi_rotor_turn(sine, cosine, &d[0], &d[1]);
+    vmi_rotor_turn(sine, cosine, &e[0], &e[1]);
     share = piece->mass / b.rest.mass, T = b.tangential;
     vmi_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
     vmi_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
@@ -1398,7 +1405,7 @@ VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *r
 }
 
 /* ln(1 + x) - x + x^2/2, x >= 0, to a few eps: x^3/3 - x^4/4 ..., by powers of w = x/(2 + x), all terms positive */
-VM_API vm_real vmi_growth_time(vm_real x)
+VM_API vm_real vmi_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21; /* w <= 1/3 */
     const vm_real w = x / (2 + x);
@@ -1415,13 +1422,13 @@ VM_API vm_real vmi_growth_time(vm_real x)
 
 /* r r' = A + B/r gives tau = t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A r/B: convex, so that Newton's method
    falls to the root from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
-VM_API vm_real vmi_growth_root(vm_real tau)
+VM_API vm_real vmi_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
     vm_real x = vmi_raised(3 * tau, VM_C(1.) / 3) + VM_SQRT(2 * tau), fall;
     int i;
     for (i = 0; i < most_steps; i++) {
-        fall = (vmi_growth_time(x) - tau) * (1 + x) / (x * x);
+        fall = (vmi_rotor_growth_time(x) - tau) * (1 + x) / (x * x);
         if (!(fall > 0)) break;
         x -= fall;
     }
@@ -1440,7 +1447,7 @@ VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
     z = A * R / B;
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t); /* B = 0 among it */
-    else if (z > VM_EPSILON) R = vmi_growth_root(z * z * z / 3) * B / A;
+    else if (z > VM_EPSILON) R = vmi_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
 }
 
