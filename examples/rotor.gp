@@ -58,7 +58,8 @@ if (figure eq "transient") {
     plot file("transient") using 1:2 with lines ls 1 title "(68) by rk45", \
          "" using 1:4 with lines ls 3 title "(69)", "" using 1:6 with lines ls 4 title "(71): (69) uncoupled", \
          "" using 1:8 with lines ls 2 title "(73) as printed"
-    set key bottom right
+    set key top left
+    set yrange [0.4:3]
     set ylabel "dψ/dt, rad/s"
     plot file("transient") using 1:3 with lines ls 1 title "(68) by rk45", \
          "" using 1:5 with lines ls 3 title "(69)", "" using 1:7 with lines ls 4 title "(72): (69) uncoupled", \
