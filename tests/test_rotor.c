@@ -89,20 +89,20 @@ static void test_case_C1(void)
     double A, B, C, D, speed;
     set(start, 0.3, -0.2, 0, 0.5, 0.4, 0);
     CHECK(vm_rotor_orbit(&r, start, abcd) == VM_OK && vm_rotor_free(R(t), &r, start, y) == VM_OK);
-    check_case("A0 (51)", "C1", abcd[0], 0.2676470588235294117647, 1, 2);
-    check_case("B0 (51)", "C1", abcd[1], -0.2470588235294117647059, 1, 2);
-    check_case("C0 (51)", "C1", abcd[2], 0.03235294117647058823529, 1, 2);
-    check_case("D0 (51)", "C1", abcd[3], 0.04705882352941176470588, 1, 2);
+    check_case("A0 (51)", "C1", abcd[0], 0.2676470588235294117647, 1, 1);
+    check_case("B0 (51)", "C1", abcd[1], -0.2470588235294117647059, 1, 1);
+    check_case("C0 (51)", "C1", abcd[2], 0.03235294117647058823529, 1, 1);
+    check_case("D0 (51)", "C1", abcd[3], 0.04705882352941176470588, 1, 1);
     check_case("x (48)-(50)", "C1", y[0], 0.3503788357778127207376, 1, 3);
-    check_case("y (48)-(50)", "C1", y[1], 0.1882380556300258192127, 1, 3);
+    check_case("y (48)-(50)", "C1", y[1], 0.1882380556300258192127, 1, 2);
     speed = hypot((double)y[3], (double)y[4]);
-    check_case("v_Sb (52)", "C1", R(speed), 0.5731537279920264463668, 1, 4);
-    check_case("v_Sb from A0..D0", "C1", R(speed_from_orbit(abcd, w, t, 0)), 0.5731537279920264463668, 1, 4);
+    check_case("v_Sb (52)", "C1", R(speed), 0.5731537279920264463668, 1, 2);
+    check_case("v_Sb from A0..D0", "C1", R(speed_from_orbit(abcd, w, t, 0)), 0.5731537279920264463668, 1, 2);
     CHECK(fabs(speed_from_orbit(abcd, w, t, 1) - 0.4963006479) < 1e-5);        /* as printed, 13 % off */
     CHECK(fabs(speed_from_orbit(abcd, w, 0, 1) - hypot(0.5, 0.4)) < 10 * eps); /* right at t1 = 0 only */
     A = (double)abcd[0], B = (double)abcd[1], C = (double)abcd[2], D = (double)abcd[3];
     check_case("x (50)", "C1", R((A + C) * cos(w * t) + (D - B) * sin(w * t)), 0.3503788357778127207376, 1, 3);
-    check_case("y (50)", "C1", R((B + D) * cos(w * t) + (A - C) * sin(w * t)), 0.1882380556300258192127, 1, 3);
+    check_case("y (50)", "C1", R((B + D) * cos(w * t) + (A - C) * sin(w * t)), 0.1882380556300258192127, 1, 2);
 }
 
 /* (46) with spin, damping and torque against integration; (47) is where the spin goes */
@@ -152,34 +152,34 @@ static void test_case_C3(void)
     vm_rotor_break b;
     double omega, printed, vr, share = C3[5] / (C3[4] - C3[5]);
     CHECK(break_C3(C3[6], C3[7], 0, &b) == VM_OK);
-    check_case("I_S1", "C3", b.rest.inertia, 1.3, 1, 6);
-    check_case("v_S2d (61)", "C3", b.dragging, 1.5, 1, 3);
-    check_case("gamma (60)", "C3", b.gamma, 0.9272952180016122324285, 1, 3);
-    check_case("sin gamma (60)", "C3", R(sin((double)b.gamma)), C3[2] * C3[1] / 1.5, 1, 3);
+    check_case("I_S1", "C3", b.rest.inertia, 1.3, 1, 2);
+    check_case("v_S2d (61)", "C3", b.dragging, 1.5, 1, 1);
+    check_case("gamma (60)", "C3", b.gamma, 0.9272952180016122324285, 1, 2);
+    check_case("sin gamma (60)", "C3", R(sin((double)b.gamma)), C3[2] * C3[1] / 1.5, 1, 1);
     check_case("beta (56)", "C3", b.beta, 0, 1, 0);
-    check_case("N (54)", "C3", b.normal, 0.9, 1, 2);
-    check_case("T (55)", "C3", b.tangential, 1.2, 1, 3);
-    check_case("Omega_r (63)", "C3", b.spin_piece, 3, 3, 4);
-    check_case("Omega_r (63)", "C3", b.spin_piece, C3[1] / (1 - C3[1]) * C3[2], 3, 4);
-    check_case("Omega_r1 (58)", "C3", b.spin_rest, 0.2505494505494505494505, 1, 8);
-    check_case("Omega_1a (64)", "C3", b.state[5], 2.250549450549450549451, 1, 8);
-    check_case("v_S1 (64)", "C3", b.state[3], 0.9, 1, 2);
-    check_case("v_S1 (64)", "C3", b.state[4], 0, 1, 2);
+    check_case("N (54)", "C3", b.normal, 0.9, 1, 1);
+    check_case("T (55)", "C3", b.tangential, 1.2, 1, 2);
+    check_case("Omega_r (63)", "C3", b.spin_piece, 3, 3, 2);
+    check_case("Omega_r (63)", "C3", b.spin_piece, C3[1] / (1 - C3[1]) * C3[2], 3, 2);
+    check_case("Omega_r1 (58)", "C3", b.spin_rest, 0.2505494505494505494505, 1, 2);
+    check_case("Omega_1a (64)", "C3", b.state[5], 2.250549450549450549451, 1, 3);
+    check_case("v_S1 (64)", "C3", b.state[3], 0.9, 1, 1);
+    check_case("v_S1 (64)", "C3", b.state[4], 0, 1, 1);
     check_case("v_r (62)", "C3", b.piece[4] - R(C3[2] * C3[1]), -1.2, 1, 3); /* relative to the dragging velocity */
     check_case("v_r (62)", "C3", b.piece[3] - R(0.9), 0, 1, 1);
-    check_case("s = SS1", "C3", b.rest.s, 0.8 * 0.6 / 4.2, 1, 2);
+    check_case("s = SS1", "C3", b.rest.s, 0.8 * 0.6 / 4.2, 1, 1);
 
     vr = C3[2] * C3[1]; /* (62) as printed, +Omega x SS2: v_S1 = v_Sb + Omega x SS1 - m/(M - m) v_r */
     CHECK(fabs(-share * vr - share * vr + 0.457) < 1e-3);
     printed = C3[2] * (1 - C3[7] * C3[1] / (C3[6] * (1 - C3[1])));
     CHECK(fabs(printed - 1.72308) < 1e-5); /* (64), second form as printed; the corrected one: */
     omega = printed + C3[2] * (C3[5] * C3[4] / (C3[4] - C3[5]) * C3[1] * C3[1]) / C3[6];
-    check_case("(64) second form", "C3", b.state[5], omega, 1, 8);
+    check_case("(64) second form", "C3", b.state[5], omega, 1, 3);
 
     CHECK(break_C3(1.3, 1.3 * 0.4 / 0.6, 0, &b) == VM_OK); /* I_S1 = I_S2 SS2/AS2: the printed condition of rest */
     CHECK(fabs((double)b.state[5] - 0.527) < 1e-3);
     CHECK(break_C3(1.3, 0.12, 0, &b) == VM_OK);
-    check_case("I_S2 of rest (64)", "C3", b.stop_inertia, 1.762857142857142857143 * 0.4, 1, 6);
+    check_case("I_S2 of rest (64)", "C3", b.stop_inertia, 1.762857142857142857143 * 0.4, 1, 2);
 }
 
 /* (59) with what it loses as printed: a sign and two factors M */
@@ -204,17 +204,17 @@ static void test_break_angles(void)
         double reach = sqrt(1 + 0.36 - 1.2 * cos(alpha));                                       /* (57) */
         CHECK(break_C3(C3[6], C3[7], alpha, &b) == VM_OK);
         rest_spin(alpha, &relative, &relative_printed, &printed);
-        check_case("v_S2d (52)", "alpha", b.dragging, v, 1, 8);
-        check_case("gamma (52)", "alpha", R(v * sin((double)b.gamma)), 1.2 * cos(alpha), 1, 8);
-        check_case("gamma (52)", "alpha", R(v * cos((double)b.gamma)), ux, 1, 8);
+        check_case("v_S2d (52)", "alpha", b.dragging, v, 1, 5);
+        check_case("gamma (52)", "alpha", R(v * sin((double)b.gamma)), 1.2 * cos(alpha), 1, 4);
+        check_case("gamma (52)", "alpha", R(v * cos((double)b.gamma)), ux, 1, 4);
         check_case("(53)", "alpha", b.normal * b.normal + b.tangential * b.tangential, v * v, 1, 30);
-        check_case("N (54)", "alpha", b.normal, v * cos((double)(b.beta - b.gamma)), 1, 10);
-        check_case("T (55)", "alpha", b.tangential, v * sin((double)(b.gamma - b.beta)), 1, 10);
+        check_case("N (54)", "alpha", b.normal, v * cos((double)(b.beta - b.gamma)), 1, 5);
+        check_case("T (55)", "alpha", b.tangential, v * sin((double)(b.gamma - b.beta)), 1, 5);
         check_case("tan beta (56)", "alpha", R(tan((double)b.beta) * (1 - 0.6 * cos(alpha))), 0.6 * sin(alpha), 1,
-                   6);
+                   3);
         check_case("Omega_r (57)", "alpha", b.spin_piece * R(reach), (double)b.tangential, 1, 6);
-        check_case("Omega_r1 (58)", "alpha", b.spin_rest, relative, 1, 20);
-        check_case("Omega_1a (59)", "alpha", b.state[5], 2 + relative, 1, 20);
+        check_case("Omega_r1 (58)", "alpha", b.spin_rest, relative, 1, 6);
+        check_case("Omega_1a (59)", "alpha", b.state[5], 2 + relative, 1, 7);
     }
     rest_spin(0.4, &relative, &relative_printed, &printed);
     CHECK(fabs(relative - 0.033536) < 1e-6 && fabs(relative_printed + 0.044022) < 1e-6); /* (58) as printed */
@@ -264,14 +264,14 @@ static void test_break_vector_form(void)
             continue;
         }
         check_error("(58), (59)", "vm_separate", "eps",
-                    fabs((double)(rest.omega.z - b.state[5])) / eps * (double)(b.rest.inertia / whole.inertia), 30,
+                    fabs((double)(rest.omega.z - b.state[5])) / eps * (double)(b.rest.inertia / whole.inertia), 10,
                     i, 0);
         check_error("I_S1", "vm_separate", "eps",
-                    fabs((double)(rest.inertia.zz - b.rest.inertia)) / eps / (double)whole.inertia, 8, i, 0);
+                    fabs((double)(rest.inertia.zz - b.rest.inertia)) / eps / (double)whole.inertia, 3, i, 0);
         check_error("v_S1 (59)", "vm_separate", "eps",
-                    hypot((double)(rest.v.x - b.state[3]), (double)(rest.v.y - b.state[4])) / eps, 30, i, 0);
+                    hypot((double)(rest.v.x - b.state[3]), (double)(rest.v.y - b.state[4])) / eps, 5, i, 0);
         check_error("r_S1", "vm_separate", "eps",
-                    hypot((double)(rest.r.x - b.state[0]), (double)(rest.r.y - b.state[1])) / eps, 8, i, 0);
+                    hypot((double)(rest.r.x - b.state[0]), (double)(rest.r.y - b.state[1])) / eps, 3, i, 0);
         sine = sin((double)b.state[2]), cosine = cos((double)b.state[2]), shaft = (double)b.rest.s;
         check_error("shaft", "in place", "eps",
                     hypot((double)(b.state[0] - before[0]) + shaft * cosine,
@@ -281,7 +281,7 @@ static void test_break_vector_form(void)
         a = vmi_vec3(before[0] + R(cos((double)p.contact)), before[1] + R(sin((double)p.contact)), 0);
         v = vmi_add(part.v, vmi_cross(part.omega, vmi_sub(a, part.r))); /* A of the piece, and of the whole: */
         a = vmi_add(body.v, vmi_cross(body.omega, vmi_sub(a, body.r)));
-        check_error("A keeps v (57)", "closure", "eps", hypot((double)(v.x - a.x), (double)(v.y - a.y)) / eps, 60,
+        check_error("A keeps v (57)", "closure", "eps", hypot((double)(v.x - a.x), (double)(v.y - a.y)) / eps, 10,
                     i, 0);
     }
     CHECK(impossible < 10);
@@ -369,13 +369,13 @@ static void test_remainder(void)
         double unit = is_float ? 1e-5 : 1e-13;
         set(y, 0, 0, 0.5, 0, 0, 0);
         CHECK(integrate(vm_rotor_rhs, &r, y, 10) >= 0);
-        check_error("x (68)", "C5", "tol", fabs((double)y[0] - cases[i][1]) / unit, 4, cases[i][0], 0);
-        if (i == 0) check_error("y (68)", "C5", "tol", fabs((double)y[1] - cases[i][2]) / unit, 4, cases[i][0], 0);
+        check_error("x (68)", "C5", "tol", fabs((double)y[0] - cases[i][1]) / unit, 2, cases[i][0], 0);
+        if (i == 0) check_error("y (68)", "C5", "tol", fabs((double)y[1] - cases[i][2]) / unit, 2, cases[i][0], 0);
         if (i == 1)
-            check_error("y (68)", "C5", "tol", fabs((double)y[1] - 0.3085364131674529190863) / unit, 4, 1, 0);
-        check_error("psi (68)", "C5", "tol", fabs((double)y[2] - cases[i][3]) / unit, 4, cases[i][0], 0);
-        check_error("psi' (68)", "C5", "tol", fabs((double)y[5] - cases[i][4]) / unit, 4, cases[i][0], 0);
-        check_error("r (68)", "C5", "tol", fabs(hypot((double)y[0], (double)y[1]) - cases[i][5]) / unit, 4,
+            check_error("y (68)", "C5", "tol", fabs((double)y[1] - 0.3085364131674529190863) / unit, 2, 1, 0);
+        check_error("psi (68)", "C5", "tol", fabs((double)y[2] - cases[i][3]) / unit, 2, cases[i][0], 0);
+        check_error("psi' (68)", "C5", "tol", fabs((double)y[5] - cases[i][4]) / unit, 2, cases[i][0], 0);
+        check_error("r (68)", "C5", "tol", fabs(hypot((double)y[0], (double)y[1]) - cases[i][5]) / unit, 2,
                     cases[i][0], 0);
     }
     /* (65), (66) are (68); torque = (shaft - S1) x F; energy goes with torque and damping */
@@ -389,15 +389,15 @@ static void test_remainder(void)
         m = (double)r.mass, k = (double)r.stiffness, e = (double)r.s;
         vm_rotor_rhs(0, y, a, &r);
         rhs_68(0, y, b, p);
-        for (j = 0; j < 6; j++) check_case("(65)-(68)", "rhs", a[j], (double)b[j], 10, 8);
+        for (j = 0; j < 6; j++) check_case("(65)-(68)", "rhs", a[j], (double)b[j], 10, 4);
         c = cos((double)y[2]), s = sin((double)y[2]);
         force[0] = m * (double)a[3], force[1] = m * (double)a[4];
         check_case("torque (65)", "rhs", r.inertia * a[5] + r.damping * y[5] - r.torque,
-                   e * (c * force[1] - s * force[0]), 10, 8);
+                   e * (c * force[1] - s * force[0]), 10, 3);
         power = m * (double)(y[3] * a[3] + y[4] * a[4]) + (double)(r.inertia * y[5] * a[5]) +
                 k * ((double)y[0] + e * c) * ((double)y[3] - e * s * (double)y[5]) +
                 k * ((double)y[1] + e * s) * ((double)y[4] + e * c * (double)y[5]);
-        check_case("energy (65)", "rhs", (r.torque - r.damping * y[5]) * y[5], power, 40, 8);
+        check_case("energy (65)", "rhs", (r.torque - r.damping * y[5]) * y[5], power, 40, 2);
     }
 }
 
@@ -440,7 +440,7 @@ static void test_linear_reference(void)
             check_error(names[j], linear_cases[i].coupled ? "(69)" : "closed form", "cond",
                         fabs((double)y[j] - linear_cases[i].end[j]) / eps /
                             (linear_cases[i].condition[j] + fabs(linear_cases[i].end[j])),
-                        8, (double)i, linear_cases[i].t);
+                        linear_cases[i].coupled ? 2 : 1, (double)i, linear_cases[i].t);
     }
 }
 
@@ -500,17 +500,17 @@ static void test_linear_printed(void)
     int i, k;
     set(start, y0[0], y0[1], y0[2], y0[3], y0[4], y0[5]);
     CHECK(vm_rotor_linear_uncoupled(2, &r, start, y) == VM_OK);
-    check_case("x (70)", "C4", y[0], -0.4293088598356822497793, 1, 4);
-    check_case("y (71)", "C4", y[1], -0.1248708354566459698133, 1, 4);
-    check_case("psi' (72)", "C4", y[5], 0.6517073481042952426476, 1, 4);
+    check_case("x (70)", "C4", y[0], -0.4293088598356822497793, 1, 2);
+    check_case("y (71)", "C4", y[1], -0.1248708354566459698133, 1, 2);
+    check_case("psi' (72)", "C4", y[5], 0.6517073481042952426476, 1, 2);
     for (i = 0; i < 40; i++) {
         for (k = 0; k < 6; k++) q[k] = uniform(0.2, 2);
         r = rotor_of(q[0], q[1], q[2], q[3], q[3] * q[4]), t = uniform(0.1, 5);
         CHECK(vm_rotor_linear_uncoupled(R(t), &r, start, y) == VM_OK);
         printed_linear(q, y0, q[4], t, &x1, &y1, &rate1);
-        check_case("x (70)", "printed", y[0], x1, 1 + q[1], 20);
-        check_case("y (71)", "printed", y[1], y1, 10 / q[3], 20);
-        check_case("psi' (72)", "printed", y[5], rate1, 1 + q[4], 20);
+        check_case("x (70)", "printed", y[0], x1, 1 + q[1], 4);
+        check_case("y (71)", "printed", y[1], y1, 10 / q[3], 4);
+        check_case("psi' (72)", "printed", y[5], rate1, 1 + q[4], 4);
         q[4] *= q[3];
         for (k = 0; k < 2; k++) { /* (69) without its last term, and all of it */
             q[5] = k, memcpy(z, start, sizeof z);
@@ -574,9 +574,9 @@ static void test_polar(void)
         c = cos(q[1]), s = sin(q[1]);
         dx = ((double)b[3] - q[0] * q[4] * q[4]) * c - (q[0] * (double)b[4] + 2 * q[3] * q[4]) * s;
         dy = ((double)b[3] - q[0] * q[4] * q[4]) * s + (q[0] * (double)b[4] + 2 * q[3] * q[4]) * c;
-        check_case("r'', phi'' (75)", "polar", R(dx), (double)a[3], 20, 20);
-        check_case("r'', phi'' (75)", "polar", R(dy), (double)a[4], 20, 20);
-        check_case("psi'' (75)", "polar", b[5], (double)a[5], 20, 10);
+        check_case("r'', phi'' (75)", "polar", R(dx), (double)a[3], 20, 2);
+        check_case("r'', phi'' (75)", "polar", R(dy), (double)a[4], 20, 2);
+        check_case("psi'' (75)", "polar", b[5], (double)a[5], 20, 6);
         memcpy(back, polar, sizeof back);
         CHECK(vm_rotor_to_polar(y, y) == VM_OK && memcmp(y, polar, sizeof y) == 0);
         CHECK(vm_rotor_from_polar(polar, polar) == VM_OK);
@@ -603,7 +603,7 @@ static void test_steady(void)
     int i;
     double step;
     vm_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
-    check_case("r_SS (77)", "C6", vm_rotor_steady(&r, R(0.625)), 0.8205128205128205128205, 1, 1);
+    check_case("r_SS (77)", "C6", vm_rotor_steady(&r, R(0.625)), 0.8205128205128205128205, 1, 0.5);
     for (i = 0; i < 200; i++) {
         double p[5], Omega = uniform(-3, 3), radius, phi = uniform(-3, 3), far;
         vm_real y[6], a[6];
@@ -616,9 +616,9 @@ static void test_steady(void)
             Omega);
         vm_rotor_rhs(0, y, a, &r);
         far = 10 * (1 + fabs(radius));
-        check_case("(76), (77)", "steady", a[3], Omega * Omega * radius * cos(phi), far, 10);
-        check_case("(76), (77)", "steady", a[4], Omega * Omega * radius * sin(phi), far, 10);
-        check_case("(76), (77)", "steady", a[5], 0, far, 20);
+        check_case("(76), (77)", "steady", a[3], Omega * Omega * radius * cos(phi), far, 2);
+        check_case("(76), (77)", "steady", a[4], Omega * Omega * radius * sin(phi), far, 2);
+        check_case("(76), (77)", "steady", a[5], 0, far, 2);
     }
     r = rotor_of(1, 0.5, 4, 1, 1);
     for (step = 0.25; step > eps; step /= 2) { /* towards resonance from below and above */
@@ -687,7 +687,7 @@ static void test_linearisation(void)
             for (row = 0; row < 3; row++)
                 check_error("(79) from (75)", "differences", "h^2",
                             fabs((double)(high[row + 3] - low[row + 3]) / (2 * h) - row79[row][column]) / (h * h),
-                            30, i, row);
+                            10, i, row);
         }
     }
 }
@@ -780,7 +780,7 @@ static void check_roots(const char *region, const vm_real *re, const vm_real *im
         double nearest = HUGE_VAL;
         for (k = 0; k < 5; k++)
             nearest = fmin(nearest, hypot((double)re[k] - true_re[j], (double)im[k] - true_im[j]));
-        check_error("eigenvalues (81)", region, "cond", nearest == 0 ? 0 : nearest / eps / condition[j], 8,
+        check_error("eigenvalues (81)", region, "cond", nearest == 0 ? 0 : nearest / eps / condition[j], 2,
                     parameter, j);
     }
     for (j = 0; j < 5; j++) {
@@ -804,8 +804,8 @@ static void test_eigenvalues(void)
     CHECK(vm_rotor_eigenvalues(&r, R(0.625), x, y) == VM_OK && vm_rotor_stable(&r, R(0.625)));
     check_roots("C6", x, y, re, im, one, 0);
     CHECK(vm_rotor_routh(&r, R(0.625), c) == VM_OK && c[0] == 1 && c[1] == 1);
-    check_case("b1 = G", "C6", c[2], 1.641025641025641025641, 1, 4);
-    check_case("c1 = k D", "C6", c[3], 0.609375, 1, 2);
+    check_case("b1 = G", "C6", c[2], 1.641025641025641025641, 1, 1);
+    check_case("c1 = k D", "C6", c[3], 0.609375, 1, 1);
     check_case("d1 = 4 G Omega^2", "C6", c[4], 2.564102564102564102564, 1, 6);
     {
         double D = 1 - 0.625 * 0.625, GD = 0.25 * 4, G = GD / D,
@@ -938,8 +938,8 @@ static void test_growth(void)
             double low = (double)vm_rotor_growth(R(t * (1 - h)), &r, R(Omega)) - 0.125;
             double high = (double)vm_rotor_growth(R(t * (1 + h)), &r, R(Omega)) - 0.125;
             double at = (double)vm_rotor_growth(R(t), &r, R(Omega)) - 0.125, slope = (high - low) / (2 * h * t);
-            check_error("R R' = A + B/R", "growth", "h^2", fabs(at * slope / (A + B / at) - 1) / (h * h),
-                        is_float ? 8 : 3, Omega, t);
+            check_error("R R' = A + B/R", "growth", "h^2", fabs(at * slope / (A + B / at) - 1) / (h * h), 1, Omega,
+                        t);
         }
     }
     CHECK(fabs((double)vm_rotor_growth(400, &r, 1) - 0.125 - cube_law(1, 400)) < 8 * eps * 4);
