@@ -795,14 +795,14 @@ static void test_eigenvalues(void)
                                  -0.09005052614007390462734, -0.09005052614007390462734},
                         im[5] = {0, 1.061194386164185775948, -1.061194386164185775948, 1.714269675318576012624,
                                  -1.714269675318576012624},
-                        one[5] = {1, 1, 1, 1, 1};
+                        condition[5] = {0.2278, 3.905, 3.905, 5.292, 5.292};
     vm_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
     vm_real x[6], y[6], c[6];
     double printed[7], most = -9;
     size_t i;
     int k;
     CHECK(vm_rotor_eigenvalues(&r, R(0.625), x, y) == VM_OK && vm_rotor_stable(&r, R(0.625)));
-    check_roots("C6", x, y, re, im, one, 0);
+    check_roots("C6", x, y, re, im, condition, 0);
     CHECK(vm_rotor_routh(&r, R(0.625), c) == VM_OK && c[0] == 1 && c[1] == 1);
     check_case("b1 = G", "C6", c[2], 1.641025641025641025641, 1, 1);
     check_case("c1 = k D", "C6", c[3], 0.609375, 1, 1);
