@@ -323,8 +323,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
      after qdot_after = before qdot + part + impulse    attachment
    Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
    qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
-   mass: a diagonal entry of after that is not positive, a pivot below 4 n eps once it is scaled to unit diagonal.
-   */
+   mass: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled to 1. */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 1))
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
