@@ -42,3 +42,10 @@ slow 32 2 1 1 -1.5 5 "x, y"
 gnuplot -e "folder='$folder'" examples/resonance.gp || exit 1
 echo "  $folder/resonance.svg   resonance curve under harmonic force"
 echo "  $folder/passage.svg   passage through the resonance while the mass grows"
+for figure in break transient fig18; do
+    gnuplot -e "prefix='$folder/rotor'; figure='$figure'" examples/rotor.gp 2>"$folder/gnuplot.log" ||
+        { cat "$folder/gnuplot.log"; exit 1; }
+done
+echo "  $folder/rotor_{break,transient,fig18}.svg   Figs 17 and 18, the motion after the break"
+gnuplot -e "prefix='$folder/pendulum'" examples/pendulum.gp || exit 1
+echo "  $folder/pendulum.svg   Fig. 19"
