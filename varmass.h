@@ -192,6 +192,9 @@ VM_API const char *vm_strerror(int status);
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
+typedef struct VM_TAG(vm_complex) {
+    vm_real re, im;
+} vm_complex;
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
@@ -951,9 +954,6 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
    gyroscopic constant g = Omega_p g of the remark after (516):
      m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
    A zero field means none; mass and stiffness must be there. */
-typedef struct VM_TAG(vm_complex) {
-    vm_real re, im;
-} vm_complex;
 /* F_e(rho)/rho, N/m, and its derivative, for rho >= 0. vm_laval_power is k rho^(alpha-1), ctx a vm_power_force. */
 typedef vm_real (*vm_laval_stiffness)(vm_real rho, vm_real *slope, void *ctx);
 typedef vm_complex (*vm_laval_force)(vm_real t, vm_complex z, vm_complex v, void *ctx);
@@ -1478,60 +1478,68 @@ VM_API int vmi_deliver(int n, const vm_real *from, vm_real *to)
     return VM_OK;
 }
 
-typedef struct VM_TAG(vmi_complex) {
-    vm_real re, im;
-} vmi_complex;
-
-VM_API vmi_complex vmi_complex_of(vm_real re, vm_real im)
+VM_API vm_complex vmi_complex(vm_real re, vm_real im)
 {
-    vmi_complex z;
+    vm_complex z;
     z.re = re, z.im = im;
     return z;
 }
-
-VM_API vmi_complex vmi_complex_times(vmi_complex a, vmi_complex b)
+VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
+VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
+VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
+VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); } /* i c a */
+VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
-    return vmi_complex_of(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
+    return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
+}
+VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
+VM_API vm_complex vmi_c_turn(vm_real angle) /* e^(i angle) */
+{
+    vm_complex e;
+    vmi_sincos(angle, &e.im, &e.re);
+    return e;
 }
 
+VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
+
 /* a/b by Smith's method, where b.re^2 + b.im^2 may underflow */
-VM_API vmi_complex vmi_complex_over(vmi_complex a, vmi_complex b)
+VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
     if (VM_FABS(b.re) < VM_FABS(b.im)) {
         q = b.re / b.im, d = b.im + b.re * q;
-        return vmi_complex_of((a.re * q + a.im) / d, (a.im * q - a.re) / d);
+        return vmi_complex((a.re * q + a.im) / d, (a.im * q - a.re) / d);
     }
     q = b.im / b.re, d = b.re + b.im * q;
-    return vmi_complex_of((a.re + a.im * q) / d, (a.im - a.re * q) / d);
+    return vmi_complex((a.re + a.im * q) / d, (a.im - a.re * q) / d);
 }
 
 /* The step of z = (re[i], im[i]) towards a root of c[0] z^n + ... + c[n], which the other approximations repel:
    p/p' of p over the product of the z - z_j (Ehrlich, Aberth). 0 where p is within its rounding errors of 0. */
-VM_API vmi_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
+VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
-    const vmi_complex z = vmi_complex_of(re[i], im[i]), one = vmi_complex_of(1, 0);
+    const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
     const vm_real modulus = vmi_hypot(z.re, z.im);
-    vmi_complex p = vmi_complex_of(c[0], 0), slope = vmi_complex_of(0, 0), others = slope;
+    vm_complex p = vmi_complex(c[0], 0), slope = vmi_complex(0, 0), others = slope;
     vm_real size = VM_FABS(c[0]);
     int j;
     for (j = 1; j <= n; j++) {
-        const vmi_complex q = vmi_complex_times(slope, z);
-        slope = vmi_complex_of(q.re + p.re, q.im + p.im);
-        p = vmi_complex_times(p, z);
+        const vm_complex q = vmi_c_times(slope, z);
+        slope = vmi_complex(q.re + p.re, q.im + p.im);
+        p = vmi_c_times(p, z);
         p.re += c[j];
         size = size * modulus + VM_FABS(c[j]);
     }
-    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size) return vmi_complex_of(0, 0);
+    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size) return vmi_complex(0, 0);
     for (j = 0; j < n; j++) {
-        const vmi_complex apart = vmi_complex_of(z.re - re[j], z.im - im[j]);
-        vmi_complex share;
+        const vm_complex apart = vmi_complex(z.re - re[j], z.im - im[j]);
+        vm_complex share;
         if (j == i || (apart.re == 0 && apart.im == 0)) continue;
-        share = vmi_complex_over(one, apart);
+        share = vmi_c_over(one, apart);
         others.re += share.re, others.im += share.im;
     }
-    others = vmi_complex_times(p, others);
-    return vmi_complex_over(p, vmi_complex_of(slope.re - others.re, slope.im - others.im));
+    others = vmi_c_times(p, others);
+    return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
@@ -1586,7 +1594,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
-            const vmi_complex step = vmi_poly_step(m, c, re, im, i);
+            const vm_complex step = vmi_poly_step(m, c, re, im, i);
             re[i] -= step.re, im[i] -= step.im;
             moving += VM_FABS(step.re) + VM_FABS(step.im) > VM_EPSILON * (VM_FABS(re[i]) + VM_FABS(im[i]));
         }
@@ -5159,34 +5167,6 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* ---- Chapter 7.7: Laval's rotor ----------------------------------------------------------------------------- */
-
-VM_API vm_complex vmi_complex(vm_real re, vm_real im)
-{
-    vm_complex z;
-    z.re = re, z.im = im;
-    return z;
-}
-VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
-VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
-VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
-VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); } /* i c a */
-VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
-{
-    return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
-}
-VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
-VM_API vm_complex vmi_c_turn(vm_real angle) /* e^(i angle) */
-{
-    vm_complex e;
-    vmi_sincos(angle, &e.im, &e.re);
-    return e;
-}
-
-VM_API vm_real vmi_c_modulus(vm_complex z)
-{
-    const vm_real x = VM_FABS(z.re), y = VM_FABS(z.im), large = x > y ? x : y, ratio = (x > y ? y : x) / large;
-    return large > 0 && VM_IS_FINITE(large) ? large * VM_SQRT(1 + ratio * ratio) : x + y;
-}
 
 VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force)
 {
