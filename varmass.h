@@ -164,7 +164,10 @@ enum {
     VM_NOT_FINITE = -2,   /* a number that is infinite or NaN, given or arising */
     VM_BAD_MASS = -3,     /* a mass that is not positive, the rest's included */
     VM_BAD_INERTIA = -4,  /* an inertia that no body has, the rest's included */
-    VM_SINGULAR = -5      /* linear equations without a unique solution */
+    VM_SINGULAR = -5,     /* linear equations without a unique solution */
+    VM_TOLERANCE_MISSED = 20, /* done, but the estimated error is larger than the tolerance */
+    VM_NO_LAW = -20,      /* the route does not exist for this problem */
+    VM_FAILED = -21       /* an integrator gave up */
 };
 VM_API const char *vm_strerror(int status);
 
@@ -223,22 +226,41 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 
 /* -- Chapter 6: Lagrange's equations with variable mass -- */
 
-/* -- Chapter 7.2-7.3: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0, x(0) = x0, x'(0) = 0 -- */
+/* -- Chapter 7.2-7.3: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 -- */
 
-/* Exact period (262), s, and largest velocity (267), m/s */
+/* Started at rest, x(0) = x0, x'(0) = 0 (258), x0 of either sign: exact period (262), s, and largest velocity (267),
+   m/s */
 VM_API vm_real vm_osc_period(vm_real x0, vm_real omega0, vm_real alpha);
 VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha);
 /* Exact motion, x(t) = x0 ca(alpha, 1, s) (282) and x'(t) (283), for x0 of either sign */
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v);
-/* Omega_alpha (293) of the approximation x0 cos(Omega_alpha |x0|^((alpha-1)/2) omega0 t), which has the exact
-   period */
+/* Energy by mass v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1) (259), m^2/s^2 */
+VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha);
+/* Amplitude A > 0 (m) and phase psi in (-Pi, Pi] of any state: x = A ca(psi), v = -vmax(A) sa(psi) */
+VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi);
+/* Exact motion from any x(0) = x0, x'(0) = v0 */
+VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0, vm_real alpha, vm_real *x,
+                              vm_real *v);
+
+/* The approximations with the exact amplitude and period, started at rest: x0 cos(Omega t) (291), (295) with
+   Omega_alpha (293), Omega = Omega_alpha omega0 |x0|^((alpha-1)/2); and x0 cn(Omega_1 t | m) (297), (302) with
+   Omega_1* (300), m = k^2 (307), -1.8079 < m < 0.8062, which has the exact velocity at x = 0 also */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha);
-/* m = k^2 (307) and Omega_1* (300) of x0 cn(Omega_1* |x0|^((alpha-1)/2) omega0 t | m), which also has the exact
-   velocity at x = 0; -1.8079 < m < 0.8062 */
 VM_API vm_real vm_osc_m_jacobi(vm_real alpha);
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha);
+VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v);
+VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v);
 
-/* -- Chapter 7.4: m x'' + k x|x|^(alpha-1) = -(r m' + b) x' with slowly varying mass -- */
+/* How good they are, criterion (268): their largest velocities over the exact one (267), that of cos (296) and that
+   of cn, which for m > 1/2 is Omega_1/(2k) next to x = 0, not the k' Omega_1 of (306) at x = 0; and the largest
+   errors of x over x0 and of v over vmax in a period. NaN outside alpha >= 0. */
+typedef struct VM_TAG(vm_osc_comparison) {
+    vm_real trig_vmax, jacobi_vmax;
+    vm_real trig_x, trig_v, jacobi_x, jacobi_v;
+} vm_osc_comparison;
+VM_API vm_osc_comparison vm_osc_compare(vm_real alpha);
+
+/* -- Chapter 7.4: m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F, with slowly varying m and k -- */
 
 /* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
    damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
@@ -247,6 +269,112 @@ VM_API vm_real vm_osc_omega_jacobi(vm_real alpha);
    All three averaging methods give it, once (335)'s sign is mended. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
+
+/* How a mass or a stiffness depends on time: positive at all times from 0 on that are asked for. The value at t = 0
+   is f0, but for tables and functions. A table is interpolated monotonically, by cubics with Fritsch and Butland's
+   slopes; times rise, and t must lie between the first and the last. */
+typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx); /* f(t), df/dt; 0 or failure */
+enum {
+    VM_LAW_LINEAR = 0,      /* f0 + f1 t (346); constant where f1 = 0 */
+    VM_LAW_QUADRATIC = 1,   /* f0 + f1 t + f2 t^2 */
+    VM_LAW_EXPONENTIAL = 2, /* f0 exp(f1 t) */
+    VM_LAW_POWER = 3,       /* f0 (1 + f1 t)^f2 */
+    VM_LAW_TABLE = 4,       /* the points (time[i], value[i]), 0 <= i < n, n >= 2 */
+    VM_LAW_FUNCTION = 5     /* function(t, ., ., ctx), smooth */
+};
+typedef struct VM_TAG(vm_law) {
+    int kind;
+    vm_real f0, f1, f2;
+    int n;
+    const vm_real *time, *value;
+    vm_law_function function;
+    void *ctx;
+} vm_law;
+VM_API vm_law vm_law_linear(vm_real f0, vm_real f1);
+VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2);
+VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1);
+VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2);
+VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value);
+VM_API vm_law vm_law_user(vm_law_function function, void *ctx);
+/* f(t), its rate, and the integral from 0 to t of ds/f: closed forms within some 8 ulp, also where they tend to 0/0;
+   of tables and functions by integration, to 1e-13 (float 1e-5). VM_BAD_MASS where f <= 0 at t (the integral:
+   anywhere between), VM_BAD_ARGUMENT outside a table or where the function fails. */
+VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate);
+VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral);
+
+/* The problem. F, where there is one, is a further small force, N, of time, place and velocity. */
+typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
+typedef struct VM_TAG(vm_osc_problem) {
+    vm_real alpha;          /* >= 0 */
+    vm_law mass, stiffness; /* kg; N/m^alpha */
+    vm_real reactive;       /* r: 1 with reactive force, 0 without */
+    vm_real damping;        /* b, kg/s (the dissertation's eps b); negative ones drive */
+    vm_real x, v;           /* at t = 0, m and m/s */
+    vm_osc_force force;     /* F or null */
+    void *ctx;
+} vm_osc_problem;
+
+/* Routes to x(t), x'(t), the cheapest first. q = (ln k)' + (2r-1)(ln m)' + 2b/m is the rate at which things change,
+   Om the rate of the Ateb phase; q/Om must be small for the first four. */
+enum {
+    VM_ROUTE_TRIG = 0,      /* (329), (330), averaged to first order, with the sign of (335) mended */
+    VM_ROUTE_JACOBI = 1,    /* (370), (371), averaged to first order */
+    VM_ROUTE_ATEB = 2,      /* (310), (311), averaged to first order: error q/Om */
+    VM_ROUTE_SECOND = 3,    /* the second-order law: error (q/Om)^2; without F only */
+    VM_ROUTE_VARIATION = 4, /* exact equations of amplitude and phase, (314), (315) completed, by rk45 */
+    VM_ROUTE_RK45 = 5,      /* the equation of motion itself */
+    VM_ROUTE_RK87 = 6
+};
+VM_API const char *vm_osc_route_name(int route);
+
+typedef struct VM_TAG(vm_osc_motion) {
+    vm_real x, v;
+    vm_real amplitude; /* A, of the motion without the ripple of a period for the first four routes */
+    vm_real error;     /* estimate of the largest of |error of x|/A and |error of v|/vmax(A) */
+    int route;
+    long evals; /* of right-hand sides */
+} vm_osc_motion;
+
+/* What a problem has to have computed but once. Not for changing: it points to the problem's tables and contexts. */
+typedef struct VM_TAG(vm_osc_plan) {
+    vm_osc_problem problem;
+    vm_real pi, gamma, mean_ca2; /* Pi_alpha, (alpha-1)/(alpha+3), the mean of ca^2 */
+    vm_real m0, k0;
+    vm_real A, psi, Om;          /* amplitude, Ateb phase and its rate at t = 0 */
+    vm_real q, h, ln_rho, shift; /* of the second-order law at t = 0; mean phase minus psi */
+    vm_real base, rate_m, rate_k; /* closed forms: m = m0 exp(rate_m u), k likewise, u = ln(1 + base t)/base */
+    int closed, has_ateb;
+    ateb_plan ateb;
+} vm_osc_plan;
+
+/* x(t), x'(t) at any t, by the route that is asked for. The integrators work to the tolerance (of error, above; 0 means
+   1e-6, float 1e-3), which the laws disregard; each runs twice, a first time ten times less strict, and error is what the
+   two differ by. Routes other than the second-order law with F: averaged equations are integrated instead of closed
+   forms. vm_osc_at takes the cheapest route whose error is estimated to be within the tolerance.
+   VM_TOLERANCE_MISSED: done, but error is larger than the tolerance. Errors leave *motion untouched: VM_BAD_MASS (a
+   mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, null pointers, t outside a
+   table), VM_NOT_FINITE, VM_NO_LAW (second-order law with F), VM_FAILED (an integrator gave up). */
+VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem);
+VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+/* The same for a problem that is asked once */
+VM_API int vm_osc_by(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_at(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_by_trig(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_jacobi(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_ateb(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_second(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_variation(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_by_rk45(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_by_rk87(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+
+/* Averaged equations at (t, A) with the force F of the problem: A', theta', psi' in the method's own angle (Ateb phase,
+   radians, Jacobi argument), for VM_ROUTE_ATEB: (314), (315) averaged, with the term of omega' that they lack;
+   VM_ROUTE_TRIG: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339); VM_ROUTE_JACOBI: (380)-(382)
+   with theta' in the second of (382). Means by Gauss' rule on each quarter of the period, so that F may jump where x or
+   x' = 0; to 1e-10 for F smooth in x and x' otherwise (float 1e-5) */
+VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real A, vm_real *A_rate,
+                           vm_real *theta_rate, vm_real *psi_rate);
 
 /* -- Chapter 7.6: Van der Pol -- */
 
@@ -268,6 +396,9 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_MASS: return "a mass is not positive";
     case VM_BAD_INERTIA: return "no body has this inertia";
     case VM_SINGULAR: return "linear equations without a unique solution";
+    case VM_TOLERANCE_MISSED: return "the estimated error is larger than the tolerance";
+    case VM_NO_LAW: return "the route does not exist for this problem";
+    case VM_FAILED: return "an integrator gave up";
     default: return "unknown status";
     }
 }
