@@ -341,7 +341,7 @@ typedef struct VM_TAG(vm_osc_plan) {
     vm_real pi, gamma, mean_ca2; /* Pi_alpha, (alpha-1)/(alpha+3), the mean of ca^2 */
     vm_real m0, k0;
     vm_real A, psi, Om;          /* amplitude, Ateb phase and its rate at t = 0 */
-    vm_real q, h, ln_rho, shift; /* of the second-order law at t = 0; mean phase minus psi */
+    vm_real q, h, h_rate, ln_rho, shift; /* of the second-order law at t = 0; mean phase minus psi */
     vm_real base, rate_m, rate_k; /* closed forms: m = m0 exp(rate_m u), k likewise, u = ln(1 + base t)/base */
     int closed, has_ateb;
     ateb_plan ateb;
@@ -1105,6 +1105,7 @@ VM_API int vmi_law_from_table(const vm_law *law, vm_real t, int side, vm_real *f
     f[0] = law->value[i] + u * (s0 + u * (b + u * c));
     f[1] = s0 + u * (2 * b + 3 * u * c);
     f[2] = 2 * b + 6 * u * c;
+    f[3] = 6 * c;
     return VM_OK;
 }
 
@@ -1122,10 +1123,12 @@ VM_API int vmi_law_from_function(const vm_law *law, vm_real t, vm_real step, vm_
     return VM_OK;
 }
 
-/* f, f', f'' at t, the last on that side of t where it jumps; step as above, 0 where f'' of functions is not wanted */
+/* f, f', f'' at t, the last on that side of t where it jumps; step as above, 0 where f'' of functions is not wanted.
+   f''' where it is more than changes of f'' in the time of changes of f: in tables, else 0 */
 VM_API int vmi_law_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     int status = VM_OK;
+    f[3] = 0;
     switch (law->kind) {
     case VM_LAW_LINEAR: f[0] = law->f0 + law->f1 * t, f[1] = law->f1, f[2] = 0; break;
     case VM_LAW_QUADRATIC:
@@ -1151,7 +1154,7 @@ VM_API int vmi_law_derivatives(const vm_law *law, vm_real t, int side, vm_real s
 
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
-    vm_real values[3];
+    vm_real values[4];
     int status;
     if (!law || !f || !rate) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
@@ -1164,7 +1167,7 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 /* Is the law positive between 0 and t, as far as can be told without going there? Tables: all of it, and in order */
 VM_API int vmi_law_check(const vm_law *law, vm_real t)
 {
-    vm_real f[3];
+    vm_real f[4];
     int i, status = vmi_law_derivatives(law, 0, 1, 0, f);
     if (!status) status = vmi_law_derivatives(law, t, 1, 0, f);
     if (status) return status;
@@ -1215,19 +1218,20 @@ typedef struct VM_TAG(vmi_osc_slow) {
     const vm_osc_plan *plan; /* null: only the first integral */
     int side;                /* the direction of time */
     vm_real ln_A;            /* what jumps of q' have done to the mean amplitude */
+    vm_real kick2, kick3;    /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
     int status;
 } vmi_osc_slow;
 
-/* The state of things at t: m and k by their first values, q, and h of the second-order law */
+/* The state of things at t: m, k, q, h of the second-order law, and the part of h' that tables make large */
 typedef struct VM_TAG(vmi_osc_rates) {
-    vm_real m, k, q, h;
+    vm_real m, k, q, h, h_rate;
 } vmi_osc_rates;
 
 VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_h, vmi_osc_rates *r)
 {
     const vm_osc_problem *o = &p->problem;
     const vm_real step = with_h && p->Om > 0 ? (vm_real)side / (32 * p->Om) : 0;
-    vm_real m[3], k[3], ln_m, ln_k;
+    vm_real m[4], k[4], ln_m, ln_k;
     int status = vmi_law_derivatives(&o->mass, t, side, step, m);
     if (!status) status = vmi_law_derivatives(&o->stiffness, t, side, step, k);
     if (status) return status;
@@ -1237,6 +1241,7 @@ VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_
     r->h = (k[2] / k[0] - ln_k * ln_k) + (2 * o->reactive - 1) * (m[2] / m[0] - ln_m * ln_m) -
            2 * o->damping * ln_m / m[0];
     r->h -= r->q * (ln_k - ln_m - p->gamma * r->q) / 2;
+    r->h_rate = k[3] / k[0] + (2 * o->reactive - 1) * m[3] / m[0];
     return VM_OK;
 }
 
@@ -1254,7 +1259,7 @@ VM_API int vmi_osc_slow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ct
 {
     vmi_osc_slow *c = (vmi_osc_slow *)ctx;
     vmi_osc_rates r;
-    vm_real f[3], ln_A, ln_Om, ratio;
+    vm_real f[4], ln_A, ln_Om, ratio;
     if (!c->plan) {
         c->status = vmi_law_derivatives(c->mass, t, c->side, 0, f);
         dydt[0] = 1 / f[0];
@@ -1306,12 +1311,16 @@ VM_API int vmi_osc_knot(vmi_osc_slow *c, vm_real t, const vm_real *y, vm_real ra
     const vm_real n = p->problem.alpha + 1, Om = p->Om * ratio;
     const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
     vmi_osc_rates before, after;
-    vm_real ca, sa;
+    vm_real ca, sa, jump;
     c->status = vmi_osc_rates_at(p, t, -c->side, 1, &before);
     if (!c->status) c->status = vmi_osc_rates_at(p, t, c->side, 1, &after);
     if (c->status || before.h == after.h) return c->status;
     vmi_osc_phase_from_mean(p, &w, vmi_osc_mean_phase(p, y), after.q * n / (2 * (n + 2) * Om), &ca, &sa);
-    c->ln_A += n / (4 * (n + 2) * Om * Om) * (ca * ca - p->mean_ca2) * (before.h - after.h);
+    jump = (before.h - after.h) / (Om * Om);
+    c->ln_A += n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
+    c->kick2 += jump * jump;
+    jump = (VM_FABS(jump * after.q) + VM_FABS(before.h_rate - after.h_rate) / (Om * Om)) / Om;
+    c->kick3 += jump * jump;
     return VM_OK;
 }
 
@@ -1323,7 +1332,7 @@ VM_API int vmi_osc_slow_integrals(vmi_osc_slow *c, int n, vm_real t, vm_real *y)
     rk45 s;
     int status, tight = VM_MANT_DIG > 24;
     options.rtol = tight ? VM_C(1e-13) : 32 * VM_EPSILON, options.atol_each = atol, options.h0 = t / 64;
-    c->side = t < 0 ? -1 : 1, c->ln_A = 0, c->status = VM_OK;
+    c->side = t < 0 ? -1 : 1, c->ln_A = c->kick2 = c->kick3 = 0, c->status = VM_OK;
     y[0] = 0;
     if (n == 3) y[1] = y[2] = 0, atol[2] = options.rtol * c->plan->Om * c->plan->Om * VM_FABS(t);
     if (t == 0) return VM_OK;
@@ -1348,7 +1357,7 @@ VM_API int vmi_osc_slow_integrals(vmi_osc_slow *c, int n, vm_real t, vm_real *y)
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real base, rate, y[1];
-    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0};
+    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0, 0, 0};
     int status;
     if (!law || !integral) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
@@ -1407,7 +1416,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     vm_real ca, sa, g, c, e, Om_ratio, rho = 1;
     int i, status = vmi_osc_rates_at(p, 0, 1, 1, &r);
     if (status) return status;
-    p->q = r.q, p->h = r.h, p->ln_rho = p->shift = 0;
+    p->q = r.q, p->h = r.h, p->h_rate = r.h_rate, p->ln_rho = p->shift = 0;
     if (p->A == 0 || (r.q == 0 && r.h == 0)) return VM_OK;
     vmi_osc_wave_at(&w, p->psi, &ca, &sa);
     g = sa * ca, c = ca * ca - M, Om_ratio = 1;
@@ -1426,7 +1435,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     const vm_osc_problem *o = &p->problem;
-    vm_real f[3], omega;
+    vm_real f[4], omega;
     int status;
     p->problem = *problem, p->has_ateb = 0;
     if (!(o->alpha >= 0) || !VM_IS_FINITE(o->alpha)) return VM_BAD_ARGUMENT;
@@ -1464,16 +1473,18 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_rates now;
-    vm_real y[3];        /* int dt/m, int Om/Om0 dt, int q^2 Om0/Om dt */
-    vm_real ln_A, ratio; /* ln A/A0, Om/Om0 by the adiabatic law */
+    vm_real y[3];         /* int dt/m, int Om/Om0 dt, int q^2 Om0/Om dt */
+    vm_real ln_A, ratio;  /* ln A/A0, Om/Om0 by the adiabatic law */
+    vm_real kick2, kick3; /* of the points of tables, as above */
 } vmi_osc_mean;
 
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
-    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0};
+    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0, 0, 0};
     vm_real ln_Om, ln_m, ln_k;
     int status = vmi_law_check(&o->mass, t);
+    mean->kick2 = mean->kick3 = 0;
     if (!status) status = vmi_law_check(&o->stiffness, t);
     if (!status) status = vmi_osc_rates_at(p, t, t < 0 ? 1 : -1, 1, &mean->now);
     if (status) return status;
@@ -1490,6 +1501,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
         if (status) return status;
         ln_m = vmi_log(mean->now.m / p->m0).hi, ln_k = vmi_log(mean->now.k / p->k0).hi;
         vmi_osc_adiabatic(p, ln_m, ln_k, o->damping * mean->y[0], &mean->ln_A, &ln_Om);
+        mean->kick2 = c.kick2, mean->kick3 = c.kick3;
         mean->ln_A += c.ln_A, ln_Om += (o->alpha - 1) / 2 * c.ln_A;
     }
     mean->ratio = vmi_exp(ln_Om, 0);
@@ -1499,9 +1511,6 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 /* FACTORS */
 #ifndef VMI_OSC_E1
 #define VMI_OSC_E1 1
-#define VMI_OSC_K1 VM_C(0.1)
-#define VMI_OSC_K2 VM_C(0.1)
-#define VMI_OSC_K3 VM_C(0.1)
 #define VMI_OSC_WJ VM_C(1.0)
 #define VMI_OSC_DIFF 3
 #endif
@@ -1531,10 +1540,12 @@ VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *me
 {
     const vm_real Om = p->Om * mean->ratio, e = VM_FABS(mean->now.q) / Om, e0 = VM_FABS(p->q) / p->Om;
     const vm_real d = VM_FABS(mean->now.h) / (Om * Om), d0 = VM_FABS(p->h) / (p->Om * p->Om);
-    const vm_real ripple = (e * e + d) + (e0 * e0 + d0), start = e0 * e0 * e0 + e0 * d0 + d0 * VM_SQRT(d0);
-    const vm_real phase = VM_FABS(p->Om * mean->y[1]), drift = mean->y[2] / p->Om;
-    return VMI_OSC_K1 * ripple + VMI_OSC_K2 * VM_FABS(p->gamma) * start * phase +
-           (phase > 0 ? VMI_OSC_K3 * drift * drift / phase : 0) + vmi_osc_rounding(p, mean);
+    const vm_real third = VM_FABS(p->h_rate) / (p->Om * p->Om) / p->Om;
+    const vm_real ripple = (e * e + d) + (e0 * e0 + d0), start = e0 * e0 * e0 + e0 * d0 + d0 * VM_SQRT(d0) + third;
+    const vm_real phase = VM_FABS(p->Om * mean->y[1]), drift = mean->y[2] / p->Om, g = VM_FABS(p->gamma) * phase;
+    const vm_real knots = VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3);
+    return (VM_C(0.02) + VM_C(0.015) * p->problem.alpha) * ripple + VM_C(0.15) * g * start + VM_C(0.2) * knots +
+           (phase > 0 ? VM_C(0.1) * drift * drift / phase : 0) + vmi_osc_rounding(p, mean);
 }
 
 /* How far a wave is from ca and sa: cos at x = 0, where its velocity is wrong; cn in the mean of its square, which is
