@@ -1508,12 +1508,6 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     return VM_IS_FINITE(mean->y[1]) && VM_IS_FINITE(mean->ln_A) && VM_IS_FINITE(mean->ratio) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* FACTORS */
-#ifndef VMI_OSC_E1
-#define VMI_OSC_E1 1
-#define VMI_OSC_WJ VM_C(1.0)
-#define VMI_OSC_DIFF 3
-#endif
 /* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
 
 /* What roundings of the phase come to */
@@ -1531,7 +1525,7 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->y[1]) + VM_FABS(p->shift) + ripple +
                           VM_FABS(c2 * mean->y[2] / p->Om);
     const vm_real amplitude = (2 * VM_FABS(p->ln_rho) + e / 2) / (n + 2);
-    return VMI_OSC_E1 * (phase + amplitude) + vmi_osc_rounding(p, mean);
+    return phase + amplitude + vmi_osc_rounding(p, mean);
 }
 
 /* The second-order law leaves out ripples of second order at the start and at t, the third order of ln rho, which the
@@ -1549,14 +1543,18 @@ VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *me
 }
 
 /* How far a wave is from ca and sa: cos at x = 0, where its velocity is wrong; cn in the mean of its square, which is
-   right where cn is exact, and half as wrong as cn */
+   right where cn is exact, times a factor that fits its largest error within 5 % for alpha <= 10 */
 VM_API vm_real vmi_osc_wave_error(const vm_osc_plan *p, const vmi_osc_wave *w)
 {
-    vm_real C2, C4, C6;
-    if (w->method == VM_ROUTE_TRIG) return VM_FABS(w->speed - 1);
+    const vm_real alpha = p->problem.alpha;
+    vm_real C2, C4, C6, error;
     if (w->method == VM_ROUTE_ATEB) return 0;
-    jacobi_cn_means(w->m, &C2, &C4, &C6);
-    return VMI_OSC_WJ * VM_FABS(C2 - p->mean_ca2);
+    if (w->method == VM_ROUTE_TRIG) error = VM_FABS(w->speed - 1) * (1 + alpha / 100);
+    else {
+        jacobi_cn_means(w->m, &C2, &C4, &C6);
+        error = VM_FABS(C2 - p->mean_ca2) * (VM_C(2.7) + alpha / 2);
+    }
+    return error < 1 ? error : 1;
 }
 
 /* -- The laws -- */
@@ -1670,7 +1668,11 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real 
 typedef struct VM_TAG(vmi_osc_run) {
     const vm_osc_plan *p;
     vmi_osc_wave wave;
-    int side, status;
+    int route, direct, high, side, status;
+    vm_real longest, share; /* step at most, in periods and by the way to the next stop */
+    long evals;
+    rk45 s;
+    vm_real work[RK87_WORK(2)];
 } vmi_osc_run;
 
 /* y = ln(A/A0), Ateb phase: averaged */
@@ -1736,91 +1738,124 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return 0;
 }
 
-/* From 0 to t, stopping at the points of tables, and every 64 periods to take whole ones off the phase (wrap > 0) */
-VM_API int vmi_osc_solve(vmi_osc_run *c, ode_rhs f, int high, vm_real t, const rk45_options *options, vm_real wrap,
-                         vm_real *y, long *evals)
+/* Period now, as long as the amplitude is that of y, or for the direct routes by the adiabatic law without damping */
+VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
-    vm_real work[RK87_WORK(2)], stop;
-    rk45 s;
-    int status;
-    c->status = VM_OK;
-    if (t == 0) return VM_OK;
-    status = high ? rk87_init(&s, f, c, 2, 0, y, options, work) : rk45_init(&s, f, c, 2, 0, y, options, work);
-    while (status >= 0 && s.t != t) {
-        stop = vmi_law_next_knot(&c->p->problem.mass, s.t, t);
-        stop = vmi_law_next_knot(&c->p->problem.stiffness, s.t, stop);
-        if (wrap > 0 && VM_FABS(stop - s.t) > 64 * wrap / c->p->Om) stop = s.t + (vm_real)c->side * 64 * wrap / c->p->Om;
-        status = high ? rk87_solve(&s, stop) : rk45_solve(&s, stop);
-        if (status < 0 || s.t == t) continue;
-        y[0] = s.y[0], y[1] = s.y[1];
-        if (wrap > 0) y[1] -= wrap * VM_FLOOR(y[1] / wrap);
-        status = high ? rk87_restart(&s, s.t, y) : rk45_restart(&s, s.t, y);
+    const vm_osc_plan *p = c->p;
+    vmi_osc_rates now;
+    vm_real ln_A, ln_Om;
+    if (vmi_osc_rates_at(p, c->s.t, c->side, 0, &now)) return VM_NAN;
+    if (!c->direct) return 2 * p->pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[0]));
+    vmi_osc_adiabatic(p, vmi_log(now.m / p->m0).hi, vmi_log(now.k / p->k0).hi, 0, &ln_A, &ln_Om);
+    return 2 * p->pi / (p->Om * vmi_exp(ln_Om, 0));
+}
+
+/* On to t, stopping at the points of tables, and every 64 periods to take whole ones off the phase (wrap > 0) and to see
+   that no step is longer than a quarter of a period: a pair that steps over them does not know its error */
+VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
+{
+    vm_real stop, y[2], period, most;
+    int status = VM_OK;
+    while (status >= 0 && c->s.t != t) {
+        period = vmi_osc_period_now(c);
+        if (!(period > 0)) return c->status ? c->status : VM_FAILED;
+        stop = vmi_law_next_knot(&c->p->problem.mass, c->s.t, t);
+        stop = vmi_law_next_knot(&c->p->problem.stiffness, c->s.t, stop);
+        if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
+        most = c->share * VM_FABS(stop - c->s.t) + 64 * VM_EPSILON * VM_FABS(t);
+        c->s.options.h_max = most < period * c->longest ? most : period * c->longest;
+        status = c->high ? rk87_solve(&c->s, stop) : rk45_solve(&c->s, stop);
+        if (status < 0) break;
+        y[0] = c->s.y[0], y[1] = c->s.y[1];
+        if (!c->direct) y[1] -= 2 * c->p->pi * VM_FLOOR(y[1] / (2 * c->p->pi));
+        status = c->high ? rk87_restart(&c->s, c->s.t, y) : rk45_restart(&c->s, c->s.t, y);
     }
-    *evals += s.evals;
-    if (c->status) return c->status;
-    if (status < 0) return VM_FAILED;
-    y[0] = s.y[0], y[1] = s.y[1];
+    return c->status ? c->status : status < 0 ? VM_FAILED : VM_OK;
+}
+
+/* x and v where the run has come to */
+VM_API int vmi_osc_motion_now(vmi_osc_run *c, vm_osc_motion *motion)
+{
+    const vm_osc_plan *p = c->p;
+    const vm_real *y = c->s.y;
+    vm_real A, Om, ca, sa, weight;
+    vmi_osc_rates now;
+    int status = vmi_osc_rates_at(p, c->s.t, -c->side, 0, &now);
+    if (status) return status;
+    if (!c->direct) {
+        A = p->A * vmi_exp(y[0], 0), Om = p->Om * vmi_osc_Om_ratio(p, &now, y[0]);
+        vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
+        return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
+    }
+    weight = vmi_raised(now.m / p->m0, p->problem.reactive);
+    motion->x = p->A * y[0], motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
+    vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude, &Om);
+    motion->route = c->route;
+    return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* The motion at the times of vmi_osc_check(t, .), by integration with one tolerance */
+enum { VMI_OSC_CHECKS = 8 };
+VM_API vm_real vmi_osc_check(vm_real t, int i)
+{
+    return i == VMI_OSC_CHECKS - 1 ? t : t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
+}
+VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const vm_osc_plan *p = c->p;
+    rk45_options options = rk45_defaults(NULL);
+    vm_real y[2], ca, sa;
+    ode_rhs f = c->direct                          ? vmi_osc_direct_rhs
+                : c->route == VM_ROUTE_VARIATION ? vmi_osc_variation_rhs
+                                                   : vmi_osc_averaged_rhs;
+    int i, status;
+    c->side = t < 0 ? -1 : 1, c->status = VM_OK;
+    options.rtol = c->direct ? tolerance : -1;
+    options.atol = tolerance, options.max_steps = -1;
+    vmi_osc_wave_at(&c->wave, p->psi, &ca, &sa);
+    y[0] = c->direct ? ca : 0, y[1] = c->direct ? -sa : p->psi;
+    status = c->high ? rk87_init(&c->s, f, c, 2, 0, y, &options, c->work)
+                     : rk45_init(&c->s, f, c, 2, 0, y, &options, c->work);
+    if (status < 0) return c->status ? c->status : VM_FAILED;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        status = vmi_osc_solve(c, vmi_osc_check(t, i));
+        if (!status) status = vmi_osc_motion_now(c, motion + i);
+        if (status) return status;
+    }
+    c->evals += c->s.evals;
     return VM_OK;
 }
 
-/* x and v at t by integration with one tolerance */
-VM_API int vmi_osc_integrated(vmi_osc_run *c, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
-{
-    const vm_osc_plan *p = c->p;
-    const int direct = route >= VM_ROUTE_RK45, high = route == VM_ROUTE_RK87;
-    rk45_options options = rk45_defaults(NULL);
-    vm_real y[2], ca, sa, A, Om, least = VM_EPSILON * (high ? 256 : 16);
-    vmi_osc_rates now;
-    long evals = motion->evals;
-    int status;
-    c->side = t < 0 ? -1 : 1;
-    options.rtol = direct && tolerance > least ? tolerance : least;
-    options.atol = tolerance, options.max_steps = -1;
-    vmi_osc_wave_at(&c->wave, p->psi, &ca, &sa);
-    y[0] = direct ? ca : 0, y[1] = direct ? -sa : p->psi;
-    status = vmi_osc_solve(c,
-                           direct                         ? vmi_osc_direct_rhs
-                           : route == VM_ROUTE_VARIATION ? vmi_osc_variation_rhs
-                                                          : vmi_osc_averaged_rhs,
-                           high, t, &options, direct ? 0 : 2 * p->pi, y, &evals);
-    if (!status) status = vmi_osc_rates_at(p, t, -c->side, 0, &now);
-    if (status) return status;
-    if (!direct) {
-        A = p->A * vmi_exp(y[0], 0), Om = p->Om * vmi_osc_Om_ratio(p, &now, y[0]);
-        vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
-        status = vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, route, motion);
-    } else {
-        const vm_real weight = vmi_raised(now.m / p->m0, p->problem.reactive), omega = VM_SQRT(now.k / now.m);
-        motion->x = p->A * y[0], motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
-        vm_osc_amplitude_phase(motion->x, motion->v, omega, p->problem.alpha, &motion->amplitude, &Om);
-        motion->route = route;
-        if (!VM_IS_FINITE(motion->amplitude)) status = VM_NOT_FINITE;
-    }
-    motion->evals = evals;
-    return status;
-}
-
-/* The larger of the differences of x by A and of v by vmax */
+/* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check: at one time two
+   runs may agree by chance */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vmi_osc_rates now;
-    vm_real x, v;
-    if (a->amplitude == 0 || vmi_osc_rates_at(p, t, t < 0 ? 1 : -1, 0, &now)) return VM_INFINITY;
-    x = VM_FABS(a->x - b->x) / a->amplitude;
-    v = VM_FABS(a->v - b->v) / vm_osc_vmax(a->amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
-    return x > v ? x : v;
+    vm_real d, largest = 0;
+    int i;
+    for (i = 0; i < VMI_OSC_CHECKS; i++, a++, b++) {
+        if (a->amplitude == 0 || vmi_osc_rates_at(p, vmi_osc_check(t, i), t < 0 ? 1 : -1, 0, &now)) return VM_INFINITY;
+        d = VM_FABS(a->x - b->x) / a->amplitude;
+        if (d > largest) largest = d;
+        d = VM_FABS(a->v - b->v) / vm_osc_vmax(a->amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
+        if (d > largest) largest = d;
+    }
+    return largest;
 }
 
-/* Two runs, the second ten times as strict, and again stricter until what they differ by is within the tolerance */
+/* Two runs, the second so much stricter that the control, which keeps a step while its error is within a factor of 3
+   (rk87: 7.5), makes other steps, with half the longest step; and again stricter until what they differ by is within
+   the tolerance. The factor of the difference leaves room for errors that do not go as the tolerance. */
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real least = VM_EPSILON * (route == VM_ROUTE_RK87 ? 256 : 16);
+    const vm_real least = VM_EPSILON * (route == VM_ROUTE_RK87 ? 256 : 16), ratio = route == VM_ROUTE_RK87 ? 60 : 15;
     vm_osc_plan with_ateb;
     vmi_osc_run c;
-    vm_osc_motion loose, strict = {0, 0, 0, 0, 0, 0};
-    vm_real step_tolerance = tolerance / 8, rounding;
+    vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
+    vm_real step_tolerance = tolerance / 8;
     int attempt, status;
-    c.p = plan;
+    c.p = plan, c.route = route, c.evals = 0;
+    c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;
     if (!plan->has_ateb) {
         with_ateb = *plan, c.p = &with_ateb;
         with_ateb.has_ateb = ateb_plan_init(&with_ateb.ateb, plan->problem.alpha) == 0;
@@ -1829,19 +1864,19 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
                              c.p->has_ateb ? &c.p->ateb : NULL);
     for (attempt = 0; attempt < 6; attempt++) {
         if (step_tolerance < least) step_tolerance = least;
-        loose = strict;
-        status = vmi_osc_integrated(&c, route, t, 10 * step_tolerance, &loose);
+        c.longest = VM_C(0.2), c.share = 1;
+        status = vmi_osc_integrated(&c, t, ratio * step_tolerance, loose);
+        c.longest = VM_C(0.1), c.share = VM_C(0.51);
+        if (!status) status = vmi_osc_integrated(&c, t, step_tolerance, strict);
         if (status) return status;
-        strict.evals = loose.evals;
-        status = vmi_osc_integrated(&c, route, t, step_tolerance, &strict);
-        if (status) return status;
-        rounding = 4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
-        strict.error = vmi_osc_difference(plan, t, &strict, &loose) / VMI_OSC_DIFF + rounding;
-        if (strict.error <= tolerance || step_tolerance == least) break;
-        step_tolerance *= tolerance / strict.error > VM_C(1e-4) ? tolerance / strict.error / 4 : VM_C(2e-5);
+        last->error = VM_C(0.6) * vmi_osc_difference(plan, t, strict, loose) +
+                      4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
+        if (last->error <= tolerance || step_tolerance == least) break;
+        step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
     }
-    *motion = strict;
-    return strict.error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+    last->evals = c.evals;
+    *motion = *last;
+    return last->error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
 }
 
 /* -- By a given route, and by the cheapest -- */
