@@ -1849,6 +1849,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_real least = VM_EPSILON * (route == VM_ROUTE_RK87 ? 256 : 16), ratio = route == VM_ROUTE_RK87 ? 60 : 15;
+    const vm_real factor = route == VM_ROUTE_RK87 ? VM_C(0.2) : VM_C(0.6);
     vm_osc_plan with_ateb;
     vmi_osc_run c;
     vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
@@ -1869,7 +1870,7 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         c.longest = VM_C(0.1), c.share = VM_C(0.51);
         if (!status) status = vmi_osc_integrated(&c, t, step_tolerance, strict);
         if (status) return status;
-        last->error = VM_C(0.6) * vmi_osc_difference(plan, t, strict, loose) +
+        last->error = factor * vmi_osc_difference(plan, t, strict, loose) +
                       4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
         if (last->error <= tolerance || step_tolerance == least) break;
         step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
