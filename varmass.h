@@ -1598,8 +1598,9 @@ VM_API int vmi_osc_second_order(const vm_osc_plan *p, const vmi_osc_wave *w, con
 
 /* -- Averaged equations with a force -- */
 
-/* Means over a period of F s and F c, F by mass m, at amplitude A and V = speed vmax: on each quarter 20 points of
-   Gauss' rule in the cube root of the distance from x = 0, where powers of it that are not whole may occur */
+/* Means over a period of F s and F c at amplitude A and V = speed vmax: on each quarter 20 points of Gauss' rule as far
+   as the velocity changes its sign like tanh psi, and 20 in the root of the distance from x = 0, where powers of it that
+   are not whole may occur */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -1613,12 +1614,15 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
                                    VM_C(0.10193011981724043504),  VM_C(0.11819453196151841731),
                                    VM_C(0.1316886384491766269),   VM_C(0.14209610931838205133),
                                    VM_C(0.14917298647260374679),  VM_C(0.1527533871307258507)};
+    const vm_real half = p->pi / 2, cut = half < 6 ? half / 2 : 3;
     int i, quarter;
     *Fs = *Fc = 0;
-    for (i = 0; i < 20; i++) {
-        const vm_real u = (1 + (i % 2 ? node[i / 2] : -node[i / 2])) / 2, share = weight[i / 2] * 3 * u * u / 8;
+    for (i = 0; i < 40; i++) {
+        const int k = i % 20 / 2, far = i >= 20;
+        const vm_real u = (1 + (i % 2 ? node[k] : -node[k])) / 2, length = far ? half - cut : cut;
+        const vm_real share = weight[k] / 8 * length / half * (far ? 2 * u : 1);
         vm_real c, s;
-        vmi_osc_wave_at(w, p->pi / 2 * (1 - u * u * u), &c, &s);
+        vmi_osc_wave_at(w, far ? half - length * u * u : cut * u, &c, &s);
         for (quarter = 0; quarter < 4; quarter++) {
             const vm_real qc = quarter & 1 ? -c : c, qs = quarter & 2 ? -s : s;
             const vm_real F = p->problem.force(t, A * qc, -V * qs, p->problem.ctx);
