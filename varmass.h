@@ -1754,11 +1754,12 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     return 2 * p->pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* On to t, stopping at the points of tables, and every 64 periods to take whole ones off the phase (wrap > 0) and to see
-   that no step is longer than a quarter of a period: a pair that steps over them does not know its error */
+/* On to t, stopping at the points of tables, and every 64 periods to take whole ones off the phase and to see that no
+   step is longer than a part of the period (of a bounce, for large alpha): a pair that steps over them does not know
+   its error */
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
-    vm_real stop, y[2], period, most;
+    vm_real stop, y[2], period, most, longest;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
         period = vmi_osc_period_now(c);
@@ -1767,7 +1768,8 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
         stop = vmi_law_next_knot(&c->p->problem.stiffness, c->s.t, stop);
         if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
         most = c->share * VM_FABS(stop - c->s.t) + 64 * VM_EPSILON * VM_FABS(t);
-        c->s.options.h_max = most < period * c->longest ? most : period * c->longest;
+        longest = period * (c->p->pi < 10 ? c->longest : c->longest * 10 / c->p->pi);
+        c->s.options.h_max = most < longest ? most : longest;
         status = c->high ? rk87_solve(&c->s, stop) : rk45_solve(&c->s, stop);
         if (status < 0) break;
         y[0] = c->s.y[0], y[1] = c->s.y[1];
@@ -1857,8 +1859,8 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vm_osc_plan with_ateb;
     vmi_osc_run c;
     vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
-    vm_real step_tolerance = tolerance / 8;
-    int attempt, status;
+    vm_real step_tolerance = tolerance / 8, before = VM_INFINITY;
+    int attempt, status, stalled = 0;
     c.p = plan, c.route = route, c.evals = 0;
     c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;
     if (!plan->has_ateb) {
@@ -1876,7 +1878,9 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         if (status) return status;
         last->error = factor * vmi_osc_difference(plan, t, strict, loose) +
                       4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
-        if (last->error <= tolerance || step_tolerance == least) break;
+        if (last->error > before / 2) stalled++; /* roundings, or chance */
+        if (last->error <= tolerance || step_tolerance == least || stalled == 2) break;
+        before = last->error;
         step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
     }
     last->evals = c.evals;

@@ -18,7 +18,7 @@ static void near(const char *equation, const char *what, double got, double want
 /* A printed form misses the truth by this, to the digits that are stated (5 %) */
 static void misses(const char *equation, double printed, double truth, double by)
 {
-    if (is_float && by < 0.3 * fabs(truth)) return; /* near the errors of differences and integrations in float */
+    if (is_float && by < 0.5 * fabs(truth)) return; /* near the errors of differences and integrations in float */
     check_error(equation, "printed", "5 %", fabs(fabs(printed - truth) / by - 1) / (is_float ? 0.1 : 0.05), 1, printed, truth);
 }
 
@@ -894,7 +894,7 @@ static void test_linear_mass(void)
 
 static void stated(const char *equation, const char *what, double measured, double wanted)
 {
-    if (is_float && wanted < 2e-2) return; /* the integration's own error is 1e-3 */
+    if (is_float && wanted < 0.2) return; /* the integration's own error is 1e-3, for alpha = 1/2 3e-2 */
     check_error(equation, what, "5 %", fabs(measured / wanted - 1) / (is_float ? 0.2 : 0.05), 1, measured, wanted);
 }
 
@@ -1013,9 +1013,8 @@ static void test_hard_cases(void)
     /* mass growing a million-fold, or falling to 1/1000, with and without reactive force: A by the laws, and the law of
        second order against the exact equations */
     for (i = 0; i < 4; i++) {
-        double eps_ = 0.01, end = i % 2 ? 0.999 / eps_ : (is_float ? 1e3 : 1e6) / eps_, mass = i % 2 ? -eps_ : eps_;
+        double eps_ = 0.01, end = i % 2 ? 0.999 / eps_ : (is_float || i == 0 ? 1e3 : 1e6) / eps_, mass = i % 2 ? -eps_ : eps_;
         o = problem(3, vm_law_linear(1, R(mass)), i / 2, 0);
-        if (i == 2) end = 1e3 / eps_; /* the period stays short without reactive force: many of them */
         CHECK(vm_osc_by_second(&o, R(end), &m) == VM_OK && vm_osc_by_variation(&o, R(end), is_float ? R(1e-3) : R(1e-7), &n) >= 0);
         near("m to 1e6 m0, m0/1000", "x", (double)(m.x - n.x) / (double)n.amplitude, 0, 3 * (double)(m.error + n.error) + (is_float ? 1e-2 : 0));
         check_error("m to 1e6 m0, m0/1000", "estimate", "1", (double)m.error, is_float ? 1 : 0.1, i, end);
@@ -1036,7 +1035,7 @@ static void test_hard_cases(void)
     near("alpha = 0", "", (double)m.x, (double)n.x, is_float ? 2e-2 : 3e-3);
     o.alpha = 1000, o.x = R(1.001);
     CHECK(vm_osc_by_second(&o, 300, &m) == VM_OK && vm_osc_by_variation(&o, 300, R(1e-3), &n) >= 0);
-    near("alpha = 1000", "", (double)m.x, (double)n.x, is_float ? 1e-1 : 3e-3);
+    near("alpha = 1000", "", (double)m.x, (double)n.x, is_float ? 1e-2 : 1e-3);
     /* eps = 0.3: the estimate says that averaging is off */
     o = problem(3, vm_law_linear(1, R(0.3)), 0, 0), o.v = R(0.3);
     CHECK(vm_osc_by_second(&o, 10, &m) == VM_OK && m.error > R(1e-2));
