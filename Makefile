@@ -16,7 +16,7 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation
+TESTS = jacobi ateb integrators events varmass dissertation oscillator routes
 EXAMPLES = table5 example1 example2
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) \
     build/tests/contracted/jacobi build/tests/contracted/ateb build/tests/contracted/integrators build/tests/contracted/events

@@ -1431,6 +1431,14 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
+/* <ca^2> = B(3/(alpha+1), 1/2)/Pi_alpha; B(q, 1/2) is Pi of alpha = 1/q - 1, from q <= 1 upward by its recurrence */
+VM_API vm_real vmi_osc_mean_ca2(vm_real alpha, vm_real pi)
+{
+    vm_real q = 3 / (alpha + 1), factor = 1;
+    for (; q > 1; q -= 1) factor *= (q - 1) / (q - VM_C(0.5));
+    return factor * ateb_pi(1 / q - 1) / pi;
+}
+
 /* All but the Ateb plan, which only pays where many values are wanted */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 {
@@ -1448,7 +1456,7 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
     vmi_law_derivatives(&o->stiffness, 0, 1, 0, f), p->k0 = f[0];
     omega = VM_SQRT(p->k0 / p->m0);
     p->pi = ateb_pi(o->alpha), p->gamma = (o->alpha - 1) / (o->alpha + 3);
-    p->mean_ca2 = ateb_mean(o->alpha, 0, 2);
+    p->mean_ca2 = vmi_osc_mean_ca2(o->alpha, p->pi);
     vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
     p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
     if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
@@ -1855,11 +1863,11 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_real least = VM_EPSILON * (route == VM_ROUTE_RK87 ? 256 : 16), ratio = route == VM_ROUTE_RK87 ? 60 : 15;
-    const vm_real factor = route == VM_ROUTE_RK87 ? VM_C(0.2) : VM_C(0.6);
+    const vm_real factor = route == VM_ROUTE_RK87 ? VM_C(0.25) : VM_C(0.5);
     vm_osc_plan with_ateb;
     vmi_osc_run c;
     vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
-    vm_real step_tolerance = tolerance / 8, before = VM_INFINITY;
+    vm_real step_tolerance = tolerance < VM_C(0.008) ? tolerance / 8 : VM_C(1e-3), before = VM_INFINITY;
     int attempt, status, stalled = 0;
     c.p = plan, c.route = route, c.evals = 0;
     c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;

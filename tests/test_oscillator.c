@@ -656,7 +656,7 @@ static void test_averages(void)
 {
     static const double cases[][4] = {{1.5, 2, 0, 4.087882200450978691}, {1.5, 2, 2, 1.053555146905216191},
                                       {3, 4, 2, 1.278016250384631688}, {0.5, 0, 2, 8. / 3}};
-    const double alphas[] = {0, 0.2, 0.7, 1, 1.5, 3, 5, 8};
+    const double alphas[] = {0, 0.2, 0.5, 2, 1.5, 3, 5, 8};
     double force[3] = {0.02, 0.03, 0.04}, s;
     int i, j;
     for (i = 0; i < 4; i++) {
@@ -669,6 +669,7 @@ static void test_averages(void)
         vm_osc_problem o = problem(a, vm_law_linear(R(m), R(mr)), 1, 0);
         vm_osc_plan p;
         vm_real Ar, th, pr;
+        near("(316)", "<ca^2>", (double)vmi_osc_mean_ca2(R(a), ateb_pi(R(a))), (double)ateb_mean(R(a), 0, 2), 1e-15);
         near("(324)", "<sa^2>/(a+1)", S / (a + 1), 1 / (a + 3), 1e-14);
         P = 0.5 * 2 / (a + 1) * S; /* (321) halved */
         CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
