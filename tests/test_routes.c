@@ -1,5 +1,5 @@
-/* The ladder of routes to x(t) of an oscillator with variable mass: the second-order law against its published errors,
-   every route against a strict integration, and the estimates of error, which must be honest and sharp. */
+/* The ladder of routes to x(t) of an oscillator with variable mass: the second-order law against its published
+   errors, every route against a strict integration, and the estimates of error, which must be honest and sharp. */
 #include <stdlib.h>
 #include <time.h>
 #include "../varmass.h"
@@ -18,7 +18,10 @@ typedef struct truth {
     rk45 s;
 } truth;
 
-static void law(const vm_law *f, vm_real t, vm_real *value, vm_real *rate) { CHECK(vm_law_at(f, t, value, rate) == VM_OK); }
+static void law(const vm_law *f, vm_real t, vm_real *value, vm_real *rate)
+{
+    CHECK(vm_law_at(f, t, value, rate) == VM_OK);
+}
 
 static int truth_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -137,21 +140,26 @@ static void test_second_order(void)
     for (r = 0; r < sizeof rows / sizeof *rows; r++) {
         for (i = 0; i < 3 && rows[r].eps[i] > 0; i++) {
             double e = rows[r].eps[i], sine[3] = {0.5, e, 0}, error[2];
-            vm_osc_problem o = problem(rows[r].alpha, vm_law_linear(1, R(e)), rows[r].kind != NONE, rows[r].kind == DAMPED ? e / 2 : 0);
+            vm_osc_problem o = problem(rows[r].alpha, vm_law_linear(1, R(e)), rows[r].kind != NONE,
+                                       rows[r].kind == DAMPED ? e / 2 : 0);
             if (rows[r].kind == EXPONENTIAL) o.mass = vm_law_exponential(1, R(e / 2));
             if (rows[r].kind == SINE) o.mass = vm_law_user(sine_law, sine);
             waveform_errors(&o, rows[r].psi, rows[r].T / e, error);
             /* stated to two digits of a largest value on 400 points */
-            check_error("first order", "as stated", "%", 100 * fabs(error[0] / rows[r].first[i] - 1), 6, rows[r].alpha, e);
-            check_error("second order", "as stated", "%", 100 * fabs(error[1] / rows[r].second[i] - 1), 10, rows[r].alpha, e);
+            check_error("first order", "as stated", "%", 100 * fabs(error[0] / rows[r].first[i] - 1), 6,
+                        rows[r].alpha, e);
+            check_error("second order", "as stated", "%", 100 * fabs(error[1] / rows[r].second[i] - 1), 10,
+                        rows[r].alpha, e);
         }
     }
-    /* from eps = 0.03 on the error falls by 80 to 125 for each tenfold eps (below 0.003 the truth's own error shows) */
+    /* from eps = 0.03 on the error falls by 80 to 125 for each tenfold eps (below 0.003 the truth's own error
+       shows) */
     for (r = 0; r < sizeof rows / sizeof *rows; r++) {
         double error[2][2], ratio;
         for (i = 0; i < 2; i++) {
             double e = i ? 0.003 : 0.03, sine[3] = {0.5, e, 0};
-            vm_osc_problem o = problem(rows[r].alpha, vm_law_linear(1, R(e)), rows[r].kind != NONE, rows[r].kind == DAMPED ? e / 2 : 0);
+            vm_osc_problem o = problem(rows[r].alpha, vm_law_linear(1, R(e)), rows[r].kind != NONE,
+                                       rows[r].kind == DAMPED ? e / 2 : 0);
             if (rows[r].kind == EXPONENTIAL) o.mass = vm_law_exponential(1, R(e / 2));
             if (rows[r].kind == SINE) o.mass = vm_law_user(sine_law, sine);
             waveform_errors(&o, rows[r].psi, rows[r].T / e, error[i]);
@@ -162,8 +170,9 @@ static void test_second_order(void)
     }
 }
 
-/* The mean amplitude that the start's formula gives, taken at any time of a motion, is (mu kappa)^(-1/(alpha+3)) times a
-   constant, up to the third order of eps: what makes the law of second order. Here from the exact motion. */
+/* The mean amplitude that the start's formula gives, taken at any time of a motion, is (mu kappa)^(-1/(alpha+3))
+   times a constant, up to the third order of eps: what makes the law of second order. Here from the exact motion.
+   */
 static double action_wander(double alpha, double e, double b)
 {
     static truth c;
@@ -220,7 +229,9 @@ static void draw(random_problem *p, int kind, double least_eps)
     p->psi = uniform(0, 1) < 0.2 ? 0 : uniform(-1, 1) * (double)ateb_pi(o->alpha);
     e = p->eps * uniform(0.3, 1), s = uniform(0, 1) < 0.5 ? -0.3 : 1;
     p->sine[0] = a, p->sine[1] = e, p->sine[2] = phase;
-    for (i = 0; i <= 40; i++) p->times[i] = i == 40 ? R(p->T) : R(p->T * i / 40), p->values[i] = R(1 + a * sin(e * (double)p->times[i] + phase));
+    for (i = 0; i <= 40; i++)
+        p->times[i] = i == 40 ? R(p->T) : R(p->T * i / 40),
+        p->values[i] = R(1 + a * sin(e * (double)p->times[i] + phase));
     switch (kind) {
     case VM_LAW_LINEAR: o->mass = vm_law_linear(1, R(s * e)); break;
     case VM_LAW_QUADRATIC: o->mass = vm_law_quadratic(1, R(s * e), R(e * e * uniform(0, 0.3))); break;
@@ -229,7 +240,8 @@ static void draw(random_problem *p, int kind, double least_eps)
     case VM_LAW_TABLE: o->mass = vm_law_table(41, p->times, p->values); break;
     default: o->mass = vm_law_user(sine_law, p->sine); break;
     }
-    o->stiffness = uniform(0, 1) < 0.25 ? vm_law_exponential(1, R(p->eps * uniform(-0.5, 0.5))) : vm_law_linear(1, 0);
+    o->stiffness = uniform(0, 1) < 0.25 ? vm_law_exponential(1, R(p->eps * uniform(-0.5, 0.5)))
+                                        : vm_law_linear(1, 0);
     o->reactive = R(uniform(0, 1) < 0.5), o->damping = R(uniform(0, 1) < 0.5 ? 0 : p->eps * uniform(-0.1, 0.5));
 }
 
@@ -268,7 +280,9 @@ static void test_estimates(void)
         double own, tolerance = exp(uniform(log(is_float ? 3e-3 : 1e-7), log(is_float ? 1e-1 : 1e-2)));
         draw(&p, i % 6, is_float ? 2e-2 : least);
         start(&c, &p.o, p.psi, is_float ? 1e-6 : fmin(1, 100 * p.eps) * 1e-13), follow(&c, R(p.T));
-        own = is_float ? 2e-3 : 1e-15 / (p.eps * p.eps); /* what the truth may be off by: tolerance, summed up by the phase */
+        own = is_float
+                  ? 2e-3
+                  : 1e-15 / (p.eps * p.eps); /* what the truth may be off by: tolerance, summed up by the phase */
         CHECK(vm_osc_plan_init(&plan, &p.o) == VM_OK);
         for (route = 0; route <= ROUTES; route++) {
             vm_osc_motion m;
@@ -281,16 +295,19 @@ static void test_estimates(void)
             e = error_of(&c, &m);
             if (route == ROUTES && status == VM_OK) {
                 CHECK((double)m.error <= tolerance);
-                check_error("vm_osc_at", "true/tolerance", "", e > 3 * own ? e / tolerance : 0, 3, p.eps, tolerance);
+                check_error("vm_osc_at", "true/tolerance", "", e > 3 * own ? e / tolerance : 0, 3, p.eps,
+                            tolerance);
             }
             if (e < 10 * own && (double)m.error < 10 * own) continue;
             if (e > 0.5 && m.error > R(0.5)) continue; /* nothing left of the phase, and known */
             ratio[route][count[route]++] = (double)m.error / fmax(e, 1e-300);
         }
     }
-    for (route = 0; route <= VM_ROUTE_SECOND; route++) judge(vm_osc_route_name(route), ratio[route], count[route], 1, 10, 10);
+    for (route = 0; route <= VM_ROUTE_SECOND; route++)
+        judge(vm_osc_route_name(route), ratio[route], count[route], 1, 10, 10);
     /* 120 cases or so of each integrator: one or two beyond are 1 % of more */
-    for (; route <= VM_ROUTE_RK45; route++) judge(vm_osc_route_name(route), ratio[route], count[route], is_float ? 5 : 2, 10, 13);
+    for (; route <= VM_ROUTE_RK45; route++)
+        judge(vm_osc_route_name(route), ratio[route], count[route], is_float ? 5 : 2, 10, 13);
     /* errors at x = 0, where f is not smooth, do not go as the tolerance of the pair of order 8; no use in float */
     if (!is_float) judge(vm_osc_route_name(VM_ROUTE_RK87), ratio[VM_ROUTE_RK87], count[VM_ROUTE_RK87], 4, 30, 20);
     judge("vm_osc_at", ratio[ROUTES], count[ROUTES], 1, 10, 10);
@@ -316,19 +333,23 @@ static void test_choice(void)
     o.alpha = 1, CHECK(vm_osc_at(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_TRIG);
     o.alpha = R(2.3), CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     for (route = 0; route <= VM_ROUTE_RK87; route++) { /* a plan, one common call, one call each: the same */
-        static int (*const by_law[])(const vm_osc_problem *, vm_real, vm_osc_motion *) = {vm_osc_by_trig, vm_osc_by_jacobi, vm_osc_by_ateb, vm_osc_by_second};
-        static int (*const by_integration[])(const vm_osc_problem *, vm_real, vm_real, vm_osc_motion *) = {vm_osc_by_variation, vm_osc_by_rk45, vm_osc_by_rk87};
+        static int (*const by_law[])(const vm_osc_problem *, vm_real, vm_osc_motion *) = {
+            vm_osc_by_trig, vm_osc_by_jacobi, vm_osc_by_ateb, vm_osc_by_second};
+        static int (*const by_integration[])(const vm_osc_problem *, vm_real, vm_real, vm_osc_motion *) = {
+            vm_osc_by_variation, vm_osc_by_rk45, vm_osc_by_rk87};
         CHECK(vm_osc_plan_by(&p, route, 33, 0, &m) >= 0 && m.route == route);
         CHECK((route < 4 ? by_law[route](&o, 33, &n) : by_integration[route - 4](&o, 33, 0, &n)) >= 0);
-        check_error("plan, call", "", "eps", fabs((double)(m.x - n.x)) / (double)VM_EPSILON, route < 4 ? 400 : 1, route, 0);
+        check_error("plan, call", "", "eps", fabs((double)(m.x - n.x)) / (double)VM_EPSILON, route < 4 ? 400 : 1,
+                    route, 0);
         CHECK(n.evals == m.evals && (route < 4) == (m.evals == 0));
     }
-    CHECK(vm_osc_at(&o, -15, R(1e-3), &m) == VM_OK && vm_osc_by_rk45(&o, -15, R(1e-3), &n) >= 0); /* backward in time */
+    CHECK(vm_osc_at(&o, -15, R(1e-3), &m) == VM_OK &&
+          vm_osc_by_rk45(&o, -15, R(1e-3), &n) >= 0); /* backward in time */
     check_error("t < 0", "", "1e-3", 1e3 * fabs((double)(m.x - n.x)), 4, m.route, 0);
 }
 
-/* Tolerance 1e-4, eps = 1e-3, t = 1000: against rk45 on the equation of motion with the same true error. And the exact
-   equations of A and psi need fewer evaluations than the equation of motion */
+/* Tolerance 1e-4, eps = 1e-3, t = 1000: against rk45 on the equation of motion with the same true error. And the
+   exact equations of A and psi need fewer evaluations than the equation of motion */
 static int cubic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const vm_real m = 1 + R(1e-3) * t;
@@ -363,8 +384,10 @@ static void test_speed(void)
         CHECK(rk45_init(&s, cubic_rhs, NULL, 2, 0, y0, &options, work) >= 0 && rk45_solve(&s, 1000) >= 0);
         direct.x = s.y[0], direct.v = s.y[1], error = error_of(&c, &direct);
     }
-    check_error("vm_osc_at", "1000 x by rk45", "", 1000 * law_time / seconds(from), 1, seconds(from) / law_time, wanted);
-    printf("eps = 1e-3, t = 1000, error %.1e: vm_osc_at %.2g us, rk45 %.0f times as long (%ld evaluations)\n", wanted, 1e6 * law_time, seconds(from) / law_time, s.evals);
+    check_error("vm_osc_at", "1000 x by rk45", "", 1000 * law_time / seconds(from), 1, seconds(from) / law_time,
+                wanted);
+    printf("eps = 1e-3, t = 1000, error %.1e: vm_osc_at %.2g us, rk45 %.0f times as long (%ld evaluations)\n",
+           wanted, 1e6 * law_time, seconds(from) / law_time, s.evals);
 }
 
 static void test_variation_saves(void)
@@ -374,8 +397,10 @@ static void test_variation_saves(void)
     for (i = 0; i < 3 && !is_float; i++) {
         vm_osc_problem o = problem(alphas[i], vm_law_linear(1, R(0.003)), 1, 0);
         vm_osc_motion a, b;
-        CHECK(vm_osc_by_variation(&o, 1000, R(1e-6), &a) == VM_OK && vm_osc_by_rk45(&o, 1000, R(1e-6), &b) == VM_OK);
-        check_error("variation", "evals by direct", "", (double)a.evals / (double)b.evals, 0.7, alphas[i], (double)b.evals);
+        CHECK(vm_osc_by_variation(&o, 1000, R(1e-6), &a) == VM_OK &&
+              vm_osc_by_rk45(&o, 1000, R(1e-6), &b) == VM_OK);
+        check_error("variation", "evals by direct", "", (double)a.evals / (double)b.evals, 0.7, alphas[i],
+                    (double)b.evals);
     }
 }
 
@@ -398,10 +423,12 @@ static void test_force(void)
         CHECK(vm_osc_by_rk45(&o, 100, is_float ? R(1e-2) : R(1e-7), &direct) >= 0);
         CHECK(vm_osc_by_second(&o, 100, &m) == VM_NO_LAW);
         CHECK(vm_osc_at(&o, 100, is_float ? R(1e-2) : R(1e-7), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
-        check_error("force", "exact routes", "", fabs((double)(m.x - direct.x)) / (is_float ? 3e-2 : 1e-6), 1, alphas[i], 0);
+        check_error("force", "exact routes", "", fabs((double)(m.x - direct.x)) / (is_float ? 3e-2 : 1e-6), 1,
+                    alphas[i], 0);
         for (route = 0; route <= VM_ROUTE_ATEB; route++) { /* the amplitude to first order */
             CHECK(vm_osc_by(&o, route, 100, R(1e-3), &m) >= 0 && m.route == route);
-            check_error("force", "averaged, A", "", fabs((double)(m.amplitude / direct.amplitude) - 1), route == VM_ROUTE_ATEB ? 0.01 : 0.03, alphas[i], route);
+            check_error("force", "averaged, A", "", fabs((double)(m.amplitude / direct.amplitude) - 1),
+                        route == VM_ROUTE_ATEB ? 0.01 : 0.03, alphas[i], route);
         }
     }
 }
