@@ -26,7 +26,7 @@ static void law(const vm_law *f, vm_real t, vm_real *value, vm_real *rate)
 static int truth_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const truth *c = (const truth *)ctx;
-    vm_real m, m_rate, k, k_rate, sa, ca, q;
+    vm_real m = 1, m_rate = 0, k = 1, k_rate = 0, sa, ca, q;
     if (vm_law_at(&c->o->mass, t, &m, &m_rate) || vm_law_at(&c->o->stiffness, t, &k, &k_rate)) return 1;
     q = k_rate / k + (2 * c->o->reactive - 1) * m_rate / m + 2 * c->o->damping / m;
     ateb_plan_saca(&c->ateb, y[1], &sa, &ca);
@@ -39,7 +39,7 @@ static int truth_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 static void start(truth *c, vm_osc_problem *o, double psi, double tolerance)
 {
     rk45_options options = {0};
-    vm_real y[2], m, k, rate, sa, ca;
+    vm_real y[2], m = 1, k = 1, rate = 0, sa, ca;
     law(&o->mass, 0, &m, &rate), law(&o->stiffness, 0, &k, &rate);
     c->o = o, CHECK(ateb_plan_init(&c->ateb, o->alpha) == 0);
     ateb_plan_saca(&c->ateb, R(psi), &sa, &ca);
@@ -72,7 +72,7 @@ static void follow(truth *c, vm_real t)
 static double error_of(const truth *c, const vm_osc_motion *motion)
 {
     const double A = exp((double)c->s.y[0]), alpha = (double)c->o->alpha;
-    vm_real m, k, rate, sa, ca;
+    vm_real m = 1, k = 1, rate = 0, sa, ca;
     double V;
     law(&c->o->mass, c->s.t, &m, &rate), law(&c->o->stiffness, c->s.t, &k, &rate);
     ateb_plan_saca(&c->ateb, c->s.y[1], &sa, &ca);
@@ -184,7 +184,7 @@ static double action_wander(double alpha, double e, double b)
     for (i = 0; i <= 200; i++) {
         vm_osc_problem later = o;
         static vm_osc_plan p;
-        vm_real m = 1, k = 1, rate, sa, ca;
+        vm_real m = 1, k = 1, rate = 0, sa, ca;
         double A, I;
         follow(&c, R(0.005 / e * i));
         law(&o.mass, c.s.t, &m, &rate), law(&o.stiffness, c.s.t, &k, &rate);
