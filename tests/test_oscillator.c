@@ -431,7 +431,7 @@ static void test_approximations(void)
             near("(308)", "", (double)cn, sign, is_float ? 1e-4 : 1e-13);
         }
         near("k^2, alpha -> 0", "", (double)vm_osc_m_jacobi(0), -1.807854731049967665, 1e-14);
-        near("(308)", "cd modulus", 1.807854731049967665 / 2.807854731049967665, 0.643856219147754647, 1e-15);
+        near("(308)", "cd modulus", (double)(vm_osc_m_jacobi(0) / (vm_osc_m_jacobi(0) - 1)), 0.643856219147754647, 1e-15);
         near("(309)", "", (double)ateb_pi(R(1e12)) / 1e12, 1, 1e-10);
         near("k^2, alpha -> inf", "", (double)vm_osc_m_jacobi(R(1e12)), 0.806192642052912167, 1e-10);
         near("(307)", "2 at alpha = 0", (double)ateb_pi(0), 2, 1e-15);
@@ -889,7 +889,6 @@ static void test_measured_exponents(void)
         if (a == 1) near("(387)", "1/4", x, 0.25, tolerance);
         if (a == 3) {
             misses("(388)", 0.28586, x, 0.28586 - 1. / 6);
-            near("(388)", "envelope 24 % at m/m0 = 6", pow(6, 0.28586 - 1. / 6) - 1, 0.24, 0.005);
         }
     }
     { /* damping alone, constant mass: (342); printed with 5 - alpha */
@@ -908,7 +907,6 @@ static void test_measured_exponents(void)
             misses("(342)", -0.02 / (5 - a), measured, fabs(rates[i][2] - rates[i][1]));
         }
     }
-    near("(390)", "s = 1/2", 0.5, 0.5, 1e-15);
     for (i = 0; i < 5; i++) { /* s = 1/2 for every k^2, (390); (389), (391), (392), (395) follow */
         const double ks[] = {-5, -0.5, 0.3, 0.8, 0.99};
         vm_real C2, C4, C6;
@@ -930,7 +928,6 @@ static void test_measured_exponents(void)
                  pow(3, 1 / (a + 3)), 1e-12);
         }
     }
-    near("(388)", "0.28586 from the wrong C4", (39. / 89) * ((39. / 89) / (2 + 2 * 39. / 89) + 0.5), 0.28586, 5e-6);
     near("(393)", "1/4", (double)vm_osc_amplitude_law(16, 0, 1, 1), 0.5, 1e-14);
 }
 
@@ -1105,11 +1102,8 @@ static void test_waveforms(void)
                 worst[route] = fmax(worst[route], fabs((double)(m.x - j.s.y[0])));
             }
         }
-        stated("waveform", "Ateb",
-               worst[VM_ROUTE_ATEB] / wanted[i][1] > 1.04 || worst[VM_ROUTE_ATEB] / wanted[i][1] < 0.93
-                   ? worst[VM_ROUTE_ATEB]
-                   : wanted[i][1],
-               wanted[i][1]);
+        check_error("waveform", "Ateb", "%", 100 * fabs(worst[VM_ROUTE_ATEB] / wanted[i][1] - 1), 7, a,
+                    worst[VM_ROUTE_ATEB]);
         check_error("waveform", "Jacobi", "%", 100 * fabs(worst[VM_ROUTE_JACOBI] / wanted[i][2] - 1), 5, a,
                     worst[VM_ROUTE_JACOBI]);
         check_error("waveform", "trigonometric", "%", 100 * fabs(worst[VM_ROUTE_TRIG] / wanted[i][3] - 1), 5, a,
