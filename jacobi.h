@@ -716,11 +716,6 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 
 /* ---- The quarter period --------------------------------------------------------------------------------------- */
 
-/* K = quarter/rate, each in two words: u rate is a phase with that quarter period */
-typedef struct VM_TAG(vmi_period) {
-    vm_two rate, quarter;
-} vmi_period;
-
 /* a - root^2 */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
@@ -800,7 +795,7 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* K for -1 <= m <= 1/2 is pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: x S, error 2^-60 (2^-31) */
+/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: x S, error 2^-60 (float 2^-31) */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -814,59 +809,58 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* E there is (pi/4) (1 + k') (1 + x S(x)): x S, error 2^-60 (2^-36) */
-VM_API vm_real vmi_E_series(vm_real x)
+/* The same for x <= 0.27: error 2^-55.8 (float 2^-29) */
+VM_API vm_real vmi_K_long_series(vm_real x)
 {
+    const vm_real xx = x * x;
 #if VM_MANT_DIG > 24
-    const vm_real S01 = VM_C(0.249999999999998473) + x * VM_C(0.0156250000010046616);
-    const vm_real S23 = VM_C(3.90624978034861655e-3) + x * VM_C(1.52590095851879576e-3);
-    const vm_real S45 = VM_C(7.46564292913902026e-4) + x * VM_C(4.48181628202808427e-4);
-    return x * (S01 + x * x * (S23 + x * x * S45));
+    const vm_real x4 = xx * xx;
+    const vm_real S01 = VM_C(0.250000000000014377) + x * VM_C(0.140624999995881572);
+    const vm_real S23 = VM_C(0.0976562504126337744) + x * VM_C(0.074768045609608591);
+    const vm_real S45 = VM_C(0.0605627507017364591) + x * VM_C(0.0508772940048255948);
+    const vm_real S67 = VM_C(0.0440285121701475407) + x * VM_C(0.0372459466547342063);
+    const vm_real S89 = VM_C(0.0424882360015294627) - x * VM_C(3.13338938760795603e-3);
+    const vm_real S1011 = VM_C(0.124580054031799198) - x * VM_C(0.14151657358303027);
+    const vm_real high = (S89 + xx * S1011) + x4 * VM_C(0.171753538159665209);
+    return x * ((S01 + xx * S23) + x4 * ((S45 + xx * S67) + x4 * high));
 #else
-    return x * (VM_C(0.25) + x * (VM_C(0.01562348008) + x * VM_C(3.994502593e-3)));
+    const vm_real S01 = VM_C(0.2499996126) + x * VM_C(0.1406520605);
+    const vm_real S23 = VM_C(0.09703662246) + x * VM_C(0.08119596541);
+    const vm_real S45 = VM_C(0.027911596) + x * VM_C(0.1258544028);
+    return x * (S01 + xx * (S23 + xx * S45));
 #endif
 }
 
-/* Relative error of K below 2^-58 (float 2^-29): by the series, by logarithms for m > 1/2, and for m < -1 by
-   k'K(m) = K(m/(m - 1)). m1 > 0. */
-VM_API vmi_period vmi_period_short(vm_real m1, vm_real m1_lo)
+/* E = (pi/4) (1 + k') (1 + x S(x)), the same x <= 0.27: x S, error 2^-53.6 (float 2^-28) */
+VM_API vm_real vmi_E_series(vm_real x)
 {
-    const vmi_three half_pi = vmi_half_pi();
-    vmi_period p;
-    if (m1 >= VM_C(0.5) && m1 <= 2) {
-        const vm_two root = vmi_root(m1, m1_lo);
-        vm_real k1;
-        p.rate = vmi_two_sum(1, root.hi);
-        p.rate.lo += root.lo;
-        k1 = ((1 - m1) - m1_lo) / (p.rate.hi * p.rate.hi);
-        p.quarter = vmi_fast_two_sum(2 * half_pi.hi, 2 * half_pi.mid + 2 * half_pi.hi * vmi_K_series(k1 * k1));
-    } else {
-        const vm_two l = vmi_log_4(m1, m1_lo);
-        p.rate = m1 < 1 ? vmi_two(1, 0) : vmi_root(m1, m1_lo);
-        p.quarter = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, l);
-    }
-    return p;
+    const vm_real xx = x * x;
+#if VM_MANT_DIG > 24
+    const vm_real S01 = VM_C(0.249999999999960254) + x * VM_C(0.0156250000070098857);
+    const vm_real S23 = VM_C(3.90624957266041224e-3) + x * VM_C(1.52589176950153902e-3);
+    const vm_real S45 = VM_C(7.47459188090750779e-4) + x * VM_C(4.22912234269903721e-4);
+    const vm_real S67 = VM_C(2.43990307254844749e-4) + x * VM_C(2.37024534345119326e-4);
+    const vm_real S89 = VM_C(-4.47296193473674711e-5) + x * VM_C(2.93501413328282835e-4);
+    return x * ((S01 + xx * S23) + xx * xx * ((S45 + xx * S67) + xx * xx * S89));
+#else
+    return x * ((VM_C(0.249999553) + x * VM_C(0.0156402681)) + xx * (VM_C(3.744000569e-3) + x * VM_C(2.177765593e-3)));
+#endif
 }
 
-/* Relative error of K below 2^-84 (float 2^-40), by the AGM in two words until its last step is a series:
-   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...), x = (c/s)^2 */
-VM_API vmi_period vmi_period_long(vm_real m1, vm_real m1_lo)
+/* agm(1, k') = pi/(2K), relative error below 2^-84 (float 2^-40), in two words until the last step is a series:
+   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...), x = (c/s)^2. m1 > 0. */
+VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
     const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
-    const vmi_three half_pi = vmi_half_pi();
     vm_two a = vmi_two(1, 0), b = vmi_root(m1 * lift * lift, m1_lo * lift * lift), p;
-    vmi_period period;
     b = vmi_two(b.hi / lift, b.lo / lift);
     for (;;) {
         const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
-        vm_two s = vmi_two_sum(a.hi, b.hi);
-        s = vmi_two(s.hi / 2, (s.lo + (a.lo + b.lo)) / 2);
+        const vm_two sum = vmi_two_sum(a.hi, b.hi), s = vmi_two(sum.hi / 2, (sum.lo + (a.lo + b.lo)) / 2);
         if (VM_FABS(c) < last * s.hi) {
             const vm_real x = (c / s.hi) * (c / s.hi);
-            period.rate = vmi_two_sum(s.hi, s.lo - s.hi * x * (VM_C(0.25) + x * VM_C(0.078125)));
-            period.quarter = vmi_two(half_pi.hi, half_pi.mid);
-            return period;
+            return vmi_two_sum(s.hi, s.lo - s.hi * x * (VM_C(0.25) + x * VM_C(0.078125)));
         }
         p = vmi_two_product(a.hi, b.hi);
         b = vmi_root(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
@@ -878,6 +872,10 @@ VM_API vmi_period vmi_period_long(vm_real m1, vm_real m1_lo)
 
 /* Neville's theta functions s, c, d, n but for a common factor, so that pq = theta_p/theta_q, each relatively accurate
    since no difference loses digits. Two ways: near 0, and where 1 - m or 1/(1 - m) is small. */
+
+typedef struct VM_TAG(vmi_thetas) {
+    vm_real s, c, d, n;
+} vmi_thetas;
 
 #define VMI_NEAR VM_C(2.2) /* near 0: v^2 max(1, 1 - m) <= 2.2, which is all of |v| <= K/2 for -21.5 < m < 0.955 */
 
@@ -896,8 +894,9 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
    all terms but that of c have one sign: if b/a = sc^2(w),
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
-VM_API void vmi_theta_near(vm_real v, vm_real m1, vm_real *theta)
+VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
+    vmi_thetas theta;
     const vm_real w = v / 4, w2 = w * w, r = m1 * w2;
     vm_real c[4], more, a, f, g, b, s, aa, rb;
 #if VM_MANT_DIG > 24
@@ -914,7 +913,7 @@ VM_API void vmi_theta_near(vm_real v, vm_real m1, vm_real *theta)
 #else
     more = c[2] * (c[2] * VM_C(0.3333333333) + c[3] * VM_C(0.2727272727));
 #endif
-    a = 1 + (c[1] + (c[2] + (c[3] + more)));
+    a = 1 + ((c[1] + (c[2] + c[3])) + more);
     f = a * a - r * w2;
     g = a * ((a + w2) * (a + r)); /* sc^2(2w) = 4 w^2 g/f^2 = b/a from here on */
     b = 4 * w2 * g;
@@ -922,10 +921,11 @@ VM_API void vmi_theta_near(vm_real v, vm_real m1, vm_real *theta)
     s = m1 * b;
     aa = a * a;
     rb = s * b;
-    theta[0] = v * VM_SQRT((g * a) * ((a + b) * (a + s)));
-    theta[1] = aa - rb;
-    theta[2] = aa + (2 * s * a + rb);
-    theta[3] = aa + (2 * b * a + rb);
+    theta.s = v * (f * VM_SQRT(g * ((a + b) * (a + s))));
+    theta.c = aa - rb;
+    theta.d = aa + (2 * s * a + rb);
+    theta.n = aa + (2 * b * a + rb);
+    return theta;
 }
 
 enum { VMI_SERIES_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
@@ -942,28 +942,30 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
     const vm_real half = c / (2 * (1 + root)), k1 = 2 * half / (1 + root), x = k1 * k1;
     const vm_two kp = m1 > 1 ? vmi_root(m1, m1_lo) : vmi_two(VM_SQRT(m1), 0);
-    vm_real q2, q4;
+    vm_real q2, q4, q6;
     t->kp = kp.hi;
     t->kp_lo = kp.lo;
     t->q = k1 / 4 * (1 + x * (VM_C(0.25) + x * (VM_C(0.1328125) + x * VM_C(0.087890625))));
     t->defect = half + (1 - half) * (x * (VM_C(0.25) + x * (VM_C(0.078125) + x * VM_C(0.04296875))));
     q2 = t->q * t->q;
     q4 = q2 * q2;
-    t->f[0] = 1 - q2;
+    q6 = q2 * q4;
+    t->f[0] = 1 - (q2 + q6);
     t->f[1] = 2 * t->q * (1 - q4);
     t->f[2] = 4 * q4;
     t->g[0] = 1 - 2 * q4;
     t->g[1] = 4 * q2;
     t->scale[0] = 1 / (m1 > 1 ? kp.hi * fourth : fourth);
-    t->scale[2] = 2 * (1 + q2) / (1 + (2 * t->q + 2 * q4));
+    t->scale[2] = 2 * (1 + (q2 + q6)) / (1 + (2 * t->q + 2 * q4));
     t->scale[1] = t->scale[2] / fourth;
 }
 
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-it) is 0: tanh is 1, sech 0 */
 
 /* All four by 2 exp(-z), which makes sinh z 1 - exp(-2z) and cosh z 1 + exp(-2z); |argument| <= VMI_LONGEST */
-VM_INLINE void vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument, vm_real *theta)
+VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
+    vmi_thetas theta;
     const vm_real tiny = VM_EPSILON * VM_EPSILON; /* q: then X <= sqrt(q)/2 is negligible */
     const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
     const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
@@ -982,156 +984,180 @@ VM_INLINE void vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two arg
     O = 2 * X;
     d = t->scale[2] * (root * (E + O));
     n = (1 + e) * (P + Q);
-    theta[0] = sign * (t->scale[0] * (less * (1 + root) * (P - Q)));
-    theta[1] = t->scale[1] * (root * (E - O));
-    theta[2] = reciprocal ? n : d;
-    theta[3] = reciprocal ? d : n;
+    theta.s = sign * (t->scale[0] * (less * (1 + root) * (P - Q)));
+    theta.c = t->scale[1] * (root * (E - O));
+    theta.d = reciprocal ? n : d;
+    theta.n = reciprocal ? d : n;
+    return theta;
 }
 
-/* odd ? a : b without a branch, which would be mispredicted every other time */
-VM_INLINE vm_real vmi_select(vmi_bits odd, vm_real a, vm_real b)
+VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
-    const vmi_bits a_bits = vmi_to_bits(a), b_bits = vmi_to_bits(b), mask = (vmi_bits)0 - odd;
-    return vmi_from_bits(b_bits ^ ((a_bits ^ b_bits) & mask));
+    vmi_theta_form t;
+    vmi_far_prepare(&t, m1, m1_lo);
+    return vmi_theta_far(&t, m1 > 1, m1 > 1 ? vmi_two_times(v, vmi_two(t.kp, t.kp_lo)) : v);
 }
 
-/* The thetas so many quarters on: at one s, c, d, n become c, -k's, k'n, d; at two s and c change their sign */
-VM_INLINE void vmi_theta_shift(vm_real *theta, vm_real kp, vmi_bits quarters)
+/* The thetas so many quarters on: at one s, c, d, n become c, -k's, k'n, d; at two s and c change their sign. With no
+   branch, which would be mispredicted every other time. */
+VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
-    const vmi_bits odd = quarters & 1, flip = (quarters & 2) << (sizeof(vm_real) * 8 - 2);
-    const vm_real s = vmi_from_bits(vmi_to_bits(theta[0]) ^ flip), c = vmi_from_bits(vmi_to_bits(theta[1]) ^ flip);
-    const vm_real d = theta[2], n = theta[3];
-    theta[0] = vmi_select(odd, c, s);
-    theta[1] = vmi_select(odd, -kp * s, c);
-    theta[2] = vmi_select(odd, kp * n, d);
-    theta[3] = vmi_select(odd, d, n);
+    const vm_real one = 1;
+    const vmi_bits odd = quarters & 1, mask = (vmi_bits)0 - odd, top = sizeof(vm_real) * 8 - 1;
+    const vmi_bits half = (quarters >> 1 & 1) << top, one_bits = vmi_to_bits(one);
+    const vmi_bits s = vmi_to_bits(theta.s), c = vmi_to_bits(theta.c), s_or_c = (s ^ c) & mask;
+    const vmi_bits d = vmi_to_bits(theta.d), n = vmi_to_bits(theta.n), d_or_n = (d ^ n) & mask;
+    const vm_real factor = vmi_from_bits(one_bits ^ ((one_bits ^ vmi_to_bits(kp)) & mask));
+    theta.s = vmi_from_bits(s ^ s_or_c ^ half);
+    theta.c = factor * vmi_from_bits(c ^ s_or_c ^ half ^ odd << top);
+    theta.d = factor * vmi_from_bits(d ^ d_or_n);
+    theta.n = vmi_from_bits(n ^ d_or_n);
+    return theta;
 }
 
-VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high) { return x < low ? low : x > high ? high : x; }
-
-VM_INLINE void vmi_theta_ratios(const vm_real *theta, vm_real kp, vm_real *sn, vm_real *cn, vm_real *dn)
+VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
-    const vm_real low = kp < 1 ? kp : 1, high = kp < 1 ? 1 : kp, per_n = 1 / theta[3];
-    *sn = vmi_clamp(theta[0] * per_n, -1, 1);
-    *cn = vmi_clamp(theta[1] * per_n, -1, 1);
-    *dn = vmi_clamp(theta[2] * per_n, low, high);
+    const vm_real below = x > high ? high : x;
+    return below < low ? low : below;
+}
+
+/* dn lies between 1 and bound */
+VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real low = bound < 1 ? bound : 1, high = bound > 1 ? bound : 1, per_n = 1 / theta.n;
+    *sn = vmi_clamp(theta.s * per_n, -1, 1);
+    *cn = vmi_clamp(theta.c * per_n, -1, 1);
+    *dn = vmi_clamp(theta.d * per_n, low, high);
 }
 
 /* ---- The phase and its quarter -------------------------------------------------------------------------------- */
 
-/* u rate less the next multiple of the quarter period, for u >= 0, and which multiple (mod 4 it counts). From 1/eps
-   quarters on the argument holds no phase: 0, and 0 quarters. */
-VM_API vm_two vmi_reduce_phase(vm_real u, const vmi_period *p, vmi_bits *quarters)
+/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, 0.029 < m1 < 34.5: two
+   steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
+   2 pi (1 + x S); the series and its rounding errors are small. Within an eps of the result if that is no less than
+   u/64, else NaN. */
+VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
-    const vm_real count = u * p->rate.hi / p->quarter.hi;
-    vm_real shifted, j;
-    vm_two phase, whole;
-    *quarters = 0;
-    if (!(count < 1 / VM_EPSILON)) return vmi_two(0, 0);
-    shifted = vmi_rounded(count + 1 / VM_EPSILON); /* its last bits count */
-    j = shifted - 1 / VM_EPSILON;
-    *quarters = vmi_to_bits(shifted);
-    phase = vmi_two_product(u, p->rate.hi);
-    whole = vmi_two_product(j, p->quarter.hi);
-    return vmi_two_sum(phase.hi - whole.hi, /* exact */
-                       (phase.lo - whole.lo) + (u * p->rate.lo - j * p->quarter.lo));
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_two kp = vmi_root(m1, m1_lo), f = vmi_root(kp.hi, kp.lo);
+    const vm_real per = 1 / (1 + f.hi), h = (1 - f.hi) * per, hh = h * h;
+    const vm_real more = half_pi.mid + half_pi.hi * vmi_K_series(hh * hh);
+    const vm_two sum = vmi_two_sum(1, kp.hi), rate = vmi_fast_two_sum(sum.hi, 2 * f.hi);
+    const vm_real rate_lo = (rate.lo + sum.lo) + (kp.lo + 2 * f.lo);
+    const vm_real u_head = vmi_head(u), rate_head = vmi_head(rate.hi);
+    const vm_real phase = u_head * rate_head; /* exact */
+    const vm_real phase_lo = u_head * (rate.hi - rate_head) + (u - u_head) * rate.hi + u * rate_lo;
+    const vm_real j = phase < 6 * half_pi.hi ? 4 : 8;
+    const vm_real rest = (phase - j * half_pi.hi) + (phase_lo - j * more);
+    *quarters = j > 4 ? 2 : 1;
+    return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest * (per * per) : VM_NAN;
 }
 
-/* An argument in two words, times rate; and the quarters it is counted from */
-typedef struct VM_TAG(vmi_argument) {
-    vm_two phase, rate;
-    vmi_bits quarters;
-} vmi_argument;
-
-/* u > 0 less a multiple of K, m1 > 0: by a period of few digits, if these suffice for so many quarters and so small a
-   rest, else by one of more, or K in three words. reach is about (u/(K/2))^2. */
-VM_API vmi_argument vmi_reduced(vm_real u, vm_real reach, vm_real m1, vm_real m1_lo)
+/* The same in two words for any u > 0 and m1 > 0, by the period in two words, in three for less than 128 K and next to
+   a multiple */
+VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
-    const vm_real smallest = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
-    vmi_argument a;
-    vmi_period p;
-    if (reach < 4000) {
-        p = vmi_period_short(m1, m1_lo);
-        a.phase = vmi_reduce_phase(u, &p, &a.quarters);
-        a.rate = p.rate;
-        if (VM_FABS(a.phase.hi) > u * p.rate.hi / 64) return a;
-    }
-    p = vmi_period_long(m1, m1_lo);
-    a.phase = vmi_reduce_phase(u, &p, &a.quarters);
-    a.rate = p.rate;
-    if (VM_FABS(a.phase.hi) < u * p.rate.hi * smallest && u * p.rate.hi < 128 * p.quarter.hi) {
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real next = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
+    const vm_two rate = vmi_agm_two_words(m1, m1_lo);
+    const vm_real size = u * rate.hi, count = size / half_pi.hi, shifted = vmi_rounded(count + 1 / VM_EPSILON);
+    const vm_real j = shifted - 1 / VM_EPSILON;
+    vm_two phase, whole, rest, error;
+    vm_real v;
+    *quarters = 0;
+    if (!(count < 1 / VM_EPSILON)) return vmi_two(0, 0); /* no phase is left */
+    *quarters = vmi_to_bits(shifted);
+    phase = vmi_two_product(u, rate.hi);
+    whole = vmi_two_product(j, half_pi.hi);
+    rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
+    if (VM_FABS(rest.hi) < size * next && count < 128) {
         vm_real K[4];
         vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
-        a.phase = vmi_two_terms(vmi_reduce_pieces(u, K, p.rate.hi / p.quarter.hi, &a.quarters));
-        a.rate = vmi_two(1, 0);
+        return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
-    return a;
+    v = rest.hi / rate.hi;
+    error = vmi_two_product(v, rate.hi);
+    return vmi_two(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
+}
+
+/* The same for any u >= 0 and m, NaN where one is refused; reach < 7 for u < 2.5 K. The result's low word, if it has
+   one, is *v_lo. */
+VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo, vmi_bits *quarters)
+{
+    *v_lo = 0;
+    if (reach < 7 && m1 > VM_C(0.029) && m1 < VM_C(34.5)) {
+        const vm_real v = vmi_reduce_short(u, m1, m1_lo, quarters);
+        if (v == v) return v;
+    }
+    *quarters = 0;
+    if (m1 > 0 && VM_IS_FINITE(m1) && VM_IS_FINITE(u)) {
+        const vm_two v = vmi_reduce_long(u, m1, m1_lo, quarters);
+        *v_lo = v.lo;
+        return v.hi;
+    }
+    return m1 != 0 ? VM_NAN : u > VMI_LONGEST ? VMI_LONGEST : u;
 }
 
 /* ---- sn, cn, dn and their quotients --------------------------------------------------------------------------- */
 
-/* theta_s, theta_c, theta_d, theta_n (u), relatively accurate, for 1 - m = m1 + m1_lo, and k'; NaN where refused */
-VM_API void vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *theta, vm_real *kp)
+/* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo; and what dn cannot pass. NaN where refused. */
+
+/* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused */
+VM_INLINE vmi_thetas vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
-    const vm_real size = VM_FABS(u), x = m1 == 0 && size > VMI_LONGEST ? VMI_LONGEST : size;
-    const vm_real reach = x * x * (VM_C(0.81) * (1 + m1) - VM_C(0.36) * VM_FABS(1 - m1)); /* 1 at K/2, roughly */
-    vmi_argument a;
-    vm_real v;
-    if (vmi_refused(m1) || !VM_IS_FINITE(x)) {
-        theta[0] = theta[1] = theta[2] = theta[3] = *kp = VM_NAN;
-        return;
-    }
-    *kp = VM_SQRT(m1);
-    a.phase = vmi_two(x, 0);
-    a.rate = vmi_two(1, 0);
-    a.quarters = 0;
-    if (reach > 1 && m1 > 0) a = vmi_reduced(x, reach, m1, m1_lo);
-    v = a.phase.hi / a.rate.hi;
-    if (v * v * (m1 > 1 ? m1 : 1) <= VMI_NEAR) vmi_theta_near(v, m1, theta);
-    else {
-        vmi_theta_form t;
-        vmi_far_prepare(&t, m1, m1_lo);
-        a.phase = vmi_two_over(a.phase, a.rate);
-        if (m1 > 1) a.phase = vmi_two_times(a.phase, vmi_two(t.kp, t.kp_lo));
-        vmi_theta_far(&t, m1 > 1, a.phase, theta);
-    }
-    if (a.quarters & 3) vmi_theta_shift(theta, *kp, a.quarters);
-    theta[0] *= VM_COPYSIGN((vm_real)1, u);
+    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.36) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
+    vm_real v, v_lo;
+    vmi_bits quarters;
+    vmi_thetas theta;
+    *bound = m1; /* beyond k', and dn(K/2) is before */
+    if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
+    *bound = VM_SQRT(m1);
+    v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
+    if (v * v * (m1 > 1 ? m1 : 1) > VMI_NEAR) theta = vmi_theta_far_unprepared(vmi_two(v, v_lo), m1, m1_lo);
+    else theta = vmi_theta_near(v, m1);
+    theta = vmi_theta_shift(theta, *bound, quarters);
+    theta.s *= VM_COPYSIGN((vm_real)1, u);
+    return theta;
+}
+
+VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vm_real bound;
+    const vmi_thetas theta = vmi_neville(u, m1, m1_lo, &bound);
+    vmi_theta_ratios(theta, bound, sn, cn, dn);
 }
 
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vm_real theta[4], kp;
     const vm_two m1 = vmi_two_sum(1, -m);
-    vmi_neville(u, m1.hi, m1.lo, theta, &kp);
-    vmi_theta_ratios(theta, kp, sn, cn, dn);
+    vmi_sncndn(u, m1.hi, m1.lo, sn, cn, dn);
 }
 
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vm_real theta[4], kp;
-    vmi_neville(u, m1, 0, theta, &kp);
-    vmi_theta_ratios(theta, kp, sn, cn, dn);
+    vmi_sncndn(u, m1, 0, sn, cn, dn);
 }
 
 /* theta_p/theta_q; equal ones, which may both have underflown at m = 1, make 1 */
-VM_API vm_real vmi_quotient(vm_real u, vm_real m, int p, int q)
+VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
-    vm_real theta[4], kp;
+    vm_real bound;
     const vm_two m1 = vmi_two_sum(1, -m);
-    vmi_neville(u, m1.hi, m1.lo, theta, &kp);
-    return theta[p] == theta[q] ? 1 : theta[p] / theta[q];
+    const vmi_thetas t = vmi_neville(u, m1.hi, m1.lo, &bound);
+    const vm_real above = p == 's' ? t.s : p == 'c' ? t.c : p == 'd' ? t.d : t.n;
+    const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : q == 'd' ? t.d : t.n;
+    return above == below ? 1 : above / below;
 }
 
-VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 1, 2); }
-VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 0, 2); }
-VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 2); }
-VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 0, 1); }
-VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 2, 1); }
-VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 1); }
-VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 1, 0); }
-VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 2, 0); }
-VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 0); }
+VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 'd'); }
+VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'd'); }
+VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'd'); }
+VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'c'); }
+VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 'c'); }
+VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'c'); }
+VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 's'); }
+VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 's'); }
+VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 's'); }
 
 VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 {
@@ -1236,21 +1262,23 @@ VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_ini
 
 /* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a' since
    sc^2 of w has the derivative 2 sc nc dc */
-VM_INLINE void vmi_plan_near(const jacobi_plan *p, vm_real v, vm_real *theta)
+VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
+    vmi_thetas theta;
     const vm_real y = v * v, a = vmi_plan_series(p->a, y), b = y / 4, s = p->m1 * b, aa = a * a, sb = s * b;
-    theta[0] = v * vmi_plan_series(p->b, y);
-    theta[1] = aa - sb;
-    theta[2] = aa + (2 * s * a + sb);
-    theta[3] = aa + (2 * b * a + sb);
+    theta.s = v * vmi_plan_series(p->b, y);
+    theta.c = aa - sb;
+    theta.d = aa + (2 * s * a + sb);
+    theta.n = aa + (2 * b * a + sb);
+    return theta;
 }
 
 /* One point u from |u| = j K + rest; no branch where form is known to the compiler */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vm_real theta[4];
-    if (form == VMI_SERIES_FORM) vmi_plan_near(p, (rest.hi + rest.mid) + rest.lo, theta);
+    vmi_thetas theta;
+    if (form == VMI_SERIES_FORM) theta = vmi_plan_near(p, (rest.hi + rest.mid) + rest.lo);
     else {
         vm_two v = vmi_two_terms(rest);
         if (form == VMI_RECIPROCAL) {
@@ -1258,25 +1286,24 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
         v.hi = vmi_clamp(v.hi, -VMI_LONGEST, VMI_LONGEST); /* beyond where m = 1 */
-        vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v, theta);
+        theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
-    vmi_theta_shift(theta, p->theta.kp, quarters);
-    theta[0] *= VM_COPYSIGN((vm_real)1, u);
+    theta = vmi_theta_shift(theta, p->theta.kp, quarters);
+    theta.s *= VM_COPYSIGN((vm_real)1, u);
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
 /* Any argument u >= 0 that is too long for K in pieces */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
-    const vm_two head = vmi_two_sum(p->K[0], p->K[1]);
-    vmi_period period;
+    const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
     vm_two v;
+    int quarter;
     *quarters = 0;
     if (p->per_K == 0) return vmi_three_words(u > VMI_LONGEST ? VMI_LONGEST : u, 0, 0); /* m = 1 */
     if (!VM_IS_FINITE(u)) return vmi_three_words(VM_NAN, 0, 0);
-    period.rate = vmi_two(1, 0);
-    period.quarter = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
-    v = vmi_reduce_phase(u, &period, quarters);
+    v = vmi_reduce(u, K, &quarter);
+    *quarters = (vmi_bits)quarter;
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
@@ -1325,35 +1352,42 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 
 /* ---- Complete integrals --------------------------------------------------------------------------------------- */
 
+/* For m1 = 1 - m between these by the series in k1 = (1 - k')/(1 + k'), beyond by logarithms. For m < -1 by
+   k'K(m) = K(mu), E(m) = k'E(mu), 1 - mu = 1/(1 - m), which changes but the sign of k1. */
+VM_API int vmi_is_middle(vm_real m1) { return m1 >= VM_C(0.1) && m1 <= 10; }
+
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
-    vmi_period p;
-    vm_real K;
+    if (vmi_is_middle(m1)) {
+        const vmi_three half_pi = vmi_half_pi();
+        const vm_real root = VM_SQRT(m1), k1 = VM_FABS(1 - root) / (1 + root);
+        const vm_real more = k1 + (1 + k1) * vmi_K_long_series(k1 * k1);
+        const vm_real K = half_pi.hi + (half_pi.hi * more + half_pi.mid);
+        return m1 <= 1 ? K : K / root;
+    }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    p = vmi_period_short(m1, m1_lo);
-    if (m1 < VM_C(0.5)) return p.quarter.hi + p.quarter.lo;
-    K = p.quarter.hi / p.rate.hi;
-    return K + (p.quarter.lo - K * p.rate.lo) / p.rate.hi;
+    if (m1 < 1) return vmi_K_by_log(m1, vmi_log_4(m1, 0)).hi;
+    return vmi_two_over(vmi_K_by_log(1 / m1, vmi_log_4(m1, m1_lo)), vmi_root(m1, m1_lo)).hi;
 }
 
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
+    vm_two root;
+    vm_real rest;
+    if (vmi_is_middle(m1)) {
+        const vmi_three half_pi = vmi_half_pi();
+        const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
+        const vm_two sum = vmi_two_sum(1, kp);
+        const vm_real more = sum.lo + sum.hi * vmi_E_series(k1 * k1);
+        return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
+    }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return 1;
-    if (m1 >= VM_C(0.5) && m1 <= 2) {
-        const vmi_three half_pi = vmi_half_pi();
-        const vm_real root = VM_SQRT(m1);
-        const vm_two sum = vmi_two_sum(1, root);
-        const vm_real k1 = (1 - root) / sum.hi, more = sum.lo + sum.hi * vmi_E_series(k1 * k1);
-        return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
-    } else {
-        const vm_real l = vmi_log_4(m1, m1_lo).hi, rest = vmi_E_rest(m1 < 1 ? m1 : 1 / m1, l);
-        vm_two root;
-        if (m1 < 1) return 1 + rest;
-        root = vmi_root(m1, m1_lo);
-        return root.hi + (root.lo + root.hi * rest);
-    }
+    rest = vmi_E_rest(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo).hi);
+    if (m1 < 1) return 1 + rest;
+    root = vmi_root(m1, m1_lo);
+    return root.hi + (root.lo + root.hi * rest);
 }
 
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
@@ -1376,10 +1410,7 @@ VM_API vm_real jacobi_kpK(vm_real m)
     const vm_two m1 = vmi_two_sum(1, -m);
     if (vmi_refused(m1.hi)) return VM_NAN;
     if (m1.hi == 0) return 0;
-    if (m1.hi > 2) {
-        const vm_two quarter = vmi_period_short(m1.hi, m1.lo).quarter;
-        return quarter.hi + quarter.lo;
-    }
+    if (m1.hi > 10) return vmi_K_by_log(1 / m1.hi, vmi_log_4(m1.hi, m1.lo)).hi;
     return VM_SQRT(m1.hi) * vmi_K(m1.hi, m1.lo);
 }
 
@@ -1415,19 +1446,19 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     const vmi_three half_pi = vmi_half_pi();
-    vm_real K, turns, j, odd, am, theta[4], kp;
+    vm_real K, turns, j, odd, am, bound;
     vm_two p;
-    vmi_neville(VM_FABS(u), m1.hi, m1.lo, theta, &kp);
-    if (kp != kp) return VM_NAN;
-    if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta[0], theta[1]), u);
+    vmi_thetas theta = vmi_neville(VM_FABS(u), m1.hi, m1.lo, &bound);
+    if (theta.n != theta.n) return VM_NAN;
+    if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta.s, theta.c), u);
     K = vmi_K(m1.hi, m1.lo);
     turns = VM_FABS(u) / (2 * K);
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta[1] < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
-    am = vmi_arctan(VM_FABS(theta[0]), VM_FABS(theta[1]));
-    if ((theta[0] < 0) != (theta[1] < 0)) am = -am;
+    if ((odd > 0) != (theta.c < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
+    am = vmi_arctan(VM_FABS(theta.s), VM_FABS(theta.c));
+    if ((theta.s < 0) != (theta.c < 0)) am = -am;
     p = vmi_two_product(j, 2 * half_pi.hi);
     return VM_COPYSIGN(p.hi + (am + (p.lo + j * (2 * half_pi.mid))), u);
 }
