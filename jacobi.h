@@ -716,6 +716,8 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 
 /* ---- The quarter period --------------------------------------------------------------------------------------- */
 
+#define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
+
 /* a - root^2 */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
@@ -795,7 +797,8 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: x S, error 2^-60 (float 2^-31) */
+/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: x S, error 2^-60 (float 2^-31). After one step
+   of the AGM before, k' -> 2 sqrt(k')/(1 + k'), it covers VMI_MIDDLE. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -809,29 +812,7 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* The same for x <= 0.27: error 2^-55.8 (float 2^-29) */
-VM_API vm_real vmi_K_long_series(vm_real x)
-{
-    const vm_real xx = x * x;
-#if VM_MANT_DIG > 24
-    const vm_real x4 = xx * xx;
-    const vm_real S01 = VM_C(0.250000000000014377) + x * VM_C(0.140624999995881572);
-    const vm_real S23 = VM_C(0.0976562504126337744) + x * VM_C(0.074768045609608591);
-    const vm_real S45 = VM_C(0.0605627507017364591) + x * VM_C(0.0508772940048255948);
-    const vm_real S67 = VM_C(0.0440285121701475407) + x * VM_C(0.0372459466547342063);
-    const vm_real S89 = VM_C(0.0424882360015294627) - x * VM_C(3.13338938760795603e-3);
-    const vm_real S1011 = VM_C(0.124580054031799198) - x * VM_C(0.14151657358303027);
-    const vm_real high = (S89 + xx * S1011) + x4 * VM_C(0.171753538159665209);
-    return x * ((S01 + xx * S23) + x4 * ((S45 + xx * S67) + x4 * high));
-#else
-    const vm_real S01 = VM_C(0.2499996126) + x * VM_C(0.1406520605);
-    const vm_real S23 = VM_C(0.09703662246) + x * VM_C(0.08119596541);
-    const vm_real S45 = VM_C(0.027911596) + x * VM_C(0.1258544028);
-    return x * (S01 + xx * (S23 + xx * S45));
-#endif
-}
-
-/* E = (pi/4) (1 + k') (1 + x S(x)), the same x <= 0.27: x S, error 2^-53.6 (float 2^-28) */
+/* E = (pi/4) (1 + k') (1 + x S(x)), the same x, but up to 0.27: x S, error 2^-53.6 (float 2^-28) */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x;
@@ -1032,7 +1013,7 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 
 /* ---- The phase and its quarter -------------------------------------------------------------------------------- */
 
-/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, 0.029 < m1 < 34.5: two
+/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE: two
    steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
    2 pi (1 + x S); the series and its rounding errors are small. Within an eps of the result if that is no less than
    u/64, else NaN. */
@@ -1047,9 +1028,10 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vmi_bit
     const vm_real u_head = vmi_head(u), rate_head = vmi_head(rate.hi);
     const vm_real phase = u_head * rate_head; /* exact */
     const vm_real phase_lo = u_head * (rate.hi - rate_head) + (u - u_head) * rate.hi + u * rate_lo;
-    const vm_real j = phase < 6 * half_pi.hi ? 4 : 8;
+    const int second = phase > 6 * half_pi.hi; /* added, not branched on, which would be mispredicted */
+    const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + (phase_lo - j * more);
-    *quarters = j > 4 ? 2 : 1;
+    *quarters = (vmi_bits)(1 + second);
     return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest * (per * per) : VM_NAN;
 }
 
@@ -1060,7 +1042,7 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     const vmi_three half_pi = vmi_half_pi();
     const vm_real next = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
     const vm_two rate = vmi_agm_two_words(m1, m1_lo);
-    const vm_real size = u * rate.hi, count = size / half_pi.hi, shifted = vmi_rounded(count + 1 / VM_EPSILON);
+    const vm_real size = u * rate.hi, count = size * VM_C(0.6366197723675813431), shifted = vmi_rounded(count + 1 / VM_EPSILON);
     const vm_real j = shifted - 1 / VM_EPSILON;
     vm_two phase, whole, rest, error;
     vm_real v;
@@ -1076,16 +1058,17 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
         return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
     v = rest.hi / rate.hi;
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* |v| < 2 there: the low word is not asked for */
     error = vmi_two_product(v, rate.hi);
     return vmi_two(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* The same for any u >= 0 and m, NaN where one is refused; reach < 7 for u < 2.5 K. The result's low word, if it has
+/* The same for any u >= 0 and m, NaN where one is refused; reach < 30 for u < 2.5 K. The result's low word, if it has
    one, is *v_lo. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo, vmi_bits *quarters)
 {
     *v_lo = 0;
-    if (reach < 7 && m1 > VM_C(0.029) && m1 < VM_C(34.5)) {
+    if (reach < 30 && VMI_MIDDLE(m1)) {
         const vm_real v = vmi_reduce_short(u, m1, m1_lo, quarters);
         if (v == v) return v;
     }
@@ -1099,8 +1082,6 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
 }
 
 /* ---- sn, cn, dn and their quotients --------------------------------------------------------------------------- */
-
-/* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo; and what dn cannot pass. NaN where refused. */
 
 /* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused */
 VM_INLINE vmi_thetas vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
@@ -1185,13 +1166,13 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 /* p(y) = 1 + c_1 y + c_2 y^2 + ... */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
-    const vm_real yy = y * y;
+    const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
 #if VM_MANT_DIG > 24
-    const vm_real high = (c[4] + y * c[5]) + yy * ((c[6] + y * c[7]) + yy * (c[8] + y * c[9]));
-    return 1 + y * ((c[0] + y * c[1]) + yy * ((c[2] + y * c[3]) + yy * high));
+    const vm_real high = ((c[4] + y * c[5]) + yy * (c[6] + y * c[7])) + y4 * (c[8] + y * c[9]);
 #else
-    return 1 + y * ((c[0] + y * c[1]) + yy * ((c[2] + y * c[3]) + yy * c[4]));
+    const vm_real high = c[4];
 #endif
+    return 1 + y * (low + y4 * high);
 }
 
 enum { VMI_LONG_SERIES = 26 };
@@ -1352,30 +1333,35 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 
 /* ---- Complete integrals --------------------------------------------------------------------------------------- */
 
-/* For m1 = 1 - m between these by the series in k1 = (1 - k')/(1 + k'), beyond by logarithms. For m < -1 by
-   k'K(m) = K(mu), E(m) = k'E(mu), 1 - mu = 1/(1 - m), which changes but the sign of k1. */
-VM_API int vmi_is_middle(vm_real m1) { return m1 >= VM_C(0.1) && m1 <= 10; }
-
+/* By the series after two steps of the AGM, pi/2 (1 + h)^2 (1 + x S), h = (1 - f)/(1 + f), x = h^4, f = sqrt(k'), or for
+   m near 1 and below -34 by logarithms. For m < -1 by k'K(m) = K(mu), 1 - mu = 1/(1 - m), which changes but the sign
+   of h. */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
-    if (vmi_is_middle(m1)) {
-        const vmi_three half_pi = vmi_half_pi();
-        const vm_real root = VM_SQRT(m1), k1 = VM_FABS(1 - root) / (1 + root);
-        const vm_real more = k1 + (1 + k1) * vmi_K_long_series(k1 * k1);
-        const vm_real K = half_pi.hi + (half_pi.hi * more + half_pi.mid);
-        return m1 <= 1 ? K : K / root;
+    const vmi_three half_pi = vmi_half_pi();
+    vm_two K, root;
+    vm_real quotient;
+    if (VMI_MIDDLE(m1)) {
+        const vm_real f = VM_SQRT(VM_SQRT(m1)), h = (m1 <= 2 ? 1 - f : f - 1) / (1 + f), hh = h * h;
+        const vm_real less = h * (2 + h), more = less + (1 + less) * vmi_K_series(hh * hh);
+        K = vmi_two(half_pi.hi, half_pi.mid + half_pi.hi * more);
+    } else {
+        if (vmi_refused(m1)) return VM_NAN;
+        if (m1 == 0) return VM_INFINITY;
+        K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
     }
-    if (vmi_refused(m1)) return VM_NAN;
-    if (m1 == 0) return VM_INFINITY;
-    if (m1 < 1) return vmi_K_by_log(m1, vmi_log_4(m1, 0)).hi;
-    return vmi_two_over(vmi_K_by_log(1 / m1, vmi_log_4(m1, m1_lo)), vmi_root(m1, m1_lo)).hi;
+    if (m1 <= 2) return K.hi + K.lo;
+    root = vmi_root(m1, m1_lo);
+    quotient = K.hi / root.hi;
+    return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
+/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -1 by E(m) = k'E(mu) */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
     vm_real rest;
-    if (vmi_is_middle(m1)) {
+    if (m1 >= VM_C(0.1) && m1 <= 10) {
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
