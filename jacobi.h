@@ -1009,8 +1009,8 @@ VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real low = bound < 1 ? bound : 1, high = bound > 1 ? bound : 1, per_n = 1 / theta.n;
-    *sn = vmi_clamp(theta.s * per_n, -1, 1);
-    *cn = vmi_clamp(theta.c * per_n, -1, 1);
+    *sn = vmi_clamp(theta.s, -theta.n, theta.n) * per_n; /* n (1/n) rounds to 1 at most */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) * per_n;
     *dn = vmi_clamp(theta.d * per_n, low, high);
 }
 
