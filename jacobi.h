@@ -728,7 +728,7 @@ VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 /* The square root of a + a_lo */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
-    const vm_real root = VM_SQRT(a);
+    const vm_real root = vmi_rounded(VM_SQRT(a));
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
