@@ -32,10 +32,11 @@
      with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says nothing.
 
    METHOD
-     Theta functions [1]: for -1 <= m <= 1/2 those of a real phase with the nome of m, else those of an imaginary
-     phase with the nome of 1 - m (of 1/(1 - m) for m < -1), so that the nome is at most exp(-pi) = 0.0432 and three
-     terms of each series do. Phase and nome come from one or two steps of the AGM. Nothing cancels, at m = 1 neither.
-     u is reduced with the quarter period in as many words as its distance from a zero asks for.
+     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) by its Laurent series and two duplications [1, 5], which need
+     neither K nor roots but one; u beyond about K/2 is reduced before, with the quarter period in as many words as
+     its distance from a zero asks for: two steps of the AGM and a series, the AGM in two words, in three. Far from 0
+     for m near 1 or below -20 theta functions of an imaginary phase [1], with the nome of 1 - m or 1/(1 - m), which
+     is then at most 0.003. A plan has polynomials in u^2 in place of the series. Nothing cancels, at m = 1 neither.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -49,20 +50,21 @@
                   holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and next to
                   the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
                   plan is as accurate.
-     others       K <= 2 ulp, E <= 2.5 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am
-                  4 ulp; solvers: m and m1 within 4 ulp and what one ulp of c moves them.
+     others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am 4 ulp;
+                  solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before): K 2.8 (2.3), E 4.3 (2.6), for m < -1 both 9 (4); sn+cn+dn for |u| < K/2 6 to 14 (3 to
-                  5), for |u| < 2K 10 to 19 (4 to 7), to 1e9 21 to 33 (7 to 11), the lower ones for -1 < m < 1/2; by
-                  a plan 3.8, for m > 1/2 6.2, for m < -1 7.5 (2.2 to 3.7); in an array 0.7, 1.2, 1.4 by gcc -O3
-                  -march=native, 2 to 7 by -O2; solve_kpK 5 to 47.
-     Size         a plan has 176 bytes (float 88); the largest stack frame is below 1 kB.
+                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.3 (1.4), for m < -1 2.6;
+                  sn+cn+dn for |u| < K/2 2.7 to 3.1 (2.1), for |u| < 2K 7.0 to 7.6 (3.5), to 1e9 15 to 17 (5.5); by a
+                  plan 2.6 (1.6), for m > 0.955 and m < -21.5 5.9 (3.1); in an array 0.48, or there 1.0, by gcc -O3
+                  -march=native, 1.4 or 5.9 by -O2; solve_kpK 5 to 49.
+     Size         a plan has 312 bytes (float 116); the largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
-     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its. */
+     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its.
+     [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication). */
 #ifndef VARMASS_JACOBI_H
 #define VARMASS_JACOBI_H
 
@@ -552,14 +554,15 @@ typedef struct VM_TAG(vmi_theta_form) {
     vm_real f[3], g[2], scale[3];
 } vmi_theta_form;
 
-enum { VMI_SERIES = VM_MANT_DIG > 24 ? 10 : 5 };
+enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
+enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* by series, or by one of the two forms of theta functions, whose members are 0 else */
-    vm_real m1;          /* 1 - m */
+    int form;   /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
+    vm_real m1; /* 1 - m */
     vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
-    vm_real a[VMI_SERIES], b[VMI_SERIES];
-    vmi_theta_form theta; /* k' is there in either case */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
+    vmi_theta_form theta;               /* k' is there in any case */
 } jacobi_plan;
 
 /* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
@@ -854,17 +857,17 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo)
 
 /* ---- Theta functions ------------------------------------------------------------------------------------------ */
 
-/* Neville's theta functions s, c, d, n but for a common factor, so that pq = theta_p/theta_q, each relatively accurate
-   since no difference loses digits. Two ways: near 0, and where 1 - m or 1/(1 - m) is small. */
-
+/* Neville's theta functions but for a common factor, so that pq = theta_p/theta_q: each relatively accurate, since no
+   difference loses digits */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-#define VMI_NEAR VM_C(2.2) /* near 0: v^2 max(1, 1 - m) <= 2.2, which is all of |v| <= K/2 for -21.5 < m < 0.955 */
+/* v^2 max(1, 1 - m) up to which the Laurent series serves: all |v| <= K/2 for -21.5 < m < 0.955 */
+#define VMI_NEAR VM_C(2.2)
 
-/* Coefficients 1 to 3 in theta cs^2(w) = 1 + c_1 + c_2 + ..., theta = w^2, c_k ~ theta^k; cs^2 + (2 - m)/3 is
-   Weierstrass' function of w, from which [5]
+/* Terms 1 to 3 of theta cs^2(w) = 1 + c_1 + c_2 + ..., theta = w^2; cs^2(w) + (2 - m)/3 is Weierstrass' function of
+   w, whence [5]
      c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
 VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 {
@@ -874,8 +877,8 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
     c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
 }
 
-/* By the Laurent series of cs^2 at w = v/4 to the tenth coefficient (float: the fifth), and two duplications, where
-   all terms but that of c have one sign: if b/a = sc^2(w),
+/* By this series at w = v/4 to the ninth term (float: the fifth) and two duplications, where no difference occurs but
+   in c and f, far from their zeros: if b/a = sc^2(w),
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -912,12 +915,9 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-enum { VMI_SERIES_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
-
-/* With 1/(1 - m) = c <= 0.05, or where reciprocal is not set 1 - m = c: theta functions of the imaginary argument i z,
-   z = a agm(1, k), nome q of c, from a = u, or a = k'u by sn(u | m) = sd(k'u | m/(m - 1))/k' and its kin. */
-
-/* The coefficients. With X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
+/* Far from 0, where c <= 0.05: theta functions of the imaginary argument i z, z = u agm(1, k), with the nome q of
+   c = 1 - m, or reciprocal, z = k'u agm(1, k) with that of c = 1/(1 - m), by sn(u | m) = sd(k'u | m/(m - 1))/k' and
+   its kin. The coefficients: with X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = g0 + g1 X^2,  O = 2 X;
    what is left out is below 1e-18. One step of the AGM from 1 and k reaches (1 + k)/2 and the parameter x. */
@@ -1016,8 +1016,8 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 
 /* ---- The phase and its quarter -------------------------------------------------------------------------------- */
 
-/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE: two
-   steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
+/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE: two steps of
+   the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
    2 pi (1 + x S); the series and its rounding errors are small. Within an eps of the result if that is no less than
    u/64, else NaN. */
 VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
@@ -1038,14 +1038,15 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vmi_bit
     return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest * (per * per) : VM_NAN;
 }
 
-/* The same in two words for any u > 0 and m1 > 0, by the period in two words, in three for less than 128 K and next to
-   a multiple */
+/* The same in two words for any u > 0 and m1 > 0, by the period in two words, in three for less than 128 K and next
+   to a multiple */
 VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real next = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
     const vm_two rate = vmi_agm_two_words(m1, m1_lo);
-    const vm_real size = u * rate.hi, count = size * VM_C(0.6366197723675813431), shifted = vmi_rounded(count + 1 / VM_EPSILON);
+    const vm_real size = u * rate.hi, count = size * VM_C(0.6366197723675813431);
+    const vm_real shifted = vmi_rounded(count + 1 / VM_EPSILON);
     const vm_real j = shifted - 1 / VM_EPSILON;
     vm_two phase, whole, rest, error;
     vm_real v;
@@ -1068,7 +1069,8 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
 
 /* The same for any u >= 0 and m, NaN where one is refused; reach < 30 for u < 2.5 K. The result's low word, if it has
    one, is *v_lo. */
-VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo, vmi_bits *quarters)
+VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
+                              vmi_bits *quarters)
 {
     *v_lo = 0;
     if (reach < 30 && VMI_MIDDLE(m1)) {
@@ -1086,7 +1088,8 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
 
 /* ---- sn, cn, dn and their quotients --------------------------------------------------------------------------- */
 
-/* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused */
+/* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused.
+   Near 0 nothing is reduced, and neither K nor k' is asked for. */
 VM_INLINE vmi_thetas vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.36) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
@@ -1178,14 +1181,14 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
     return 1 + y * (low + y4 * high);
 }
 
-enum { VMI_LONG_SERIES = 26 };
+enum { VMI_MORE_TERMS = 26 };
 
-/* The polynomial 1 + c[1] t + ... + c[VMI_LONG_SERIES] t^.. by one of degree VMI_SERIES, for 0 <= t <= 1: its highest
+/* The polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^.. by one of degree VMI_TERMS, for 0 <= t <= 1: its highest
    power is time and again replaced by what Chebyshev's polynomial of that degree has below it */
 VM_API void vmi_shorten(vm_real *c)
 {
     int n, k;
-    for (n = VMI_LONG_SERIES; n > VMI_SERIES; n--) {
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
         vm_real term = c[n];
         for (k = n; k > 1; k--) {
             term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
@@ -1198,18 +1201,18 @@ VM_API void vmi_shorten(vm_real *c)
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
-    vm_real a[VMI_LONG_SERIES + 1], b[VMI_LONG_SERIES + 1], power = 1;
+    vm_real a[VMI_MORE_TERMS + 1], b[VMI_MORE_TERMS + 1], power = 1;
     int k, i;
     vmi_laurent(theta, p->m1 * theta, a);
-    for (k = 4; k <= VMI_LONG_SERIES; k++) {
+    for (k = 4; k <= VMI_MORE_TERMS; k++) {
         vm_real sum = 0;
         for (i = 2; i <= k - 2; i++) sum += a[i] * a[k - i];
         a[k] = 3 * sum / (vm_real)((2 * k + 1) * (k - 3));
     }
-    for (k = 1; k <= VMI_LONG_SERIES; k++) b[k] = (vm_real)(1 - k) * a[k];
+    for (k = 1; k <= VMI_MORE_TERMS; k++) b[k] = (vm_real)(1 - k) * a[k];
     vmi_shorten(a);
     vmi_shorten(b);
-    for (k = 1; k <= VMI_SERIES; k++) {
+    for (k = 1; k <= VMI_TERMS; k++) {
         power *= longest * longest;
         p->a[k - 1] = a[k] / power;
         p->b[k - 1] = b[k] / power;
@@ -1219,7 +1222,7 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
-    int near;
+    int is_near;
     if (vmi_refused(m1)) return -1;
     memset(p, 0, sizeof *p);
     p->m1 = m1;
@@ -1229,9 +1232,9 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
         vmi_pieces(K, p->K);
         p->per_K = 1 / K.hi;
     }
-    near = m1 > 0 && K.hi * K.hi / 4 * (m1 > 1 ? m1 : 1) <= VMI_NEAR;
-    p->form = near ? VMI_SERIES_FORM : m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
-    if (near) vmi_plan_prepare(p, K.hi / 2);
+    is_near = m1 > 0 && K.hi * K.hi / 4 * (m1 > 1 ? m1 : 1) <= VMI_NEAR;
+    p->form = is_near ? VMI_NEAR_FORM : m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
+    if (is_near) vmi_plan_prepare(p, K.hi / 2);
     else vmi_far_prepare(&p->theta, m1, m1_lo);
     return 0;
 }
@@ -1244,8 +1247,8 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a' since
-   sc^2 of w has the derivative 2 sc nc dc */
+/* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a',
+   since sc^2 of w has the derivative 2 sc nc dc */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -1262,7 +1265,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_thetas theta;
-    if (form == VMI_SERIES_FORM) theta = vmi_plan_near(p, (rest.hi + rest.mid) + rest.lo);
+    if (form == VMI_NEAR_FORM) theta = vmi_plan_near(p, (rest.hi + rest.mid) + rest.lo);
     else {
         vm_two v = vmi_two_terms(rest);
         if (form == VMI_RECIPROCAL) {
@@ -1298,8 +1301,8 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     vmi_three v;
     if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
     else v = vmi_plan_reduce_long(p, x, &quarters);
-    if (p->form == VMI_SERIES_FORM) {
-        vmi_plan_point(p, VMI_SERIES_FORM, u, v, quarters, sn, cn, dn);
+    if (p->form == VMI_NEAR_FORM) {
+        vmi_plan_point(p, VMI_NEAR_FORM, u, v, quarters, sn, cn, dn);
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
@@ -1316,7 +1319,7 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         const vmi_three v = vmi_reduce_pieces(VM_FABS(u[i]), p->K, p->per_K, &quarters);
         vmi_plan_point(p, form, u[i], v, quarters, sn + i, cn + i, dn + i);
     }
-    if (form == VMI_SERIES_FORM) return;
+    if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
         if (sn[i] == 0) cn[i] = VM_COPYSIGN((vm_real)1, cn[i]), dn[i] = 1; /* not almost */
 }
@@ -1329,7 +1332,7 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
     for (i = 0; i < n; i++) far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
     if (far)
         for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
-    else if (local.form == VMI_SERIES_FORM) vmi_plan_loop(&local, VMI_SERIES_FORM, n, u, sn, cn, dn);
+    else if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
     else if (local.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
     else vmi_plan_loop(&local, VMI_RECIPROCAL, n, u, sn, cn, dn);
 }

@@ -38,8 +38,8 @@ static void print_plan(const jacobi_plan *p, const char *m, const char *name)
     print_reals("    ", &p->m1, 1, ",");
     print_reals("    {", p->K, 4, "},");
     print_reals("    ", &p->per_K, 1, ",");
-    print_reals("    {", p->a, VMI_SERIES, "},");
-    print_reals("    {", p->b, VMI_SERIES, "},");
+    print_reals("    {", p->a, VMI_TERMS, "},");
+    print_reals("    {", p->b, VMI_TERMS, "},");
     print_reals("    {", head, 4, ",");
     print_reals("     {", t->f, 3, "},");
     print_reals("     {", t->g, 2, "},");
