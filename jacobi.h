@@ -558,8 +558,8 @@ enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
 typedef struct VM_TAG(jacobi_plan) {
-    int form;   /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
-    vm_real m1; /* 1 - m */
+    int form;            /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
+    vm_real m1;          /* 1 - m */
     vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
     vmi_theta_form theta;               /* k' is there in any case */
