@@ -145,7 +145,7 @@ static void print_sncndn(void)
 static void print_plans(void)
 {
     enum { KINDS = 4 };
-    static const vm_real m[KINDS] = {VM_C(0.3), VM_C(0.9), -20, VM_C(0.99)}; /* of the last one by theta functions */
+    static const vm_real m[KINDS] = {VM_C(0.3), VM_C(0.9), -20, VM_C(0.99)}; /* the last by theta functions */
     char arguments[40];
     int i;
     for (i = 0; i < 2 * KINDS; i++) {
