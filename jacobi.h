@@ -1738,7 +1738,7 @@ VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * p
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
 /* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
-VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_two_sqrt(x) : vmi_two(0, 0); }
+VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
 
 /* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1,
    19.36.1] in what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument
@@ -1868,7 +1868,7 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
         vmi_sincos_turns((vm_real)(2 * n + 1) * y / (8 * Kc), &sine, &cosine);
         d.re[n] = power * cosine; /* Qd^(n^2) */
         d.im[n] = power * sine;
-        power *= vmi_exp(-(vm_real)(2 * n + 1) * (d.Q > 0 ? VM_PI * K / (2 * Kc) : VMI_FAR), 0);
+        power *= vmi_exp(-(vm_real)(2 * n + 1) * (d.Q > 0 ? VM_PI * K / (2 * Kc) : VMI_LONGEST), 0);
     }
     return d;
 }

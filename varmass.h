@@ -542,7 +542,8 @@ typedef struct VM_TAG(vm_free_motion) {
     vm_real lean[3];             /* the same of angular momentum over its size, as parts of a quaternion */
     vm_two phase, phase_rate, K; /* of u/(4K), K the quarter period; on the separatrix K is 0, and they are of u */
     vm_two turn_rate;            /* mean rate of half the angle about the angular momentum, turns/s */
-    vmi_theta_form functions;    /* sn, cn, dn */
+    vm_real m1;                  /* 1 - m of sn, cn, dn */
+    vmi_theta_form far_form;     /* of theirs far from 0 */
     vmi_doubled_theta theta;     /* what half that angle is beyond its mean */
 } vm_free_motion;                /* plain data: it may be copied */
 
@@ -3692,12 +3693,17 @@ VM_API void vmi_turn_sizes(vm_free_motion *m, const vmi_turn_axes *t, const vmi_
     m->lean[2] = t->s * t->I3.hi * m->spin[2] / L;
 }
 
+VM_API void vmi_turn_parameter(vm_free_motion *m, vm_two m1)
+{
+    m->m1 = m1.hi;
+    vmi_far_prepare(&m->far_form, m1.hi, m1.lo);
+}
+
 /* All but the unit of time and the start */
 VM_API void vmi_turn_prepare(vm_free_motion *m, const vmi_turn_body *b)
 {
     const vmi_turn_axes t = vmi_turn_order(b);
     vmi_turn_squares q;
-    vmi_roots roots;
     int constant = vmi_turn_is_constant(&t);
     if (!constant) {
         q = vmi_turn_amplitudes(&t);
@@ -3709,9 +3715,7 @@ VM_API void vmi_turn_prepare(vm_free_motion *m, const vmi_turn_body *b)
     }
     vmi_turn_sizes(m, &t, &q, vmi_turn_rates(m, &t, &q));
     vmi_turn_theta(m, &t, &q);
-    roots = vmi_theta_choose(&m->functions, q.m1.hi, q.m1.lo);
-    vmi_theta_refine(&m->functions, &roots, q.m1.hi, q.m1.lo);
-    vmi_theta_prepare(&m->functions, roots.fourth);
+    vmi_turn_parameter(m, q.m1);
 }
 
 /* rate t without whole turns, |..| <= 1; meaningless beyond 2^(2p - 4) turns */
@@ -3727,7 +3731,8 @@ VM_API vm_two vmi_turn_fraction(vm_two rate, vm_two t)
 VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* where sech is next to the smallest number */
-    vm_real theta[4], x;
+    vmi_thetas theta;
+    vm_real x;
     int half = 0, j = 0;
     vm_two v;
     if (m->K.hi > 0) {
@@ -3742,8 +3747,9 @@ VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn
         if (VM_FABS(v.hi) > longest) v = vmi_two(VM_COPYSIGN(longest, v.hi), 0);
         x = v.hi;
     }
-    vmi_theta_at(&m->functions, m->functions.form, vmi_theta_phase(&m->functions, v), (j + 2 * half) & 3, theta);
-    vmi_theta_ratios(theta, m->functions.kp, sn, cn, dn);
+    theta = v.hi * v.hi <= VMI_NEAR ? vmi_theta_near(v.hi, m->m1) : vmi_theta_far(&m->far_form, 0, v);
+    theta = vmi_theta_shift(theta, m->far_form.kp, (vmi_bits)((j + 2 * half) & 3));
+    vmi_theta_ratios(theta, m->far_form.kp, sn, cn, dn);
     return x;
 }
 
@@ -3771,7 +3777,7 @@ VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real pow
     vm_quat q = m->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_theta_prepare(&m->functions, vmi_theta_choose(&m->functions, 1, 0).fourth); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_turn_parameter(m, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
     m->theta.re[0] = 1;
     m->lean[2] = 1;
     vmi_turn_prepare(m, b);
