@@ -7,7 +7,8 @@
        #include "varmass.h"
        int main(void)
        {
-           vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}}, part = whole, rest;
+           vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
+           vm_body part = whole, rest;
            part.mass = 1;
            part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
            part.r.x = 0.4; // it sat 0.4 m from the mass centre and leaves at 2 m/s aside
@@ -24,14 +25,14 @@
      Chapter 3.3.2  the broken rotor: before, the break, transient and steady motion, stability, growth at resonance
      Chapter 4      Lagrange's equations across a jump; the pendulum that is cut
      Free rotation  exact motion of a body without forces, at any time in constant time
-     Chapter 5      streams of mass in and out: reactive force, moment, torque; the free body in space, in the plane, in
-                    translation, on a line or an axle, for rk45 and rk87; closed forms; an account of all that is shed
+     Chapter 5      streams of mass in and out: reactive force, moment, torque; the free body in space, in the plane,
+                    in translation, on a line or an axle; closed forms; an account of all that is shed
      Chapter 5.2    a band winds up on a drum: exact and reduced equations, rigid shaft in closed form, elastic shaft;
                     Lambert's W
      Chapter 6      Lagrange's equations with variable mass, masses frozen; Euler's angles
      Chapter 7.2-3  the oscillator m x'' + k x|x|^(alpha-1) = 0: exact, trigonometric and Jacobi motion
-     Chapter 7.4    the same with laws of mass and stiffness: routes to x(t) from a cosine to rk87, and vm_osc_at, which
-                    picks the cheapest within a tolerance and says which it took
+     Chapter 7.4    the same with laws of mass and stiffness: routes to x(t) from a cosine to rk87, and vm_osc_at,
+                    which picks the cheapest within a tolerance and says which it took
      Chapter 7.6    Van der Pol with variable mass: amplitude law in closed form, steady amplitudes
      Chapter 7.7    Laval's rotor: two-frequency and one-frequency averaging, radius law, gyroscopic
      Chapter 7.8    two bodies with a nonlinear connection
