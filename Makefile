@@ -102,7 +102,7 @@ sweep:
 	./build/breakups 4000000 1 build/breakups.blocks
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES:%=build/bench/%)
-	sh bench/measurements.sh build
+	sh bench/measurements.sh build "$(TESTS)" "$(BENCHES)"
 
 figures: run
 	cd build/figures && cp example1_trigonometric.svg dzhanibekov.svg scenes_scoop.svg scenes_regulator.svg drum.svg rotor_fig18.svg \
