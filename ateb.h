@@ -1071,6 +1071,10 @@ VM_API vm_real vmi_ateb_exp(vm_real x)
     return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
 }
 
+/* Compilers make branches of conditions, which are mispredicted and do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
+VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
+VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
+
 /* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
 
    With w = sa^2, x = 1 - w = |ca|^(alpha+1), r the distance of s from the zero of sa and d from that of ca,
@@ -1167,11 +1171,10 @@ VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_r
 
 /* As vmi_reduce, with as many words of the quarter as s needs, two of them left in c: so that an error of the quarter
    is felt neither in a large s nor near to a zero. */
-VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
+VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real near_zero = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
-    vm_real rest = vmi_reduce(s, c->quarter, quarter).hi, j;
-    if (rest == s || (s <= 256 * c->quarter.hi && VM_FABS(rest) * c->quarter.hi * 256 >= s)) return rest;
+    vm_real rest, j;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
     j = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
@@ -1183,10 +1186,48 @@ VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
     return rest;
 }
 
+/* The quarter of s >= 0, what s has more than so many quarters, and its distances r and d from the zeros of sa and ca.
+   In the first of the ways r does not wait for Pi; in the second, quarters are counted by g within 2e-4, so that the
+   rest may exceed half of one. */
+VM_INLINE vm_real vmi_ateb_locate(vm_real s, vmi_ateb *c, int *quarter, vm_real *r, vm_real *d)
+{
+    const vm_real n = c->n.hi, q = c->q.hi, qq = q * q;
+    vm_real rest = 0, size, other, odd;
+    int coarse = s / 128 <= n;
+    if (s <= n / 2) {
+        *quarter = 0;
+        *d = (c->quarter.hi - s) + c->quarter.lo;
+        return *r = s;
+    }
+    if (coarse) { /* products with half of the quarter's digits are exact */
+        const vm_real g = (VM_C(1.38614) - q * VM_C(0.676221)) +
+                          qq * ((VM_C(0.498844) - q * VM_C(0.2897)) + qq * VM_C(0.0810122));
+        const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
+        const vm_real j = (vm_real)(*quarter = (int)(s / ((n + g) / 2) + VM_C(0.5)));
+        rest = ((s - j * high) - j * low) - j * c->quarter.lo;
+        coarse = VM_FABS(rest) * n * 128 >= s;
+    }
+    if (!coarse) rest = vmi_ateb_reduce_finely(s, c, quarter);
+    odd = (vm_real)(*quarter & 1);
+    size = VM_FABS(rest), other = (c->quarter.hi - size) + c->quarter.lo;
+    *r = vmi_choose(odd, other, size);
+    *d = vmi_choose(odd, size, other);
+    return rest;
+}
+
+/* From the first quarter to that of s = +-(quarter Pi/2 + rest), on the bits of the signs */
+VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
+{
+    const vmi_bits sign = (vmi_bits)1 << (VMI_STORED_DIG + (VM_MANT_DIG > 24 ? 11 : 8)), odd = (vmi_bits)(quarter & 1);
+    const vmi_bits half = (vmi_bits)(quarter >> 1) * sign, rest_bits = vmi_to_bits(rest);
+    *sa = vmi_from_bits(vmi_to_bits(*sa) ^ half ^ ((vmi_to_bits(s) ^ (rest_bits & (odd - 1))) & sign));
+    *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd * sign)));
+}
+
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     const vm_real change_over = VM_C(0.55);
-    vm_real size = VM_FABS(s), r, d, rest, sa1, ca1;
+    vm_real rest, r, d;
     int quarter;
     vmi_ateb c;
     vmi_ateb_point at;
@@ -1195,24 +1236,11 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
         return;
     }
     vmi_ateb_constants(&c, alpha);
-    rest = vmi_ateb_reduce(size, &c, &quarter);
-    r = VM_FABS(rest);
-    d = c.quarter.hi - r;
-    if (quarter & 1) {
-        d = r;
-        r = c.quarter.hi - d;
-    }
+    rest = vmi_ateb_locate(VM_FABS(s), &c, &quarter, &r, &d);
     if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q.hi, &at);
     else vmi_ateb_near_ca_zero(r, d, &c, &at);
-    vmi_ateb_move(&at, c.q.hi, &sa1, &ca1);
-    if (quarter & 1) ca1 = VM_COPYSIGN(ca1, -rest);
-    else sa1 = VM_COPYSIGN(sa1, rest);
-    if (quarter & 2) {
-        sa1 = -sa1;
-        ca1 = -ca1;
-    }
-    *sa = VM_COPYSIGN(1, s) < 0 ? -sa1 : sa1;
-    *ca = ca1;
+    vmi_ateb_move(&at, c.q.hi, sa, ca);
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
@@ -1239,12 +1267,19 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
    polynomials. For alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is made of products and a square root; d^alpha takes the
    rounding of d = Pi/2 - r along. Else tau = X is an exponential. */
 
-/* Compilers make branches of conditions, which do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
-VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
-VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
-
 /* d d^alpha, twice_alpha = 0 .. 14; d_lo is what d lost by rounding */
-VM_API vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
+VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
+{
+    const vm_real d2 = d * d;
+    vm_real power = p->twice_alpha & 1 ? VM_SQRT(d) : 1;
+    if (p->twice_alpha & 2) power *= d;
+    if (p->twice_alpha & 4) power *= d2;
+    if (p->twice_alpha & 8) power *= d2 * d2;
+    return power * d + power * (p->n * d_lo);
+}
+
+/* The same without branches */
+VM_API vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
     const vm_real two = (vm_real)(p->twice_alpha >> 2 & 1), four = (vm_real)(p->twice_alpha >> 3 & 1), d2 = d * d;
@@ -1255,15 +1290,12 @@ VM_API vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 
 /* X = (2 q d)^(alpha+1) from r or d, whichever is smaller, since for large alpha its error is that of ln(2 q d) times
    alpha + 1 */
-VM_API vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d)
+VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d)
 {
     const vm_real least = VM_C(-0.69) * VMI_BIAS, qz = p->q * (2 * r - p->g);
     const vm_real y = r < d ? 1 - qz : 2 * p->q * d, y_lo = r < d ? (1 - y) - qz : 0;
-    const vm_real ln_X = p->n * (vmi_log(y).hi + y_lo);
-    vm_real X, X_lo;
-    int k;
-    X = vmi_exp_core(ln_X > least ? ln_X : least, 0, &k, &X_lo);
-    return vmi_ldexp(1 + X, k);
+    const vm_real ln_X = p->n * (vmi_ateb_ln(y) + y_lo);
+    return vmi_ateb_exp(ln_X > least ? ln_X : least);
 }
 
 /* base (first + tau odd(tau)) and 1 + tau even(tau) */
@@ -1294,18 +1326,10 @@ VM_API vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, int *quarter)
     return ((x - j * p->quarter_parts[0]) - j * p->quarter_parts[1]) - j * p->quarter_parts[2];
 }
 
-/* From the first quarter to that of s = +-(quarter Pi/2 + rest) */
-VM_API void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
-{
-    const vm_real odd = (vm_real)(quarter & 1), half = (vm_real)(1 - (quarter & 2));
-    *ca *= half * VM_COPYSIGN(1, vmi_choose(odd, -rest, 1));
-    *sa *= half * VM_COPYSIGN(VM_COPYSIGN(1, s), VM_COPYSIGN(1, s) * vmi_choose(odd, 1, rest));
-}
-
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
-    vm_real rest, near_zero, far_zero, r, d, odd, even, tau;
-    int quarter, beyond;
+    vm_real rest, near_zero, far_zero, r, d, X;
+    int quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
     else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter).hi;
     else {
@@ -1315,16 +1339,13 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     near_zero = VM_FABS(rest), far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
     r = quarter & 1 ? far_zero : near_zero;
     d = quarter & 1 ? near_zero : far_zero;
-    beyond = r > p->change_over;
-    tau = r * r;
-    if (p->twice_alpha >= 0) { /* quick, so that no branch depends on s */
+    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, r, r * r, sa, ca);
+    else {
         const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
-        const vm_real product = vmi_ateb_product(p, d, quarter & 1 ? 0 : lost);
-        tau = beyond ? product : tau;
-    } else if (beyond) tau = vmi_ateb_exponential(p, r, d);
-    vmi_ateb_part_at(p->part + beyond, p->length, beyond ? d : r, tau, &odd, &even);
-    *sa = beyond ? even : odd;
-    *ca = beyond ? odd : even;
+        if (p->twice_alpha >= 0) X = vmi_ateb_product(p, d, quarter & 1 ? 0 : lost);
+        else X = vmi_ateb_exponential(p, r, d);
+        vmi_ateb_part_at(p->part + 1, p->length, d, X, ca, sa);
+    }
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
@@ -1339,7 +1360,7 @@ VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_rea
     const vm_real beyond = vmi_weight(r - p->change_over);
     vm_real sa0, ca0, sa1, ca1;
     vmi_ateb_part_at(p->part, length, r, r * r, &sa0, &ca0);
-    vmi_ateb_part_at(p->part + 1, length, d, vmi_ateb_product(p, d, (1 - odd) * lost), &ca1, &sa1);
+    vmi_ateb_part_at(p->part + 1, length, d, vmi_ateb_product_wide(p, d, (1 - odd) * lost), &ca1, &sa1);
     *sa = vmi_choose(beyond, sa1, sa0);
     *ca = vmi_choose(beyond, ca1, ca0);
     vmi_ateb_signs(s, rest, quarter, sa, ca);
