@@ -597,12 +597,13 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
 #define ATEB_PLAN_LENGTH 8
 #endif
 typedef struct VM_TAG(vmi_ateb_part) {
-    vm_real first, first_lo, odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
+    vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi/2 */
     vm_real quarter_parts[3]; /* the same, two with half of the digits or less */
-    vm_real per_quarter, longest, change_over, n, q, g;
+    vm_real per_quarter, longest, change_over, n, g;
+    vm_two twice_q; /* 2/(alpha + 1) */
     int length, twice_alpha;
     vmi_ateb_part part[2];
 } ateb_plan;
@@ -1262,7 +1263,7 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
    Two parts of a quarter. Up to the change-over, with tau = r^2,
      sa = r (1 + tau A(tau)),   ca = 1 + tau C(tau);
    beyond it, with tau = X = (2 q d)^(alpha+1) up to a factor,
-     ca = d (2 q + tau A(tau)), sa = 1 + tau C(tau).
+     ca = 2 q d (1 + tau A(tau)), sa = 1 + tau C(tau).
    The polynomials are Taylor series from (275), economised: their last terms are taken off by Chebyshev
    polynomials. For alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is made of products and a square root; d^alpha takes the
    rounding of d = Pi/2 - r along. Else tau = X is an exponential. */
@@ -1288,19 +1289,33 @@ VM_API vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo
     return power * d + power * (p->n * d_lo);
 }
 
-/* X = (2 q d)^(alpha+1) from r or d, whichever is smaller, since for large alpha its error is that of ln(2 q d) times
-   alpha + 1 */
-VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d)
+/* 2 q d */
+VM_INLINE vm_two vmi_ateb_twice_q(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
-    const vm_real least = VM_C(-0.69) * VMI_BIAS, qz = p->q * (2 * r - p->g);
-    const vm_real y = r < d ? 1 - qz : 2 * p->q * d, y_lo = r < d ? (1 - y) - qz : 0;
-    const vm_real ln_X = p->n * (vmi_ateb_ln(y) + y_lo);
+    return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
+}
+
+/* X = (2 q d)^(alpha+1) and its base, from r or d, whichever is smaller, since for large alpha the error of X is that
+   of ln(2 q d) times alpha + 1 */
+VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *base)
+{
+    const vm_real least = VM_C(-0.69) * VMI_BIAS;
+    vm_real ln_X;
+    if (r < d) {
+        const vm_real qz = p->twice_q.hi * (r - p->g / 2);
+        base->hi = 1 - qz;
+        base->lo = (1 - base->hi) - qz;
+        ln_X = p->n * (vmi_ateb_ln(base->hi) + base->lo);
+    } else {
+        *base = vmi_ateb_twice_q(p, d, d_lo);
+        ln_X = p->n * vmi_ateb_ln(base->hi);
+    }
     return vmi_ateb_exp(ln_X > least ? ln_X : least);
 }
 
-/* base (first + tau odd(tau)) and 1 + tau even(tau) */
-VM_API void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_real base, vm_real tau, vm_real *odd,
-                             vm_real *even)
+/* base (1 + tau odd(tau)) and 1 + tau even(tau) */
+VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
+                                vm_real *even)
 {
     const vm_real square = tau * tau;
     vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0;
@@ -1311,7 +1326,7 @@ VM_API void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_real base
         even0 = part->even[j] + square * even0;
         even1 = part->even[j + 1] + square * even1;
     }
-    *odd = base * (part->first + (part->first_lo + tau * (odd0 + tau * odd1)));
+    *odd = base.hi + (base.lo + base.hi * tau * (odd0 + tau * odd1));
     *even = 1 + tau * (even0 + tau * even1);
 }
 
@@ -1328,7 +1343,7 @@ VM_API vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, int *quarter)
 
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
-    vm_real rest, near_zero, far_zero, r, d, X;
+    vm_real rest, near_zero, far_zero, lost, r, r_lo, d, d_lo;
     int quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
     else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter).hi;
@@ -1337,14 +1352,16 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         return;
     }
     near_zero = VM_FABS(rest), far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
-    r = quarter & 1 ? far_zero : near_zero;
-    d = quarter & 1 ? near_zero : far_zero;
-    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, r, r * r, sa, ca);
+    lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+    r = far_zero, r_lo = lost, d = near_zero, d_lo = 0;
+    if (!(quarter & 1)) r = near_zero, r_lo = 0, d = far_zero, d_lo = lost;
+    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, sa, ca);
+    else if (p->twice_alpha >= 0)
+        vmi_ateb_part_at(p->part + 1, p->length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product(p, d, d_lo), ca, sa);
     else {
-        const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
-        if (p->twice_alpha >= 0) X = vmi_ateb_product(p, d, quarter & 1 ? 0 : lost);
-        else X = vmi_ateb_exponential(p, r, d);
-        vmi_ateb_part_at(p->part + 1, p->length, d, X, ca, sa);
+        vm_two base;
+        const vm_real X = vmi_ateb_exponential(p, r, d, d_lo, &base);
+        vmi_ateb_part_at(p->part + 1, p->length, base, X, ca, sa);
     }
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
@@ -1358,9 +1375,11 @@ VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_rea
     const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
     const vm_real r = vmi_choose(odd, far_zero, near_zero), d = vmi_choose(odd, near_zero, far_zero);
     const vm_real beyond = vmi_weight(r - p->change_over);
+    const vm_real d_lo = (1 - odd) * lost;
     vm_real sa0, ca0, sa1, ca1;
-    vmi_ateb_part_at(p->part, length, r, r * r, &sa0, &ca0);
-    vmi_ateb_part_at(p->part + 1, length, d, vmi_ateb_product_wide(p, d, (1 - odd) * lost), &ca1, &sa1);
+    vmi_ateb_part_at(p->part, length, vmi_two(r, odd * lost), r * r, &sa0, &ca0);
+    vmi_ateb_part_at(p->part + 1, length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product_wide(p, d, d_lo), &ca1,
+                     &sa1);
     *sa = vmi_choose(beyond, sa1, sa0);
     *ca = vmi_choose(beyond, ca1, ca0);
     vmi_ateb_signs(s, rest, quarter, sa, ca);
@@ -1438,9 +1457,9 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
 }
 
 /* The polynomial c_1 + c_2 tau + ... [5], 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go
-   with Chebyshev polynomials that end in them. result is for tau/unit, times factor; returns how many terms it has.
+   with Chebyshev polynomials that end in them. result is for tau/unit; returns how many terms it has.
    */
-VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real factor, vm_real tolerance,
+VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance,
                               vm_real *result)
 {
     vm_real power = limit, quarter = 2;
@@ -1455,28 +1474,26 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real f
             c[i - 1] -= term;
         }
     }
-    power = factor * (unit / limit);
+    power = unit / limit;
     for (i = 0; i < ATEB_PLAN_LENGTH; i++, power *= unit / limit) result[i] = i <= k ? c[i] * power : 0;
     return k + 1;
 }
 
 /* One part, whose tau is X/unit there, r^2 here; returns the length of its polynomials */
-VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_two twice_q,
+VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha,
                               vm_real unit, vm_real tolerance)
 {
     vm_real odd[VMI_ATEB_TERMS], even[VMI_ATEB_TERMS], limit = p->change_over * p->change_over;
     int length, even_length;
-    part->first = beyond ? twice_q.hi : 1;
-    part->first_lo = beyond ? twice_q.lo : 0;
     if (beyond) {
         vm_two y = {0, 0}, n = {0, 0};
-        y.hi = twice_q.hi * (p->quarter.hi - p->change_over);
+        y.hi = p->twice_q.hi * (p->quarter.hi - p->change_over);
         n.hi = p->n;
         limit = vmi_pow(y, n);
     }
-    vmi_ateb_series(beyond, alpha, p->q, odd, even);
-    length = vmi_ateb_economise(odd, limit, unit, part->first, tolerance, part->odd);
-    even_length = vmi_ateb_economise(even, limit, unit, 1, tolerance, part->even);
+    vmi_ateb_series(beyond, alpha, p->twice_q.hi / 2, odd, even);
+    length = vmi_ateb_economise(odd, limit, unit, tolerance, part->odd);
+    even_length = vmi_ateb_economise(even, limit, unit, tolerance, part->even);
     return length > even_length ? length : even_length;
 }
 
@@ -1485,11 +1502,10 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     const vm_real share = VM_C(0.6), most = VM_C(0.7);
     const vm_real tolerance = accuracy > VM_EPSILON ? accuracy / 2 : VM_EPSILON / 16;
     int length, length_beyond;
-    vm_two twice_q, n;
+    vm_two n;
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return -1;
     vmi_ateb_constants(&c, alpha);
-    twice_q.hi = 2 * c.q.hi, twice_q.lo = 2 * c.q.lo;
     n = c.n;
     p->quarter = vmi_ateb_fine_quarter(&c);
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
@@ -1499,12 +1515,12 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     p->longest = p->quarter.hi * (vm_real)((1L << VM_MANT_DIG / 2) - 1);
     p->change_over = share * p->quarter.hi < most ? share * p->quarter.hi : most;
     p->n = c.n.hi;
-    p->q = c.q.hi;
+    p->twice_q = vmi_two(2 * c.q.hi, 2 * c.q.lo);
     p->g = c.g.hi;
     p->twice_alpha = alpha <= 7 && 2 * alpha == VM_FLOOR(2 * alpha) ? (int)(2 * alpha) : -1;
-    length = vmi_ateb_part_init(p->part, 0, p, alpha, twice_q, 1, tolerance);
-    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, twice_q,
-                                       p->twice_alpha < 0 ? 1 : vmi_pow(twice_q, n), tolerance);
+    length = vmi_ateb_part_init(p->part, 0, p, alpha, 1, tolerance);
+    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha,
+                                       p->twice_alpha < 0 ? 1 : vmi_pow(p->twice_q, n), tolerance);
     p->length = (length > length_beyond ? length + 1 : length_beyond + 1) / 2 * 2;
     return 0;
 }
