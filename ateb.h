@@ -1396,9 +1396,10 @@ VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_rea
             ca[i] = u;                                                                      \
         }                                                                                   \
     }
-VMI_ATEB_LOOP(vmi_ateb_loop_short, 4)
-VMI_ATEB_LOOP(vmi_ateb_loop_middle, 8)
-VMI_ATEB_LOOP(vmi_ateb_loop_long, ATEB_PLAN_LENGTH)
+VMI_ATEB_LOOP(vmi_ateb_loop_4, 4)
+VMI_ATEB_LOOP(vmi_ateb_loop_8, 8)
+VMI_ATEB_LOOP(vmi_ateb_loop_10, VM_MANT_DIG > 24 ? 10 : 8)
+VMI_ATEB_LOOP(vmi_ateb_loop_12, VM_MANT_DIG > 24 ? 12 : 8)
 #undef VMI_ATEB_LOOP
 
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
@@ -1422,9 +1423,10 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
             for (j = 0; j < count; j++) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
             continue;
         }
-        if (p->length <= 4) vmi_ateb_loop_short(p, count, inside, sa + i, ca + i);
-        else if (p->length <= 8) vmi_ateb_loop_middle(p, count, inside, sa + i, ca + i);
-        else vmi_ateb_loop_long(p, count, inside, sa + i, ca + i);
+        if (p->length <= 4) vmi_ateb_loop_4(p, count, inside, sa + i, ca + i);
+        else if (p->length <= 8) vmi_ateb_loop_8(p, count, inside, sa + i, ca + i);
+        else if (p->length <= 10) vmi_ateb_loop_10(p, count, inside, sa + i, ca + i);
+        else vmi_ateb_loop_12(p, count, inside, sa + i, ca + i); /* for alpha = 0, 1/2, ..., 7 that is all */
         for (j = 0; j < count; j++)
             if (inside[j] != x[j]) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
     }
@@ -1499,7 +1501,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
 
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    const vm_real share = VM_C(0.6), most = VM_C(0.7);
+    const vm_real share = VM_C(0.5), most = VM_C(0.73);
     const vm_real tolerance = accuracy > VM_EPSILON ? accuracy / 2 : VM_EPSILON / 16;
     int length, length_beyond;
     vm_two n;
