@@ -1087,7 +1087,7 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
    h = r - r(point) leads from there to s. */
 
 typedef struct VM_TAG(vmi_ateb_point) {
-    vm_real v, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
+    vm_real v, v_lo, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
     vm_real h;       /* what is left of r */
 } vmi_ateb_point;
 
@@ -1096,7 +1096,7 @@ typedef struct VM_TAG(vmi_ateb_point) {
    which gain 7 bits or more for z < 0.303; X = P/Q. */
 VM_API vm_real vmi_hypergeometric(vm_real b, vm_real c, vm_real k, vm_real z, int m)
 {
-    vm_real n = (vm_real)m, P = (c + 2 * n) * (1 - z / 4), Q = 1;
+    vm_real n = (vm_real)m, P = (c + 2 * n) * (1 - z * (1 + z / 2) / 4), Q = 1;
     for (; n > 0; n -= 1) {
         const vm_real zn = z * n, c1 = c + (2 * n - 2), c2 = c1 + 1;
         const vm_real a1 = zn * (k + (n - 1)), a2 = (b * z + zn) * (c + (n - 1));
@@ -1123,10 +1123,11 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
     const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
     const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
     const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
-    const vm_real v = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4))), w = v * v, b = q + VM_C(0.5);
+    const vm_real v = vmi_head(r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)))); /* so that w is exact */
+    const vm_real w = v * v, b = q + VM_C(0.5);
     const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q),
                   F_minus_1 = w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m);
-    at->v = v;
+    at->v = v, at->v_lo = 0;
     at->x = 1 - w;
     at->u = 1 - one_minus_u;
     at->h = (r - v) - v * (F_minus_1 * at->u - one_minus_u);
@@ -1143,9 +1144,10 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_a
     const vm_real z = (2 * r - c->g.hi) - c->g.lo; /* 2 q d = 1 - q z */
     const int from_r = r < d;
     const vm_real y = from_r ? 1 - q * z : 2 * d / c->n.hi;
-    const vm_real ln_X = c->n.hi * (vmi_ateb_ln(y) + (from_r ? (1 - y) - q * z : 0));
+    const vm_real y_lo = from_r ? ((1 - y) - q * z) - c->q.lo * z : -y * (c->n.lo * q);
+    const vm_real ln_X = c->n.hi * (vmi_ateb_ln(y) + (from_r ? y_lo : -c->n.lo * q));
     vm_real p, X4, ratio, root, u_rest;
-    at->v = 1;
+    at->v = 1, at->v_lo = 0;
     at->u = y;
     at->x = at->h = 0;
     if (!(ln_X > negligible)) return;
@@ -1154,9 +1156,9 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_a
     p = X4 * ratio;
     root = VM_SQRT(ratio * (1 - p)); /* of x/X, >= 0.75 */
     u_rest = 2 * vmi_ateb_power_rest((root - 1) / (root + 1), 2 * q); /* (1 - u/y)/q */
-    at->v = 1 - 2 * p;
+    at->v = 1 - 2 * p, at->v_lo = (1 - at->v) - 2 * p;
     at->x = 4 * p * (1 - p);
-    at->u = y - y * (q * u_rest);
+    at->u = y - (y * (q * u_rest) - y_lo);
     at->h = at->u * (p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, m)) - y * u_rest / 2;
 }
 
@@ -1164,7 +1166,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_a
 VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real v = at->v, x = at->x, k = 1 - q, e = at->h == 0 ? 0 : at->h / at->u;
-    *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * v * v) * (e / 3)));
+    *sa = v + (at->v_lo + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * v * v) * (e / 3))));
     *ca = at->u - at->u * (q * e) * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667)));
 }
 
