@@ -284,10 +284,10 @@ static void test_plan(void)
             check_error("plan ca", region, "eps", ERROR_EPS(ca, row->ca, row->ca_low, 1), allowed, row->s,
                         row->alpha);
             if (k == 0 && reduced) {
-                check_error("plan sa", region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - moved / ULP(row->sa), 3,
+                check_error("plan sa", region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - moved / ULP(row->sa), 2,
                             row->s, row->alpha);
                 check_error("plan ca", region, "ulp",
-                            ERROR_ULP(ca, row->ca, row->ca_low) - 2 / (row->alpha + 1) * moved / ULP(row->ca), 3,
+                            ERROR_ULP(ca, row->ca, row->ca_low) - 2 / (row->alpha + 1) * moved / ULP(row->ca), 2,
                             row->s, row->alpha);
             }
             sa2 = s;
@@ -510,7 +510,7 @@ static void test_means_and_integrals(void)
                 8, 9.765625e-4, 3);
 }
 
-/* sa grows and ca falls from one number to the next, but for an ulp */
+/* sa grows and ca falls from one number to the next, but for an ulp or two */
 static void test_monotone(void)
 {
     static const double alphas[] = {0, 0.1, 0.5, 1, 1.5, 3, 10, 100, 1e4, 1e6};
@@ -528,7 +528,7 @@ static void test_monotone(void)
             steps = fmax(steps, (double)(sa - sa2) / ULP((double)sa));
             steps = fmax(steps, (double)(ca2 - ca) / ULP((double)ca));
         }
-    check_error("against monotony", "neighbours", "ulp", steps, 3, 0, 0);
+    check_error("against monotony", "neighbours", "ulp", steps, 2, 0, 0);
 }
 
 int main(void)
