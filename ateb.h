@@ -44,39 +44,43 @@
      Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
      zero, Pi_alpha from one polynomial in two or three words. Below s = 0.55, and at the same distance from every
      zero of sa, an approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of
-     (1 - sa)/2. From there Taylor's series leads to s. So one inversion of the incomplete beta function takes two
-     continued fractions of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
+     (1 - sa)/2. From there Taylor's series leads to s. So one inversion of the incomplete beta function takes a
+     continued fraction of 12 to 14 levels (float 6) and a power, (1 - sa^2)^(1/(alpha+1)), near the zeros of ca
+     another.
      A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
 
    ACCURACY, measured (make test, points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.5 ulp.
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.2 ulp. From one s to the next sa
+                  and ca step back by 2 ulp at most (two of a million: 3); sa^2 + |ca|^(alpha+1) - 1 is within 1.4 eps
+                  (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.
      Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 3 ulp, 2.6 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
+     plan         <= 2 ulp, 1.9 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
      phase        within 4 ulp and what an ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc     <= 30 ulp, typically 2, of p and of q
      beta_inc_inv <= 16 ulp of x and of y, and what an ulp of the smaller of p and q moves them, 3 found typically
-     sa(n, m), ca(m, n)     <= 8 ulp in the first quarter; farther on, an error of phase of 2^-62 |s| (float 2^-30)
+     sa(n, m), ca(m, n)     <= 8 ulp, 2.2 found, but for an error of phase of 2^-102 |s| (float 2^-44)
      integrals    some 10 ulp
 
    COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on a Xeon, where sin takes 7 ns and has
    fused multiply-adds whatever the flags; make bench shows it by alpha
-                                              -O2      -O3 -march=native   float, -O2
-     Pi_alpha                                 2.3      2                   3.5
-     sa+ca, any alpha, Pi_alpha included      22       17 to 21            32
-       the same for |s| > 128 Pi_alpha        50
+                                              -O2         -O3 -march=native, contracted   float, -O2
+     Pi_alpha                                 2.3         2             1.8           3.7
+     sa+ca, any alpha, Pi_alpha included      17 to 19    16 to 18      14            24 to 30
+       for |s| < 1/2, times of sin there      14          13            11
+       the same for |s| > 128 Pi_alpha        47
        on a zero of sa or ca, to an ulp       250
-     plan, alpha = 0, 1/2, 1, ..., 7          2 to 3.5 1.7 to 3.2          3.5 to 5
-       to 1e-4                                2 to 2.6 1.7 to 2.2
-       in arrays (with -fno-math-errno)       the same 0.8 to 1.4          the same
-     plan, any other alpha                    6 to 10  5 to 10             8 to 16
-     ateb_plan is 576 bytes (float 196), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
-     ateb_phase 21 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
-     ateb_saca_nm 13 us.
+     plan, alpha = 0, 1/2, 1, ..., 7          1.8 to 2.9  1.4 to 2.8    1.2 to 2.2    3.4 to 4.1
+       to 1e-4                                1.7 to 2    1.4 to 1.8    1.2 to 1.6    2.8 to 3.6
+       in arrays (with -fno-math-errno)       the same    0.8 to 1.2    0.7 to 0.9    the same
+     plan, any other alpha                    5 to 7.6    5 to 7.3      3.3 to 5.1    6 to 10.5
+     ateb_plan is 552 bytes (float 184), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
+     ateb_phase 10 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
+     ateb_saca_nm 19 us.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
@@ -1005,7 +1009,8 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 
 /* ---- Logarithm and exponential in one word ---------------------------------------------------------------------
 
-   For what is multiplied by less than 1/2 or so later: errors of an ulp or two, half the time of vmi_log and vmi_exp. */
+   For what is multiplied by less than 1/2 or so later: errors of an ulp or two, less to do than vmi_log and vmi_exp
+   have. */
 
 /* ln((1 + t)/(1 - t)), |t| < 0.18: 2 t + t^3 L(t^2) */
 VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
@@ -1049,11 +1054,13 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
     const vm_real E45 = VM_C(0.0013888888888994840818) + z * VM_C(1.9841269886522535599e-4);
     const vm_real E67 = VM_C(2.4801587060781651877e-5) + z * VM_C(2.7557241366121292995e-6);
     const vm_real E89 = VM_C(2.7557527466964916697e-7) + z * VM_C(2.5110746416563258294e-8);
-    return (E01 + zz * E23) + (zz * zz) * ((E45 + zz * E67) + (zz * zz) * (E89 + zz * VM_C(2.0830505426946652755e-9)));
+    const vm_real high = E89 + zz * VM_C(2.0830505426946652755e-9);
+    return (E01 + zz * E23) + (zz * zz) * ((E45 + zz * E67) + (zz * zz) * high);
 #else
     const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
     const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
-    return (E01 + zz * E23) + (zz * zz) * (VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4));
+    const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
+    return E01 + zz * (E23 + zz * E45); /* z^4 could be subnormal, which takes time */
 #endif
 }
 
@@ -1072,7 +1079,7 @@ VM_API vm_real vmi_ateb_exp(vm_real x)
     return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
 }
 
-/* Compilers make branches of conditions, which are mispredicted and do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
+/* Compilers make branches of conditions, which do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
 VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
@@ -1088,7 +1095,7 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 
 typedef struct VM_TAG(vmi_ateb_point) {
     vm_real v, v_lo, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
-    vm_real h;       /* what is left of r */
+    vm_real h;             /* what is left of r */
 } vmi_ateb_point;
 
 /* (F - 1)/(z b) for F = 2F1(1, b; c; z), b <= c, k = c - b: Gauss's continued fraction [3, 15.7], F = 1/(1 - b
@@ -1123,8 +1130,8 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
     const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
     const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
     const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
-    const vm_real v = vmi_head(r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)))); /* so that w is exact */
-    const vm_real w = v * v, b = q + VM_C(0.5);
+    const vm_real guess = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)));
+    const vm_real v = vmi_head(guess), w = v * v /* exact */, b = q + VM_C(0.5);
     const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q),
                   F_minus_1 = w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m);
     at->v = v, at->v_lo = 0;
@@ -1189,8 +1196,8 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
     return rest;
 }
 
-/* The quarter of s >= 0, what s has more than so many quarters, and its distances r and d from the zeros of sa and ca.
-   In the first of the ways r does not wait for Pi; in the second, quarters are counted by g within 2e-4, so that the
+/* The quarter of s >= 0; what s has more than so many quarters; its distances r and d from the zeros of sa and ca. In
+   the first of the ways r does not wait for Pi; in the second, quarters are counted by g within 2e-4, so that the
    rest may exceed half of one. */
 VM_INLINE vm_real vmi_ateb_locate(vm_real s, vmi_ateb *c, int *quarter, vm_real *r, vm_real *d)
 {
@@ -1221,7 +1228,7 @@ VM_INLINE vm_real vmi_ateb_locate(vm_real s, vmi_ateb *c, int *quarter, vm_real 
 /* From the first quarter to that of s = +-(quarter Pi/2 + rest), on the bits of the signs */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
 {
-    const vmi_bits sign = (vmi_bits)1 << (VMI_STORED_DIG + (VM_MANT_DIG > 24 ? 11 : 8)), odd = (vmi_bits)(quarter & 1);
+    const vmi_bits sign = (vmi_bits)1 << (8 * sizeof(vm_real) - 1), odd = (vmi_bits)(quarter & 1);
     const vmi_bits half = (vmi_bits)(quarter >> 1) * sign, rest_bits = vmi_to_bits(rest);
     *sa = vmi_from_bits(vmi_to_bits(*sa) ^ half ^ ((vmi_to_bits(s) ^ (rest_bits & (odd - 1))) & sign));
     *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd * sign)));
@@ -1359,7 +1366,8 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     if (!(quarter & 1)) r = near_zero, r_lo = 0, d = far_zero, d_lo = lost;
     if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, sa, ca);
     else if (p->twice_alpha >= 0)
-        vmi_ateb_part_at(p->part + 1, p->length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product(p, d, d_lo), ca, sa);
+        vmi_ateb_part_at(p->part + 1, p->length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product(p, d, d_lo), ca,
+                         sa);
     else {
         vm_two base;
         const vm_real X = vmi_ateb_exponential(p, r, d, d_lo, &base);
@@ -1463,8 +1471,7 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
 /* The polynomial c_1 + c_2 tau + ... [5], 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go
    with Chebyshev polynomials that end in them. result is for tau/unit; returns how many terms it has.
    */
-VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance,
-                              vm_real *result)
+VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     vm_real power = limit, quarter = 2;
     int i, k;
@@ -1484,8 +1491,8 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
 }
 
 /* One part, whose tau is X/unit there, r^2 here; returns the length of its polynomials */
-VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha,
-                              vm_real unit, vm_real tolerance)
+VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
+                              vm_real tolerance)
 {
     vm_real odd[VMI_ATEB_TERMS], even[VMI_ATEB_TERMS], limit = p->change_over * p->change_over;
     int length, even_length;
@@ -1523,8 +1530,8 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     p->g = c.g.hi;
     p->twice_alpha = alpha <= 7 && 2 * alpha == VM_FLOOR(2 * alpha) ? (int)(2 * alpha) : -1;
     length = vmi_ateb_part_init(p->part, 0, p, alpha, 1, tolerance);
-    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha,
-                                       p->twice_alpha < 0 ? 1 : vmi_pow(p->twice_q, n), tolerance);
+    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, p->twice_alpha < 0 ? 1 : vmi_pow(p->twice_q, n),
+                                       tolerance);
     p->length = (length > length_beyond ? length + 1 : length_beyond + 1) / 2 * 2;
     return 0;
 }
@@ -1848,22 +1855,23 @@ VM_API int vmi_ateb_index(vm_real n) { return n >= 0 && VM_IS_FINITE(n); }
 
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
-/* B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a [3, 8.17.8]; b <= 1, so that each term is half of the one before it or
-   less */
+/* B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a [3, 8.17.8]; b <= 1, so that each term is half of the one before it
+   or less */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
     vm_two sum = one;
     int j;
     for (j = 2 * VM_MANT_DIG; j > 0; j--) {
-        const vm_two above = vmi_two_plus(c, vmi_two((vm_real)(j - 1), 0)), below = vmi_two_plus(a, vmi_two((vm_real)j, 0));
+        const vm_two above = vmi_two_plus(c, vmi_two((vm_real)(j - 1), 0));
+        const vm_two below = vmi_two_plus(a, vmi_two((vm_real)j, 0));
         sum = vmi_two_plus(one, vmi_half(vmi_two_times(sum, vmi_two_over(above, below))));
     }
     return vmi_two_over(sum, a);
 }
 
-/* Pi(n, m) = B(a, b), a = 1/(n+1), b = 1/(m+1), within 2^-102 (float 2^-44), where logarithms would leave 2^-64: the halves
-   of the integral, over 2^(a+b) by its power series */
+/* Pi(n, m) = B(a, b), a = 1/(n+1), b = 1/(m+1), within 2^-102 (float 2^-44), where logarithms would leave 2^-64: the
+   halves of the integral, over 2^(a+b) by its power series */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
 #if VM_MANT_DIG > 24
