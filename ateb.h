@@ -44,39 +44,43 @@
      Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
      zero, Pi_alpha from one polynomial in two or three words. Below s = 0.55, and at the same distance from every
      zero of sa, an approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of
-     (1 - sa)/2. From there Taylor's series leads to s. So one inversion of the incomplete beta function takes two
-     continued fractions of 12 to 14 levels (float 6), and near the zeros of ca a logarithm and an exponential.
+     (1 - sa)/2. From there Taylor's series leads to s. So one inversion of the incomplete beta function takes a
+     continued fraction of 12 to 14 levels (float 6) and a power, (1 - sa^2)^(1/(alpha+1)), near the zeros of ca
+     another.
      A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
 
    ACCURACY, measured (make test, points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.5 ulp.
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.2 ulp. From one s to the next sa
+                  and ca step back by 2 ulp at most (two of a million: 3); sa^2 + |ca|^(alpha+1) - 1 is within 1.4 eps
+                  (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.
      Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 3 ulp, 2.6 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
+     plan         <= 2 ulp, 1.9 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
      phase        within 4 ulp and what an ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc     <= 30 ulp, typically 2, of p and of q
      beta_inc_inv <= 16 ulp of x and of y, and what an ulp of the smaller of p and q moves them, 3 found typically
-     sa(n, m), ca(m, n)     <= 8 ulp in the first quarter; farther on, an error of phase of 2^-62 |s| (float 2^-30)
+     sa(n, m), ca(m, n)     <= 8 ulp, 2.2 found, but for an error of phase of 2^-102 |s| (float 2^-44)
      integrals    some 10 ulp
 
    COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on a Xeon, where sin takes 7 ns and has
    fused multiply-adds whatever the flags; make bench shows it by alpha
-                                              -O2      -O3 -march=native   float, -O2
-     Pi_alpha                                 2.3      2                   3.5
-     sa+ca, any alpha, Pi_alpha included      22       17 to 21            32
-       the same for |s| > 128 Pi_alpha        50
+                                              -O2         -O3 -march=native, contracted   float, -O2
+     Pi_alpha                                 2.3         2             1.8           3.7
+     sa+ca, any alpha, Pi_alpha included      17 to 19    16 to 18      14            24 to 30
+       for |s| < 1/2, times of sin there      14          13            11
+       the same for |s| > 128 Pi_alpha        47
        on a zero of sa or ca, to an ulp       250
-     plan, alpha = 0, 1/2, 1, ..., 7          2 to 3.5 1.7 to 3.2          3.5 to 5
-       to 1e-4                                2 to 2.6 1.7 to 2.2
-       in arrays (with -fno-math-errno)       the same 0.8 to 1.4          the same
-     plan, any other alpha                    6 to 10  5 to 10             8 to 16
-     ateb_plan is 576 bytes (float 196), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
-     ateb_phase 21 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
-     ateb_saca_nm 13 us.
+     plan, alpha = 0, 1/2, 1, ..., 7          1.8 to 2.9  1.4 to 2.8    1.2 to 2.2    3.4 to 4.1
+       to 1e-4                                1.7 to 2    1.4 to 1.8    1.2 to 1.6    2.8 to 3.6
+       in arrays (with -fno-math-errno)       the same    0.8 to 1.2    0.7 to 0.9    the same
+     plan, any other alpha                    5 to 7.6    5 to 7.3      3.3 to 5.1    6 to 10.5
+     ateb_plan is 552 bytes (float 184), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
+     ateb_phase 10 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
+     ateb_saca_nm 19 us.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
@@ -596,12 +600,13 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
 #define ATEB_PLAN_LENGTH 8
 #endif
 typedef struct VM_TAG(vmi_ateb_part) {
-    vm_real first, first_lo, odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
+    vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi/2 */
     vm_real quarter_parts[3]; /* the same, two with half of the digits or less */
-    vm_real per_quarter, longest, change_over, n, q, g;
+    vm_real per_quarter, longest, change_over, n, g;
+    vm_two twice_q; /* 2/(alpha + 1) */
     int length, twice_alpha;
     vmi_ateb_part part[2];
 } ateb_plan;
@@ -1001,6 +1006,82 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
     }
 }
 
+/* ---- Logarithm and exponential in one word ---------------------------------------------------------------------
+
+   For what is multiplied by less than 1/2 or so later: errors of an ulp or two, less to do than vmi_log and vmi_exp
+   have. */
+
+/* ln((1 + t)/(1 - t)), |t| < 0.18: 2 t + t^3 L(t^2) */
+VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
+{
+    const vm_real x = t * t;
+#if VM_MANT_DIG > 24
+    const vm_real xx = x * x;
+    const vm_real L01 = VM_C(0.66666666666666727634) + x * VM_C(0.39999999999816214631);
+    const vm_real L23 = VM_C(0.28571428661769779675) + x * VM_C(0.2222220559437561072);
+    const vm_real L45 = VM_C(0.18183272190739985335) + x * VM_C(0.15319628746766105066);
+    const vm_real L = (L01 + xx * L23) + (xx * xx) * (L45 + xx * VM_C(0.1475852205325647575));
+#else
+    const vm_real L = VM_C(0.666666914868) + x * (VM_C(0.399862738125) + x * VM_C(0.296881029198));
+#endif
+    return 2 * t + t * x * L;
+}
+
+/* ln x for normal x > 0 */
+VM_API vm_real vmi_ateb_ln(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least = UINT64_C(0x3fe6a09e667f3bcd); /* sqrt(1/2) */
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vmi_bits least = UINT32_C(0x3f3504f3);
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG, above = vmi_to_bits(x) - least;
+    const vm_real k = (vm_real)((int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1));
+    const vm_real z = vmi_from_bits((above & (one - 1)) + least);
+    return k * ln2_hi + (vmi_ateb_ln_ratio((z - 1) / (z + 1)) + k * ln2_lo);
+}
+
+/* (e^z - 1 - z)/z^2, |z| < 0.36 */
+VM_API vm_real vmi_ateb_exp_series(vm_real z)
+{
+    const vm_real zz = z * z;
+#if VM_MANT_DIG > 24
+    const vm_real E01 = VM_C(0.50000000000000000036) + z * VM_C(0.16666666666666673812);
+    const vm_real E23 = VM_C(0.041666666666666509662) + z * VM_C(0.0083333333333225907093);
+    const vm_real E45 = VM_C(0.0013888888888994840818) + z * VM_C(1.9841269886522535599e-4);
+    const vm_real E67 = VM_C(2.4801587060781651877e-5) + z * VM_C(2.7557241366121292995e-6);
+    const vm_real E89 = VM_C(2.7557527466964916697e-7) + z * VM_C(2.5110746416563258294e-8);
+    const vm_real high = E89 + zz * VM_C(2.0830505426946652755e-9);
+    return (E01 + zz * E23) + (zz * zz) * ((E45 + zz * E67) + (zz * zz) * high);
+#else
+    const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
+    const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
+    const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
+    return E01 + zz * (E23 + zz * E45); /* z^4 could be subnormal, which takes time */
+#endif
+}
+
+/* e^x for a normal result and x < 1 */
+VM_API vm_real vmi_ateb_exp(vm_real x)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const int k = VMI_BIAS + 1 - (int)(VMI_BIAS + VM_C(1.5) - x * one_over_ln2);
+    const vm_real z = (x - (vm_real)k * ln2_hi) - (vm_real)k * ln2_lo;
+    const vm_real scale = vmi_from_bits((vmi_bits)(VMI_BIAS + k) << VMI_STORED_DIG);
+    return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
+}
+
+/* Compilers make branches of conditions, which do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
+VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
+VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
+
 /* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
 
    With w = sa^2, x = 1 - w = |ca|^(alpha+1), r the distance of s from the zero of sa and d from that of ca,
@@ -1012,8 +1093,8 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
    h = r - r(point) leads from there to s. */
 
 typedef struct VM_TAG(vmi_ateb_point) {
-    vm_real v, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
-    vm_real h;       /* what is left of r */
+    vm_real v, v_lo, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
+    vm_real h;             /* what is left of r */
 } vmi_ateb_point;
 
 /* (F - 1)/(z b) for F = 2F1(1, b; c; z), b <= c, k = c - b: Gauss's continued fraction [3, 15.7], F = 1/(1 - b
@@ -1021,7 +1102,7 @@ typedef struct VM_TAG(vmi_ateb_point) {
    which gain 7 bits or more for z < 0.303; X = P/Q. */
 VM_API vm_real vmi_hypergeometric(vm_real b, vm_real c, vm_real k, vm_real z, int m)
 {
-    vm_real n = (vm_real)m, P = (c + 2 * n) * (1 - z / 4), Q = 1;
+    vm_real n = (vm_real)m, P = (c + 2 * n) * (1 - z * (1 + z / 2) / 4), Q = 1;
     for (; n > 0; n -= 1) {
         const vm_real zn = z * n, c1 = c + (2 * n - 2), c2 = c1 + 1;
         const vm_real a1 = zn * (k + (n - 1)), a2 = (b * z + zn) * (c + (n - 1));
@@ -1032,10 +1113,11 @@ VM_API vm_real vmi_hypergeometric(vm_real b, vm_real c, vm_real k, vm_real z, in
     return Q / (P - b * z * Q);
 }
 
-/* (1 - (1 - z)^q)/q */
-VM_API vm_real vmi_power_rest(vm_real z, vm_real q, int m)
+/* (1 - a^q)/q with a = (1 + t)/(1 - t) of which ln a is small */
+VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 {
-    return z * (1 + z * (1 - q) * vmi_hypergeometric(1 - q, 2, 1 + q, z, m));
+    const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
+    return -l - l * z * vmi_ateb_exp_series(z);
 }
 
 /* The point for 0 <= r <= 0.55; guess: the Taylor series of the inverse to r^9, within 1e-5. */
@@ -1047,10 +1129,11 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
     const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
     const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
     const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
-    const vm_real v = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4))), w = v * v, b = q + VM_C(0.5);
-    const vm_real one_minus_u = q * vmi_power_rest(w, q, m),
+    const vm_real guess = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)));
+    const vm_real v = vmi_head(guess), w = v * v /* exact */, b = q + VM_C(0.5);
+    const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q),
                   F_minus_1 = w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m);
-    at->v = v;
+    at->v = v, at->v_lo = 0;
     at->x = 1 - w;
     at->u = 1 - one_minus_u;
     at->h = (r - v) - v * (F_minus_1 * at->u - one_minus_u);
@@ -1067,22 +1150,21 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_a
     const vm_real z = (2 * r - c->g.hi) - c->g.lo; /* 2 q d = 1 - q z */
     const int from_r = r < d;
     const vm_real y = from_r ? 1 - q * z : 2 * d / c->n.hi;
-    const vm_two ln_y = vmi_log(y);
-    const vm_real ln_X = c->n.hi * (from_r ? ln_y.hi + ((1 - y) - q * z) : ln_y.hi);
-    vm_real p, p_lo, X4, ratio, u_rest;
-    int k;
-    at->v = 1;
+    const vm_real y_lo = from_r ? ((1 - y) - q * z) - c->q.lo * z : -y * (c->n.lo * q);
+    const vm_real ln_X = c->n.hi * (vmi_ateb_ln(y) + (from_r ? y_lo : -c->n.lo * q));
+    vm_real p, X4, ratio, root, u_rest;
+    at->v = 1, at->v_lo = 0;
     at->u = y;
     at->x = at->h = 0;
     if (!(ln_X > negligible)) return;
-    X4 = vmi_exp_core(ln_X, 0, &k, &p_lo);
-    X4 = vmi_ldexp((1 + X4) / 4, k);
+    X4 = vmi_ateb_exp(ln_X) / 4;
     ratio = (1 + q) * (2 + q - q * X4) / ((1 + q) * (2 + q) + 2 * (1 - q - q * q) * X4);
     p = X4 * ratio;
-    u_rest = 2 * vmi_power_rest(1 - VM_SQRT(ratio * (1 - p)), 2 * q, m); /* (1 - u/y)/q */
-    at->v = 1 - 2 * p;
+    root = VM_SQRT(ratio * (1 - p)); /* of x/X, >= 0.75 */
+    u_rest = 2 * vmi_ateb_power_rest((root - 1) / (root + 1), 2 * q); /* (1 - u/y)/q */
+    at->v = 1 - 2 * p, at->v_lo = (1 - at->v) - 2 * p;
     at->x = 4 * p * (1 - p);
-    at->u = y - y * (q * u_rest);
+    at->u = y - (y * (q * u_rest) - y_lo);
     at->h = at->u * (p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, m)) - y * u_rest / 2;
 }
 
@@ -1090,7 +1172,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_a
 VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real v = at->v, x = at->x, k = 1 - q, e = at->h == 0 ? 0 : at->h / at->u;
-    *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * v * v) * (e / 3)));
+    *sa = v + (at->v_lo + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * v * v) * (e / 3))));
     *ca = at->u - at->u * (q * e) * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667)));
 }
 
@@ -1098,11 +1180,10 @@ VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_r
 
 /* As vmi_reduce, with as many words of the quarter as s needs, two of them left in c: so that an error of the quarter
    is felt neither in a large s nor near to a zero. */
-VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
+VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real near_zero = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
-    vm_real rest = vmi_reduce(s, c->quarter, quarter).hi, j;
-    if (rest == s || (s <= 256 * c->quarter.hi && VM_FABS(rest) * c->quarter.hi * 256 >= s)) return rest;
+    vm_real rest, j;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
     j = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
@@ -1114,10 +1195,48 @@ VM_API vm_real vmi_ateb_reduce(vm_real s, vmi_ateb *c, int *quarter)
     return rest;
 }
 
+/* The quarter of s >= 0; what s has more than so many quarters; its distances r and d from the zeros of sa and ca. In
+   the first of the ways r does not wait for Pi; in the second, quarters are counted by g within 2e-4, so that the
+   rest may exceed half of one. */
+VM_INLINE vm_real vmi_ateb_locate(vm_real s, vmi_ateb *c, int *quarter, vm_real *r, vm_real *d)
+{
+    const vm_real n = c->n.hi, q = c->q.hi, qq = q * q;
+    vm_real rest = 0, size, other, odd;
+    int coarse = s / 128 <= n;
+    if (s <= n / 2) {
+        *quarter = 0;
+        *d = (c->quarter.hi - s) + c->quarter.lo;
+        return *r = s;
+    }
+    if (coarse) { /* products with half of the quarter's digits are exact */
+        const vm_real g = (VM_C(1.38614) - q * VM_C(0.676221)) +
+                          qq * ((VM_C(0.498844) - q * VM_C(0.2897)) + qq * VM_C(0.0810122));
+        const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
+        const vm_real j = (vm_real)(*quarter = (int)(s / ((n + g) / 2) + VM_C(0.5)));
+        rest = ((s - j * high) - j * low) - j * c->quarter.lo;
+        coarse = VM_FABS(rest) * n * 128 >= s;
+    }
+    if (!coarse) rest = vmi_ateb_reduce_finely(s, c, quarter);
+    odd = (vm_real)(*quarter & 1);
+    size = VM_FABS(rest), other = (c->quarter.hi - size) + c->quarter.lo;
+    *r = vmi_choose(odd, other, size);
+    *d = vmi_choose(odd, size, other);
+    return rest;
+}
+
+/* From the first quarter to that of s = +-(quarter Pi/2 + rest), on the bits of the signs */
+VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
+{
+    const vmi_bits sign = (vmi_bits)1 << (8 * sizeof(vm_real) - 1), odd = (vmi_bits)(quarter & 1);
+    const vmi_bits half = (vmi_bits)(quarter >> 1) * sign, rest_bits = vmi_to_bits(rest);
+    *sa = vmi_from_bits(vmi_to_bits(*sa) ^ half ^ ((vmi_to_bits(s) ^ (rest_bits & (odd - 1))) & sign));
+    *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd * sign)));
+}
+
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     const vm_real change_over = VM_C(0.55);
-    vm_real size = VM_FABS(s), r, d, rest, sa1, ca1;
+    vm_real rest, r, d;
     int quarter;
     vmi_ateb c;
     vmi_ateb_point at;
@@ -1126,24 +1245,11 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
         return;
     }
     vmi_ateb_constants(&c, alpha);
-    rest = vmi_ateb_reduce(size, &c, &quarter);
-    r = VM_FABS(rest);
-    d = c.quarter.hi - r;
-    if (quarter & 1) {
-        d = r;
-        r = c.quarter.hi - d;
-    }
+    rest = vmi_ateb_locate(VM_FABS(s), &c, &quarter, &r, &d);
     if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q.hi, &at);
     else vmi_ateb_near_ca_zero(r, d, &c, &at);
-    vmi_ateb_move(&at, c.q.hi, &sa1, &ca1);
-    if (quarter & 1) ca1 = VM_COPYSIGN(ca1, -rest);
-    else sa1 = VM_COPYSIGN(sa1, rest);
-    if (quarter & 2) {
-        sa1 = -sa1;
-        ca1 = -ca1;
-    }
-    *sa = VM_COPYSIGN(1, s) < 0 ? -sa1 : sa1;
-    *ca = ca1;
+    vmi_ateb_move(&at, c.q.hi, sa, ca);
+    vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
@@ -1165,17 +1271,24 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
    Two parts of a quarter. Up to the change-over, with tau = r^2,
      sa = r (1 + tau A(tau)),   ca = 1 + tau C(tau);
    beyond it, with tau = X = (2 q d)^(alpha+1) up to a factor,
-     ca = d (2 q + tau A(tau)), sa = 1 + tau C(tau).
+     ca = 2 q d (1 + tau A(tau)), sa = 1 + tau C(tau).
    The polynomials are Taylor series from (275), economised: their last terms are taken off by Chebyshev
    polynomials. For alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is made of products and a square root; d^alpha takes the
    rounding of d = Pi/2 - r along. Else tau = X is an exponential. */
 
-/* Compilers make branches of conditions, which do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
-VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
-VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
-
 /* d d^alpha, twice_alpha = 0 .. 14; d_lo is what d lost by rounding */
-VM_API vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
+VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
+{
+    const vm_real d2 = d * d;
+    vm_real power = p->twice_alpha & 1 ? VM_SQRT(d) : 1;
+    if (p->twice_alpha & 2) power *= d;
+    if (p->twice_alpha & 4) power *= d2;
+    if (p->twice_alpha & 8) power *= d2 * d2;
+    return power * d + power * (p->n * d_lo);
+}
+
+/* The same without branches */
+VM_API vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
     const vm_real two = (vm_real)(p->twice_alpha >> 2 & 1), four = (vm_real)(p->twice_alpha >> 3 & 1), d2 = d * d;
@@ -1184,22 +1297,33 @@ VM_API vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
     return power * d + power * (p->n * d_lo);
 }
 
-/* X = (2 q d)^(alpha+1) from r or d, whichever is smaller, since for large alpha its error is that of ln(2 q d) times
-   alpha + 1 */
-VM_API vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d)
+/* 2 q d */
+VM_INLINE vm_two vmi_ateb_twice_q(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
-    const vm_real least = VM_C(-0.69) * VMI_BIAS, qz = p->q * (2 * r - p->g);
-    const vm_real y = r < d ? 1 - qz : 2 * p->q * d, y_lo = r < d ? (1 - y) - qz : 0;
-    const vm_real ln_X = p->n * (vmi_log(y).hi + y_lo);
-    vm_real X, X_lo;
-    int k;
-    X = vmi_exp_core(ln_X > least ? ln_X : least, 0, &k, &X_lo);
-    return vmi_ldexp(1 + X, k);
+    return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* base (first + tau odd(tau)) and 1 + tau even(tau) */
-VM_API void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_real base, vm_real tau, vm_real *odd,
-                             vm_real *even)
+/* X = (2 q d)^(alpha+1) and its base, from r or d, whichever is smaller, since for large alpha the error of X is that
+   of ln(2 q d) times alpha + 1 */
+VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *base)
+{
+    const vm_real least = VM_C(-0.69) * VMI_BIAS;
+    vm_real ln_X;
+    if (r < d) {
+        const vm_real qz = p->twice_q.hi * (r - p->g / 2);
+        base->hi = 1 - qz;
+        base->lo = (1 - base->hi) - qz;
+        ln_X = p->n * (vmi_ateb_ln(base->hi) + base->lo);
+    } else {
+        *base = vmi_ateb_twice_q(p, d, d_lo);
+        ln_X = p->n * vmi_ateb_ln(base->hi);
+    }
+    return vmi_ateb_exp(ln_X > least ? ln_X : least);
+}
+
+/* base (1 + tau odd(tau)) and 1 + tau even(tau) */
+VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
+                                vm_real *even)
 {
     const vm_real square = tau * tau;
     vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0;
@@ -1210,7 +1334,7 @@ VM_API void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_real base
         even0 = part->even[j] + square * even0;
         even1 = part->even[j + 1] + square * even1;
     }
-    *odd = base * (part->first + (part->first_lo + tau * (odd0 + tau * odd1)));
+    *odd = base.hi + (base.lo + base.hi * tau * (odd0 + tau * odd1));
     *even = 1 + tau * (even0 + tau * even1);
 }
 
@@ -1225,18 +1349,10 @@ VM_API vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, int *quarter)
     return ((x - j * p->quarter_parts[0]) - j * p->quarter_parts[1]) - j * p->quarter_parts[2];
 }
 
-/* From the first quarter to that of s = +-(quarter Pi/2 + rest) */
-VM_API void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
-{
-    const vm_real odd = (vm_real)(quarter & 1), half = (vm_real)(1 - (quarter & 2));
-    *ca *= half * VM_COPYSIGN(1, vmi_choose(odd, -rest, 1));
-    *sa *= half * VM_COPYSIGN(VM_COPYSIGN(1, s), VM_COPYSIGN(1, s) * vmi_choose(odd, 1, rest));
-}
-
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
-    vm_real rest, near_zero, far_zero, r, d, odd, even, tau;
-    int quarter, beyond;
+    vm_real rest, near_zero, far_zero, lost, r, r_lo, d, d_lo;
+    int quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
     else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter).hi;
     else {
@@ -1244,18 +1360,18 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         return;
     }
     near_zero = VM_FABS(rest), far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
-    r = quarter & 1 ? far_zero : near_zero;
-    d = quarter & 1 ? near_zero : far_zero;
-    beyond = r > p->change_over;
-    tau = r * r;
-    if (p->twice_alpha >= 0) { /* quick, so that no branch depends on s */
-        const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
-        const vm_real product = vmi_ateb_product(p, d, quarter & 1 ? 0 : lost);
-        tau = beyond ? product : tau;
-    } else if (beyond) tau = vmi_ateb_exponential(p, r, d);
-    vmi_ateb_part_at(p->part + beyond, p->length, beyond ? d : r, tau, &odd, &even);
-    *sa = beyond ? even : odd;
-    *ca = beyond ? odd : even;
+    lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+    r = far_zero, r_lo = lost, d = near_zero, d_lo = 0;
+    if (!(quarter & 1)) r = near_zero, r_lo = 0, d = far_zero, d_lo = lost;
+    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, sa, ca);
+    else if (p->twice_alpha >= 0)
+        vmi_ateb_part_at(p->part + 1, p->length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product(p, d, d_lo), ca,
+                         sa);
+    else {
+        vm_two base;
+        const vm_real X = vmi_ateb_exponential(p, r, d, d_lo, &base);
+        vmi_ateb_part_at(p->part + 1, p->length, base, X, ca, sa);
+    }
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
@@ -1268,9 +1384,11 @@ VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_rea
     const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
     const vm_real r = vmi_choose(odd, far_zero, near_zero), d = vmi_choose(odd, near_zero, far_zero);
     const vm_real beyond = vmi_weight(r - p->change_over);
+    const vm_real d_lo = (1 - odd) * lost;
     vm_real sa0, ca0, sa1, ca1;
-    vmi_ateb_part_at(p->part, length, r, r * r, &sa0, &ca0);
-    vmi_ateb_part_at(p->part + 1, length, d, vmi_ateb_product(p, d, (1 - odd) * lost), &ca1, &sa1);
+    vmi_ateb_part_at(p->part, length, vmi_two(r, odd * lost), r * r, &sa0, &ca0);
+    vmi_ateb_part_at(p->part + 1, length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product_wide(p, d, d_lo), &ca1,
+                     &sa1);
     *sa = vmi_choose(beyond, sa1, sa0);
     *ca = vmi_choose(beyond, ca1, ca0);
     vmi_ateb_signs(s, rest, quarter, sa, ca);
@@ -1287,9 +1405,10 @@ VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_rea
             ca[i] = u;                                                                      \
         }                                                                                   \
     }
-VMI_ATEB_LOOP(vmi_ateb_loop_short, 4)
-VMI_ATEB_LOOP(vmi_ateb_loop_middle, 8)
-VMI_ATEB_LOOP(vmi_ateb_loop_long, ATEB_PLAN_LENGTH)
+VMI_ATEB_LOOP(vmi_ateb_loop_4, 4)
+VMI_ATEB_LOOP(vmi_ateb_loop_8, 8)
+VMI_ATEB_LOOP(vmi_ateb_loop_10, VM_MANT_DIG > 24 ? 10 : 8)
+VMI_ATEB_LOOP(vmi_ateb_loop_12, VM_MANT_DIG > 24 ? 12 : 8)
 #undef VMI_ATEB_LOOP
 
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
@@ -1313,9 +1432,10 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
             for (j = 0; j < count; j++) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
             continue;
         }
-        if (p->length <= 4) vmi_ateb_loop_short(p, count, inside, sa + i, ca + i);
-        else if (p->length <= 8) vmi_ateb_loop_middle(p, count, inside, sa + i, ca + i);
-        else vmi_ateb_loop_long(p, count, inside, sa + i, ca + i);
+        if (p->length <= 4) vmi_ateb_loop_4(p, count, inside, sa + i, ca + i);
+        else if (p->length <= 8) vmi_ateb_loop_8(p, count, inside, sa + i, ca + i);
+        else if (p->length <= 10) vmi_ateb_loop_10(p, count, inside, sa + i, ca + i);
+        else vmi_ateb_loop_12(p, count, inside, sa + i, ca + i); /* for alpha = 0, 1/2, ..., 7 that is all */
         for (j = 0; j < count; j++)
             if (inside[j] != x[j]) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
     }
@@ -1348,10 +1468,9 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
 }
 
 /* The polynomial c_1 + c_2 tau + ... [5], 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go
-   with Chebyshev polynomials that end in them. result is for tau/unit, times factor; returns how many terms it has.
+   with Chebyshev polynomials that end in them. result is for tau/unit; returns how many terms it has.
    */
-VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real factor, vm_real tolerance,
-                              vm_real *result)
+VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     vm_real power = limit, quarter = 2;
     int i, k;
@@ -1365,41 +1484,38 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real f
             c[i - 1] -= term;
         }
     }
-    power = factor * (unit / limit);
+    power = unit / limit;
     for (i = 0; i < ATEB_PLAN_LENGTH; i++, power *= unit / limit) result[i] = i <= k ? c[i] * power : 0;
     return k + 1;
 }
 
 /* One part, whose tau is X/unit there, r^2 here; returns the length of its polynomials */
-VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_two twice_q,
-                              vm_real unit, vm_real tolerance)
+VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
+                              vm_real tolerance)
 {
     vm_real odd[VMI_ATEB_TERMS], even[VMI_ATEB_TERMS], limit = p->change_over * p->change_over;
     int length, even_length;
-    part->first = beyond ? twice_q.hi : 1;
-    part->first_lo = beyond ? twice_q.lo : 0;
     if (beyond) {
         vm_two y = {0, 0}, n = {0, 0};
-        y.hi = twice_q.hi * (p->quarter.hi - p->change_over);
+        y.hi = p->twice_q.hi * (p->quarter.hi - p->change_over);
         n.hi = p->n;
         limit = vmi_pow(y, n);
     }
-    vmi_ateb_series(beyond, alpha, p->q, odd, even);
-    length = vmi_ateb_economise(odd, limit, unit, part->first, tolerance, part->odd);
-    even_length = vmi_ateb_economise(even, limit, unit, 1, tolerance, part->even);
+    vmi_ateb_series(beyond, alpha, p->twice_q.hi / 2, odd, even);
+    length = vmi_ateb_economise(odd, limit, unit, tolerance, part->odd);
+    even_length = vmi_ateb_economise(even, limit, unit, tolerance, part->even);
     return length > even_length ? length : even_length;
 }
 
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    const vm_real share = VM_C(0.6), most = VM_C(0.7);
+    const vm_real share = VM_C(0.5), most = VM_C(0.73);
     const vm_real tolerance = accuracy > VM_EPSILON ? accuracy / 2 : VM_EPSILON / 16;
     int length, length_beyond;
-    vm_two twice_q, n;
+    vm_two n;
     vmi_ateb c;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return -1;
     vmi_ateb_constants(&c, alpha);
-    twice_q.hi = 2 * c.q.hi, twice_q.lo = 2 * c.q.lo;
     n = c.n;
     p->quarter = vmi_ateb_fine_quarter(&c);
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
@@ -1409,12 +1525,12 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     p->longest = p->quarter.hi * (vm_real)((1L << VM_MANT_DIG / 2) - 1);
     p->change_over = share * p->quarter.hi < most ? share * p->quarter.hi : most;
     p->n = c.n.hi;
-    p->q = c.q.hi;
+    p->twice_q = vmi_two(2 * c.q.hi, 2 * c.q.lo);
     p->g = c.g.hi;
     p->twice_alpha = alpha <= 7 && 2 * alpha == VM_FLOOR(2 * alpha) ? (int)(2 * alpha) : -1;
-    length = vmi_ateb_part_init(p->part, 0, p, alpha, twice_q, 1, tolerance);
-    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, twice_q,
-                                       p->twice_alpha < 0 ? 1 : vmi_pow(twice_q, n), tolerance);
+    length = vmi_ateb_part_init(p->part, 0, p, alpha, 1, tolerance);
+    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, p->twice_alpha < 0 ? 1 : vmi_pow(p->twice_q, n),
+                                       tolerance);
     p->length = (length > length_beyond ? length + 1 : length_beyond + 1) / 2 * 2;
     return 0;
 }
@@ -1444,7 +1560,7 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     if (h.hi < VM_C(-0.84)) { /* w < 0.302 */
         const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
         const int m = VM_MANT_DIG > 24 ? 7 : 3;
-        const vm_real one_minus_u = q * vmi_power_rest(w, q, m);
+        const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q);
         return v + v * (w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m) * (1 - one_minus_u) - one_minus_u);
     } else {
         const vm_real x = h.hi > 0 ? e / sum : 1 / sum, v = VM_SQRT(h.hi > 0 ? 1 / sum : e / sum),
@@ -1738,12 +1854,42 @@ VM_API int vmi_ateb_index(vm_real n) { return n >= 0 && VM_IS_FINITE(n); }
 
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
+/* B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a [3, 8.17.8]; b <= 1, so that each term is half of the one before it
+   or less */
+VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
+{
+    const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
+    vm_two sum = one;
+    int j;
+    for (j = 2 * VM_MANT_DIG; j > 0; j--) {
+        const vm_two above = vmi_two_plus(c, vmi_two((vm_real)(j - 1), 0));
+        const vm_two below = vmi_two_plus(a, vmi_two((vm_real)j, 0));
+        sum = vmi_two_plus(one, vmi_half(vmi_two_times(sum, vmi_two_over(above, below))));
+    }
+    return vmi_two_over(sum, a);
+}
+
+/* Pi(n, m) = B(a, b), a = 1/(n+1), b = 1/(m+1), within 2^-102 (float 2^-44), where logarithms would leave 2^-64: the
+   halves of the integral, over 2^(a+b) by its power series */
+VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
+{
+#if VM_MANT_DIG > 24
+    const vm_two ln2 = {VM_C(0.69314718055994528623), VM_C(2.3190468138462995584e-17)};
+#else
+    const vm_two ln2 = {VM_C(0.693147182465), VM_C(-1.90465429995e-9)};
+#endif
+    const vm_two one = {1, 0}, a = vmi_ateb_exponent(n), b = vmi_ateb_exponent(m);
+    const vm_two y = vmi_two_times(vmi_two_plus(a, b), ln2); /* <= 1.39 */
+    vm_two power = one;
+    int j;
+    for (j = VM_MANT_DIG > 24 ? 32 : 18; j > 0; j--)
+        power = vmi_two_plus(one, vmi_two_over(vmi_two_times(power, y), vmi_two((vm_real)j, 0)));
+    return vmi_two_over(vmi_two_plus(vmi_ateb_half_beta(a, b), vmi_ateb_half_beta(b, a)), power);
+}
+
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
-    vm_two l;
-    if (!vmi_ateb_index(n) || !vmi_ateb_index(m)) return VM_NAN;
-    l = vmi_beta_ln(vmi_ateb_exponent(n), vmi_ateb_exponent(m));
-    return vmi_exp(l.hi, l.lo);
+    return vmi_ateb_index(n) && vmi_ateb_index(m) ? vmi_ateb_pi_nm(n, m).hi : VM_NAN;
 }
 
 /* x^a with I_x(a, b) = p, q = 1 - p */
@@ -1760,24 +1906,18 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
-    vm_real a, b, p, p_lo, rest, r, d;
-    vm_two l, pi, ln_pi;
-    int quarter, k;
+    vm_real a, b, other, rest, r, d;
+    vm_two pi;
+    int quarter;
     if (!vmi_ateb_index(n) || !vmi_ateb_index(m) || !VM_IS_FINITE(s)) {
         *sa = *ca = VM_NAN;
         return;
     }
     a = 1 / (n + 1), b = 1 / (m + 1);
-    l = vmi_beta_ln(vmi_ateb_exponent(n), vmi_ateb_exponent(m));
-    p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
-    pi = vmi_fast_two_sum(1, p);
-    pi.hi = vmi_ldexp(pi.hi, k), pi.lo = vmi_ldexp(pi.lo + p_lo, k);
-    ln_pi = vmi_two_log(pi); /* a step of Newton's method for its low word */
-    pi.lo += pi.hi * ((l.hi - ln_pi.hi) + (l.lo - ln_pi.lo));
-    pi = vmi_half(pi);
+    pi = vmi_half(vmi_ateb_pi_nm(n, m));
     rest = vmi_reduce(VM_FABS(s), pi, &quarter).hi;
     d = VM_FABS(rest), r = (pi.hi - d) + pi.lo;
-    if (!(quarter & 1)) p = r, r = d, d = p;
+    if (!(quarter & 1)) other = r, r = d, d = other;
     *sa = vmi_ateb_nm_first(r / pi.hi, d / pi.hi, a, b);
     *ca = vmi_ateb_nm_first(d / pi.hi, r / pi.hi, b, a);
     vmi_ateb_signs(s, rest, quarter, sa, ca);

@@ -25,9 +25,7 @@ static void print_numbers(const char *before, const vm_real *x, int n, const cha
 
 static void print_part(const vmi_ateb_part *part, const char *after)
 {
-    print_numbers("    {", &part->first, 1, ", ");
-    print_numbers("", &part->first_lo, 1, ",\n");
-    print_numbers("     {", part->odd, ATEB_PLAN_LENGTH, "},\n");
+    print_numbers("    {{", part->odd, ATEB_PLAN_LENGTH, "},\n");
     print_numbers("     {", part->even, ATEB_PLAN_LENGTH, "}}");
     printf("%s", after);
 }
@@ -49,8 +47,9 @@ int main(int argc, char **argv)
     print_numbers("", &p.longest, 1, ", ");
     print_numbers("", &p.change_over, 1, ",\n");
     print_numbers("    ", &p.n, 1, ", ");
-    print_numbers("", &p.q, 1, ", ");
-    print_numbers("", &p.g, 1, ",\n");
+    print_numbers("", &p.g, 1, ", ");
+    print_numbers("{", &p.twice_q.hi, 1, ", ");
+    print_numbers("", &p.twice_q.lo, 1, "},\n");
     printf("    %d, %d,\n    {\n", p.length, p.twice_alpha);
     print_part(p.part, ",\n");
     print_part(p.part + 1, "\n    }\n};\n");

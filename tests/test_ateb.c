@@ -284,10 +284,10 @@ static void test_plan(void)
             check_error("plan ca", region, "eps", ERROR_EPS(ca, row->ca, row->ca_low, 1), allowed, row->s,
                         row->alpha);
             if (k == 0 && reduced) {
-                check_error("plan sa", region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - moved / ULP(row->sa), 3,
+                check_error("plan sa", region, "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - moved / ULP(row->sa), 2,
                             row->s, row->alpha);
                 check_error("plan ca", region, "ulp",
-                            ERROR_ULP(ca, row->ca, row->ca_low) - 2 / (row->alpha + 1) * moved / ULP(row->ca), 3,
+                            ERROR_ULP(ca, row->ca, row->ca_low) - 2 / (row->alpha + 1) * moved / ULP(row->ca), 2,
                             row->s, row->alpha);
             }
             sa2 = s;
@@ -434,10 +434,14 @@ static void test_two_indices(void)
     vm_real sa, ca, swapped_sa, swapped_ca, plain_sa, plain_ca, sn, cn, dn;
     for (i = 0; i < sizeof nm_table / sizeof *nm_table; i++) {
         const nm_row *row = nm_table + i;
+        const double moved = pi_error * fabs(row->s); /* of the phase, as Pi(n, m) has two words */
+        double sa_moved, ca_moved;
         if (!representable(row->s) || !representable(row->n) || !representable(row->m)) continue;
         ateb_saca_nm((vm_real)row->s, (vm_real)row->n, (vm_real)row->m, &sa, &ca);
-        check_error("sa(n, m)", "table", "ulp", ERROR_ULP(sa, row->sa, row->sa_low), 8, row->s, row->n);
-        check_error("ca(m, n)", "table", "ulp", ERROR_ULP(ca, row->ca, row->ca_low), 8, row->s, row->m);
+        sa_moved = 2 / (row->n + 1) * pow(fabs(row->ca), row->m) * moved / ULP(row->sa);
+        ca_moved = 2 / (row->m + 1) * pow(fabs(row->sa), row->n) * moved / ULP(row->ca);
+        check_error("sa(n, m)", "table", "ulp", ERROR_ULP(sa, row->sa, row->sa_low) - sa_moved, 8, row->s, row->n);
+        check_error("ca(m, n)", "table", "ulp", ERROR_ULP(ca, row->ca, row->ca_low) - ca_moved, 8, row->s, row->m);
         check_error("Pi(n, m)", "table", "ulp",
                     ERROR_ULP(ateb_pi_nm((vm_real)row->n, (vm_real)row->m), row->pi, row->pi_low), 1, row->n,
                     row->m);
@@ -506,7 +510,7 @@ static void test_means_and_integrals(void)
                 8, 9.765625e-4, 3);
 }
 
-/* sa grows and ca falls from one number to the next, but for an ulp */
+/* sa grows and ca falls from one number to the next, but for an ulp or two */
 static void test_monotone(void)
 {
     static const double alphas[] = {0, 0.1, 0.5, 1, 1.5, 3, 10, 100, 1e4, 1e6};
@@ -524,7 +528,7 @@ static void test_monotone(void)
             steps = fmax(steps, (double)(sa - sa2) / ULP((double)sa));
             steps = fmax(steps, (double)(ca2 - ca) / ULP((double)ca));
         }
-    check_error("against monotony", "neighbours", "ulp", steps, 3, 0, 0);
+    check_error("against monotony", "neighbours", "ulp", steps, 2, 0, 0);
 }
 
 int main(void)

@@ -6,9 +6,12 @@ turned into powers of t. F is analytic up to q = -4, so a coefficient is about 1
 ones are given in two or three words.
 
 g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), for the quick route: in 32 intervals, powers of the distance to the middle,
-the constant term and the slope in two words, the first of the slope's with half of the digits.
+the constant term and the slope in two words, the first of the slope's with half of the digits. And within 2e-4, to
+count quarters by.
+
+The logarithm and the exponential of one word: ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2), e^z = 1 + z + z^2 E(z).
 """
-from mpmath import mp, mpf, cos, pi, sqrt, gamma, polyval, log, nstr
+from mpmath import mp, mpf, atanh, binomial, cos, expm1, pi, sqrt, gamma, polyval, log, nstr
 
 mp.dps = 60
 
@@ -80,8 +83,32 @@ def quick(bits, degree):
     print(f"/* error 2^{nstr(log(worst, 2), 4)} */")
 
 
+def L(x):
+    t = sqrt(x)
+    return (2 * atanh(t) - 2 * t) / t**3
+
+
+def E(z):
+    return (expm1(z) - z) / z**2
+
+
+def interpolated(name, f, low, high, degree, digits):
+    """coefficients of the powers of x itself, by interpolation in the Chebyshev points of low .. high"""
+    middle, half = mpf(low + high) / 2, mpf(high - low) / 2
+    c = powers(lambda t: f(middle + half * t), degree)
+    total = [sum(c[j] * binomial(j, i) * (-middle)**(j - i) / half**j for j in range(i, degree + 1))
+             for i in range(degree + 1)]
+    error = max(abs(polyval(total[::-1], x) - f(x)) for x in (low + (high - low) * mpf(k + mpf(1) / 3) / 400 for k in range(400)))
+    print(f"/* {name}: error 2^{nstr(log(error, 2), 4)} */ " + ", ".join(nstr(x, digits) for x in total))
+
+
 if __name__ == "__main__":
     table(53, 33, 22, 10)
     table(24, 17, 11, 5)
     quick(53, 9)
     quick(24, 5)
+    interpolated("g, roughly", g, mpf(0), mpf(1), 4, 6)
+    for degree, digits in ((6, 20), (2, 12)):
+        interpolated("L", L, mpf(0), mpf("0.0325"), degree, digits)
+    for degree, digits in ((10, 20), (5, 12)):
+        interpolated("E", E, mpf("-0.37"), mpf("0.36"), degree, digits)

@@ -94,6 +94,34 @@ def nm_rows():
         yield f"    {{{s!r}, {n!r}, {m!r}, {words(exp(a * ln_x))}, {words(exp(b * (ln_x - t)))}, {words(period)}}},"
 
 
+def nm_far_rows():
+    """beyond the first quarter, zeros to an ulp included"""
+    indices = (0.0, 0.001, 0.125, 0.5, 1.0, 1.5, 3.0, 10.0, 100.0, 1000.0)
+    for count in range(80):
+        near = single if count % 2 else float
+        n, m = near(random.choice(indices)), near(random.choice(indices))
+        a, b = 1 / (mpf(n) + 1), 1 / (mpf(m) + 1)
+        half = beta(a, b) / 2
+        s = near(float(half) * (random.uniform(-200, 200) if count % 4 < 2 else random.choice((1, 2, 3, 32, 199))))
+        quarter = int(mp.nint(abs(s) / half))
+        rest = abs(mpf(s)) - quarter * half
+        if rest == 0:
+            continue
+        near_zero, far_zero = abs(rest), half - abs(rest)
+        r, d = (far_zero, near_zero) if quarter % 2 else (near_zero, far_zero)
+        t = invert(r / half, a, b) if r < d else -invert(d / half, b, a)
+        l = log(1 + exp(-abs(t)))
+        ln_x, ln_y = (t - l, -l) if t < 0 else (-l, -t - l)
+        sa, ca = exp(a * ln_x), exp(b * ln_y)
+        if quarter % 2:
+            ca = -ca if rest > 0 else ca
+        elif rest < 0:
+            sa = -sa
+        if quarter & 2:
+            sa, ca = -sa, -ca
+        yield f"    {{{s!r}, {n!r}, {m!r}, {words(sa if s > 0 else -sa)}, {words(ca)}, {words(2 * half)}}},"
+
+
 def write(name, comment, rows):
     with open(f"tests/data/{name}", "w") as file:
         file.write(f"/* Written by tests/gen/beta_reference.py: {comment} */\n")
@@ -102,4 +130,4 @@ def write(name, comment, rows):
 
 
 write("beta_table.h", "x, a, b, I_x(a, b), I_y(b, a), B(a, b), p, of y?, x, y, ln x, p/(dp/dln(x/y))", list(beta_rows()))
-write("ateb_nm_table.h", "s, n, m, sa(n, m, s), ca(m, n, s), Pi(n, m)", list(nm_rows()))
+write("ateb_nm_table.h", "s, n, m, sa(n, m, s), ca(m, n, s), Pi(n, m)", list(nm_rows()) + list(nm_far_rows()))
