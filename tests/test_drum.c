@@ -180,6 +180,18 @@ static void test_geometry(void)
 #undef REFUSED
 }
 
+/* Angles whose half is 0, and masses whose square is: (184), (188) at mu = M0 = J0, phi = R = 1 */
+static void test_geometry_extremes(void)
+{
+    const double tiny = is_float ? 1e-30 : 1e-200, s = sin(0.5);
+    const vm_drum light = drum_of(1, tiny, tiny, tiny, 0, 0, 1, 1);
+    const vm_real least = VM_MIN * VM_EPSILON;
+    vm_drum_geometry g;
+    CHECK(vm_drum_at(least, &light, &g) == VM_OK && g.arc_centre == 1);
+    CHECK(vm_drum_at(1, &light, &g) == VM_OK);
+    close_to("J_S1 (188)", "tiny", (double)g.inertia / tiny, 2 - 2 * s * s, 1.5);
+}
+
 /* ---- Equations of motion ---- */
 
 /* To t, or another independent variable, by the pair of order 8 (float: of order 5); 0 where it got there */
@@ -598,6 +610,8 @@ static void test_rigid_domain(void)
     x = vm_drum_angle(VM_NAN, &good), CHECK(x != x);
     x = vm_drum_time(VM_INFINITY, &good), CHECK(x != x);
     x = vm_drum_angle_lambert(-1, &good), CHECK(x != x);
+    CHECK(isnan(vm_drum_rate(1, NULL)) && isnan(vm_drum_time(1, NULL)) && isnan(vm_drum_angle(1, NULL)) &&
+          isnan(vm_drum_stop(NULL)) && isnan(vm_drum_angle_lambert(1, NULL)));
     x = vm_drum_angle_lambert(VM_INFINITY, &good), CHECK(x != x);
     for (i = 0; i < 4; i++) {
         const vm_drum driven = f3_drum(0.9);
@@ -824,6 +838,7 @@ static void test_refusals(void)
     bad = d, bad.stiffness = VM_INFINITY, CHECK(vm_drum_shaft_init(&bad, &s) == VM_NOT_FINITE);
     CHECK(vm_drum_shaft_init(NULL, &s) == VM_BAD_ARGUMENT && vm_drum_shaft_init(&d, NULL) == VM_BAD_ARGUMENT);
     CHECK(memcmp(&s, &before, sizeof s) == 0);
+    CHECK(isnan(vm_drum_deflection(1, NULL, 1, 0, 0)) && !vm_drum_shaft_valid(NULL));
     bad = d, bad.omega = R(0.5), CHECK(vm_drum_shaft_init(&bad, &s) == VM_OK && s.k == 20);
     /* turned backwards until the mass is used up: the run stops, with the last state that had one */
     CHECK(rk4_solve(vm_drum_rhs, &d, 6, &t, 1, 1000, y, work) == ODE_RHS_STOPPED);
@@ -842,6 +857,7 @@ int main(void)
     test_lambert_edges();
     test_lambert_identity();
     test_geometry();
+    test_geometry_extremes();
     test_balance();
     test_printed_motion();
     test_spring_torque();

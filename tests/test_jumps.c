@@ -305,6 +305,12 @@ static void test_scales(void)
     CHECK(sum.angular_momentum.x == -16 - 7 && sum.angular_momentum.y == 12 && sum.angular_momentum.z == 6);
     CHECK(vm_balance_between(1, &b, 0, NULL, NULL, vector(1, 1, 1), &sum) == VM_OK);
     CHECK(sum.momentum.x == -6 && sum.angular_momentum.y == -12 && sum.energy == -31);
+    b.mass = is_float ? R(1e30) : R(1e200); /* momenta whose squares overflow, and underflow */
+    CHECK(vm_balance_between(0, NULL, 1, &b, NULL, b.r, &sum) == VM_OK);
+    CHECK(fabs((double)(sum.momentum_scale / b.mass) - 5) < 4 * eps);
+    b.mass = 1 / b.mass;
+    CHECK(vm_balance_between(0, NULL, 1, &b, NULL, b.r, &sum) == VM_OK);
+    CHECK(fabs((double)(sum.momentum_scale / b.mass) - 5) < 4 * eps);
 }
 
 /* ---- Several parts at once ---- */
@@ -925,7 +931,7 @@ static void test_bad_input(void)
     const vm_inertia good = a.inertia;
     vm_inertia i = good, i_out, i_kept;
     vm_vec3 d = vector(1, 0, 0), nowhere = vector(0, 0, 0);
-    const vm_real wanted = 1;
+    const vm_real wanted[2] = {1, 2};
     size_t k, n;
     b.r = a.r, b2.x = a2.x + R(0.1), b2.y = a2.y;
     if (vm_attach(&a, &b, NULL, &a) || vm_attach2(&a2, &b2, NULL, &a2)) FAIL("attach");
@@ -998,7 +1004,7 @@ static void test_bad_input(void)
     REFUSES_NULL(vm_attach_relative2(&a2, NULL, NULL, &out2));
     REFUSES_NULL(vm_to_relative2(NULL, &b2, &out2));
     REFUSES_NULL(vm_to_absolute2(&a2, NULL, &out2));
-    REFUSES_NULL(vm_separate_for2(&a2, NULL, NULL, NULL, &wanted, &out2));
+    REFUSES_NULL(vm_separate_for2(&a2, NULL, NULL, NULL, wanted, &out2));
     REFUSES_NULL(vm_separate_for_spin2(NULL, &b2, NULL, 1, &out2));
     REFUSES_NULL(vm_balance_between(-1, &a, 1, &b, NULL, d, &sum));
     REFUSES_NULL(vm_balance_between(1, NULL, 1, &b, NULL, d, &sum));
@@ -1021,7 +1027,9 @@ static void test_bad_input(void)
     REFUSES(VM_BAD_INERTIA, vm_separate_for_spin2(&a2, &b2, NULL, 1, &out2));
     b2.inertia = -1;
     REFUSES(VM_BAD_INERTIA, vm_attach2(&a2, &b2, NULL, &out2));
-    b2.mass = 0;
+    b.mass = b2.mass = 0; /* what the part's velocity would be divided by */
+    REFUSES(VM_BAD_MASS, vm_separate_for(&a, &b, NULL, &d, NULL, &out));
+    REFUSES(VM_BAD_MASS, vm_separate_for2(&a2, &b2, NULL, wanted, NULL, &out2));
     REFUSES(VM_BAD_MASS, vm_attach2(&a2, &b2, NULL, &out2));
     CHECK(isnan(vm_momentum(NULL).y) && isnan(vm_angular_momentum(NULL, d).x) && isnan(vm_kinetic_energy(NULL)));
     CHECK(isnan(vm_angular_momentum2(NULL, 0, 0)) && isnan(vm_kinetic_energy2(NULL)) &&
