@@ -20,9 +20,9 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations
+TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes
 SCRIPTS = headers plans package scene_cost golden sweep
-EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling
+EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) tests/check.h $(wildcard tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
@@ -46,7 +46,7 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs scenes rotation
+BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs scenes rotation streams
 bench: $(BENCHES:%=build/bench/%)
 	@for bench in $(BENCHES); do ./build/bench/$$bench build/bench/$$bench.csv || exit 1; echo; done
 	@sh bench/plot_integrators.sh build/bench

@@ -32,10 +32,11 @@
      with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says nothing.
 
    METHOD
-     Theta functions [1]: for -1 <= m <= 1/2 those of a real phase with the nome of m, else those of an imaginary
-     phase with the nome of 1 - m (of 1/(1 - m) for m < -1), so that the nome is at most exp(-pi) = 0.0432 and three
-     terms of each series do. Phase and nome come from one or two steps of the AGM. Nothing cancels, at m = 1 neither.
-     u is reduced with the quarter period in as many words as its distance from a zero asks for.
+     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) by its Laurent series and two duplications [1, 5], which need
+     neither K nor roots but one; u beyond about K/2 is reduced before, with the quarter period in as many words as
+     its distance from a zero asks for: two steps of the AGM and a series, the AGM in two words, in three. Far from 0
+     for m near 1 or below -20 theta functions of an imaginary phase [1], with the nome of 1 - m or 1/(1 - m), which
+     is then at most 0.003. A plan has polynomials in u^2 in place of the series. Nothing cancels, at m = 1 neither.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -49,20 +50,21 @@
                   holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and next to
                   the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
                   plan is as accurate.
-     others       K <= 2 ulp, E <= 2.5 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am
-                  4 ulp; solvers: m and m1 within 4 ulp and what one ulp of c moves them.
+     others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am 4 ulp;
+                  solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before): K 2.8 (2.3), E 4.3 (2.6), for m < -1 both 9 (4); sn+cn+dn for |u| < K/2 6 to 14 (3 to
-                  5), for |u| < 2K 10 to 19 (4 to 7), to 1e9 21 to 33 (7 to 11), the lower ones for -1 < m < 1/2; by
-                  a plan 3.8, for m > 1/2 6.2, for m < -1 7.5 (2.2 to 3.7); in an array 0.7, 1.2, 1.4 by gcc -O3
-                  -march=native, 2 to 7 by -O2; solve_kpK 5 to 47.
-     Size         a plan has 176 bytes (float 88); the largest stack frame is below 1 kB.
+                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.3 (1.4), for m < -1 2.6;
+                  sn+cn+dn for |u| < K/2 2.7 to 3.1 (2.1), for |u| < 2K 7.0 to 7.6 (3.5), to 1e9 15 to 17 (5.5); by a
+                  plan 2.6 (1.6), for m > 0.955 and m < -21.5 5.9 (3.1); in an array 0.48, or there 1.0, by gcc -O3
+                  -march=native, 1.4 or 5.9 by -O2; solve_kpK 5 to 49.
+     Size         a plan has 312 bytes (float 116); the largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
-     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its. */
+     [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its.
+     [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication). */
 #ifndef VARMASS_JACOBI_H
 #define VARMASS_JACOBI_H
 
@@ -557,16 +559,20 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m);
 
 /* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
 typedef struct VM_TAG(vmi_theta_form) {
-    int form;                  /* which of the three forms below */
-    vm_real kp, kp_lo;         /* k' = sqrt(1 - m) */
-    vm_real q;                 /* the nome of m; of 1 - m or 1/(1 - m) in the hyperbolic forms */
-    vm_real defect, defect_lo; /* 1 - (phase per unit of argument) */
-    vm_real f[4], g[4], scale[3];
+    vm_real kp, kp_lo; /* k' = sqrt(1 - m) */
+    vm_real q, defect; /* the nome of 1 - m or 1/(1 - m), and 1 - (phase per unit of argument) */
+    vm_real f[3], g[2], scale[3];
 } vmi_theta_form;
 
+enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
+enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
+
 typedef struct VM_TAG(jacobi_plan) {
-    vmi_theta_form theta;
+    int form;            /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
+    vm_real m1;          /* 1 - m */
     vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
+    vmi_theta_form theta;               /* k' is there in any case */
 } jacobi_plan;
 
 /* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
@@ -607,14 +613,6 @@ VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
 /* 1 - m < 0, NaN or infinite */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
-
-/* The square root: relative error below 2^-(2p - 3), for a > 1 */
-VM_API vm_two vmi_two_sqrt(vm_two a)
-{
-    const vm_real root = VM_SQRT(a.hi), unit = root > 1 / VM_EPSILON ? VM_EPSILON : 1; /* against overflow */
-    const vm_two p = vmi_two_product(root * unit, root * unit);
-    return vmi_two(root, (((a.hi * unit) * unit - p.hi) - p.lo + (a.lo * unit) * unit) / (2 * root * unit) / unit);
-}
 
 /* x times a power of two */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
@@ -674,38 +672,6 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
     l->n = n;
 }
 
-/* K in two words from a ladder in one: the rounding errors of every step, known exactly, are carried up the ladder
-   to first order. m1_lo is the low word of m1 = b_0^2. Relative error < 2^-(2p - 5). */
-VM_API vm_two vmi_K_two_words(vm_real m1, vm_real m1_lo)
-{
-    const vm_real large = 1 / (VM_EPSILON * VM_EPSILON), small = VM_EPSILON * VM_EPSILON;
-    const vm_real unit = m1 < small ? large : m1 > large ? small : 1; /* keeps b_0^2 from under- and overflow */
-    const vmi_three half_pi = vmi_half_pi();
-    vmi_ladder l;
-    vm_two p, K, limit;
-    vm_real al = 0, bl, b0, c;
-    int n;
-    vmi_agm(&l, VM_SQRT(m1), VMI_LADDER);
-    b0 = unit * l.b[0];
-    p = vmi_two_product(b0, b0);
-    bl = ((m1 * unit * unit - p.hi) - p.lo + m1_lo * unit * unit) / (2 * b0) / unit;
-    c = l.c;
-    for (n = 0; n < l.n; n++) {
-        vm_real a = l.a[n], b = l.b[n], root = l.b[n + 1];
-        vm_two s = vmi_two_sum(a, b), q = vmi_two_product(root, root);
-        vm_real a_lo = (al + bl) / 2 + s.lo / 2;
-        c = (a - b) / 2 + (al - bl) / 2;
-        p = vmi_two_product(a, b);
-        bl = (((p.hi - q.hi) + (p.lo - q.lo)) + (a * bl + b * al)) / (2 * root);
-        al = a_lo;
-    }
-    limit = vmi_two_sum(l.a[l.n], al - c * c / (4 * l.a[l.n]));
-    K.hi = half_pi.hi / limit.hi;
-    p = vmi_two_product(K.hi, limit.hi);
-    K.lo = (((half_pi.hi - p.hi) - p.lo) + (half_pi.mid - K.hi * limit.lo)) / limit.hi;
-    return K;
-}
-
 /* K in three words, for plans and for arguments next to a multiple of it: relative error < 2^-(3p - 12) */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
@@ -742,96 +708,28 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[3] = K.hi;
 }
 
-/* As vmi_reduce, for x < VMI_EXACT_QUARTERS K and K in pieces, per_K = 1/K, so that loops over it vectorise */
-VM_INLINE vm_two vmi_reduce_pieces(vm_real x, const vm_real *K, vm_real per_K, int *quarter)
+VM_INLINE vm_two vmi_two_terms(vmi_three x)
 {
-    const int count = (int)(x * per_K + VM_C(0.5));
-    const vm_real j = (vm_real)count;
-    const vm_real rest = (x - j * K[0]) - j * K[1]; /* exact: a multiple of 2^-p K, below K */
-    const vm_two s = vmi_two_sum(rest, -j * K[2]), t = vmi_two_sum(s.hi, -j * K[3]);
-    *quarter = count & 3;
-    return vmi_two(t.hi, s.lo + t.lo);
+    const vm_two sum = vmi_two_sum(x.hi, x.mid);
+    return vmi_two_sum(sum.hi, sum.lo + x.lo);
 }
 
-/* ---- The nome ------------------------------------------------------------------------------------------------- */
-
-/* x G(x) = 1 - agm(1, sqrt(1 - x)), 0 <= x <= 0.0295: relative error 2^-62 (float 2^-32) */
-VM_API vm_real vmi_agm_defect(vm_real x)
+/* u less the next multiple of K in pieces, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K and per_K = 1/K, and
+   which multiple it is; so that loops over it vectorise */
+VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
-#if VM_MANT_DIG > 24
-    const vm_real xx = x * x;
-    const vm_real G01 = VM_C(0.250000000000000666) + x * VM_C(0.07812499999943949);
-    const vm_real G23 = VM_C(0.042968750163389538) + x * VM_C(0.0286254657230344163);
-    const vm_real G45 = VM_C(0.0210435326372290371) + x * VM_C(0.0163580602938771594);
-    const vm_real G = (G01 + xx * G23) + xx * xx * (G45 + xx * VM_C(0.0147401685155095323));
-#else
-    const vm_real G = VM_C(0.250000149) + x * (VM_C(0.0780960843) + x * VM_C(0.04464155063));
-#endif
-    return x * G;
+    const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
+    vmi_three rest;
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: a multiple of 2^-p K, below K */
+    rest.mid = -j * K[2];
+    rest.lo = -j * K[3];
+    *quarters = vmi_to_bits(shifted); /* its last bits count */
+    return rest;
 }
 
-/* The nome of m from k1 = (1 - k')/(1 + k'), x = k1^2 <= 0.0295: 4 q/k1 = 1 + x Q(x), error 2^-53 (float 2^-31) */
-VM_API vm_real vmi_nome(vm_real k1, vm_real x)
-{
-#if VM_MANT_DIG > 24
-    const vm_real xx = x * x;
-    const vm_real Q01 = VM_C(0.249999999999790112) + x * VM_C(0.132812500137754114);
-    const vm_real Q23 = VM_C(0.0878905949147435472) + x * VM_C(0.0646850229644579805);
-    const vm_real Q45 = VM_C(0.050533534545645388) + x * VM_C(0.0451522108322996232);
-    const vm_real Q = (Q01 + xx * Q23) + xx * xx * Q45;
-#else
-    const vm_real Q = VM_C(0.2500003278) + x * (VM_C(0.1327469796) + x * VM_C(0.0916782096));
-#endif
-    return k1 / 4 * (1 + x * Q);
-}
+/* ---- The quarter period --------------------------------------------------------------------------------------- */
 
-/* ---- Theta functions ------------------------------------------------------------------------------------------ */
-
-enum { VMI_CIRCULAR, VMI_HYPERBOLIC, VMI_RECIPROCAL };
-
-/* What is known on the way: the complement relatively accurate (m; 1 - m; 1/(1 - m)), a + a_lo = 1 - complement and
-   its roots, the low words after refining */
-typedef struct VM_TAG(vmi_roots) {
-    vm_real complement, a, a_lo, second, second_lo, fourth, fourth_lo;
-} vmi_roots;
-
-/* For 1 - m = m1 + m1_lo > 0: the form whose nome lies within exp(-pi) of 0.
-   VMI_CIRCULAR, -1 <= m <= 1/2: theta functions of the real argument z = u agm(1, k'), |z| <= pi/4, nome q of m;
-   VMI_HYPERBOLIC, m > 1/2: of the imaginary argument i z, z = u agm(1, k), nome of 1 - m;
-   VMI_RECIPROCAL, m < -1: as that for mu = m/(m - 1) and k'u, by sn(u | m) = sd(k'u | mu)/k' and its kin.
-   One step of the AGM from 1 and k' (k in the hyperbolic forms) reaches (1 + k')/2 and the parameter k1^2. */
-VM_API vmi_roots vmi_theta_choose(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
-{
-    vmi_roots r;
-    vm_real k1, half;
-    if (m1 < VM_C(0.5)) {
-        t->form = VMI_HYPERBOLIC;
-        r.complement = m1;
-        r.a = 1 - m1;
-        r.a_lo = ((1 - r.a) - m1) - m1_lo;
-    } else if (m1 <= 2) {
-        t->form = VMI_CIRCULAR;
-        r.complement = (1 - m1) - m1_lo;
-        r.a = m1;
-        r.a_lo = m1_lo;
-    } else {
-        t->form = VMI_RECIPROCAL;
-        r.complement = 1 / m1;
-        r.a = 1 - r.complement;
-        r.a_lo = (1 - r.a) - r.complement;
-    }
-    r.second = VM_SQRT(r.a);
-    r.fourth = VM_SQRT(r.second);
-    r.second_lo = r.fourth_lo = 0;
-    k1 = r.complement / ((1 + r.second) * (1 + r.second));
-    half = (1 - r.second) / 2;
-    t->q = vmi_nome(k1, k1 * k1);
-    t->defect = half + (1 - half) * vmi_agm_defect(k1 * k1);
-    t->defect_lo = 0;
-    t->kp = t->form == VMI_CIRCULAR ? r.second : VM_SQRT(m1);
-    t->kp_lo = 0;
-    return r;
-}
+#define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
 /* a - root^2 */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
@@ -840,313 +738,423 @@ VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The low words of the two roots, of k' and of the defect, whose error is below 2^-(p + 15): with h = (1 - r)/2 from
-   the fourth root r, two steps of the AGM reach (1 - h)^2 and the parameter 16 q^4 (1 - 8 q^4 + 44 q^8). */
-VM_API void vmi_theta_refine(vmi_theta_form *t, vmi_roots *r, vm_real m1, vm_real m1_lo)
+/* The square root of a + a_lo */
+VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
-    const vm_real h = (1 - r->fourth) / 2, rest = 1 - h, head = vmi_head(h), tail = h - head;
-    const vm_real y = vmi_fourth_power(t->q);
-    vm_two s;
-    if (t->form == VMI_RECIPROCAL) {
-        t->kp_lo = vmi_two_sqrt(vmi_two(m1, m1_lo)).lo;
-        if (m1 < 1 / (VM_EPSILON * VM_EPSILON)) {
-            const vm_two one = vmi_two_product(r->complement, m1);
-            r->a_lo -= ((1 - one.hi) - one.lo - r->complement * m1_lo) / m1;
-        }
-    }
-    r->second_lo = (vmi_root_residual(r->a, r->second) + r->a_lo) / (2 * r->second);
-    r->fourth_lo = (vmi_root_residual(r->second, r->fourth) + r->second_lo) / (2 * r->fourth);
-    s = vmi_fast_two_sum(2 * h, -head * head);
-    s.lo -= tail * (h + head) - rest * (rest * vmi_agm_defect(16 * y * (1 - y * (8 - 44 * y))) - r->fourth_lo);
-    s = vmi_fast_two_sum(s.hi, s.lo);
-    t->defect = s.hi;
-    t->defect_lo = s.lo;
+    const vm_real root = vmi_rounded(VM_SQRT(a));
+    return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
-/* The coefficients of what follows. With X = q cos 2z (or q cosh 2z),
-     theta_1, theta_2 ~ sin z (P - Q), cos z (P + Q),  P = f0 + f2 X^2,  Q = X (f1 + f3 X^2),
-     theta_3, theta_4 = E + O, E - O,                  E = g0 + g2 X^2,  O = X (g1 + g3 X^2);
-   what is left out is below 1e-17, for |X| up to sqrt(q)/2 = 0.104. */
-VM_API void vmi_theta_prepare(vmi_theta_form *t, vm_real fourth_root)
+/* ln(4/k') for m1 < 1, ln(4 k') for m1 > 1 */
+VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
 {
-    const vm_real q = t->q, q2 = q * q, q4 = q2 * q2, q6 = q2 * q4;
-    const vm_real D = 1 + (q2 + q6), even = 2 * q4, odd = 2 * q * (1 + q4 * q4);
-    const vm_real theta3 = 1 + (odd + even), theta4 = 1 - (odd - even);
-    t->f[0] = 1 - (q2 + q6);
-    t->f[1] = 2 * q * (1 - q4 * (1 + 2 * q6));
-    t->f[2] = 4 * q4 * (1 - q6);
-    t->f[3] = 8 * q4 * q4 * q;
-    t->g[0] = 1 - even;
-    t->g[1] = 2 - 6 * q4 * q4;
-    t->g[2] = 4 * q2;
-    t->g[3] = 8 * q6;
-    if (t->form == VMI_CIRCULAR) {
-        t->scale[0] = theta3 / D;
-        t->scale[1] = theta4 / D;
-        t->scale[2] = fourth_root;
-    } else {
-        t->scale[0] = 1 / (t->form == VMI_RECIPROCAL ? t->kp * fourth_root : fourth_root);
-        t->scale[2] = 2 * D / theta3;
-        t->scale[1] = t->scale[2] / fourth_root;
-    }
-}
-
-/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
-VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
-{
-    const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
 #if VM_MANT_DIG > 24
-    const vm_real S01 = VM_C(-0.166666666666666269) + t * VM_C(8.33333333332120924e-3);
-    const vm_real S23 = VM_C(-1.98412698288076529e-4) + t * VM_C(2.75573133340740356e-6);
-    const vm_real S45 = VM_C(-2.5050700566966798e-8) + t * VM_C(1.58933807848550637e-10);
-    const vm_real C01 = VM_C(0.041666666666666588) + t * VM_C(-1.38888888888725006e-3);
-    const vm_real C23 = VM_C(2.48015872884295392e-5) + t * VM_C(-2.75573140380815829e-7);
-    const vm_real C45 = VM_C(2.08756793176115783e-9) + t * VM_C(-1.13573139592429182e-11);
-    const vm_real S = S01 + tt * (S23 + tt * S45), C = C01 + tt * (C23 + tt * C45);
+    const vm_real ln4 = VM_C(1.386294361119890572454), ln4_lo = VM_C(4.638093627692599230990e-17);
 #else
-    const vm_real S = VM_C(-0.1666666716) + t * VM_C(8.333329111e-3) +
-                      tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
-    const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
+    const vm_real ln4 = VM_C(1.386294364929199218750), ln4_lo = VM_C(-3.809308599915535757084e-9);
 #endif
-    *sine = z.hi + (z.hi * t * S + z.lo * w);
-    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+    const vm_two L = vmi_log(m1);
+    const vm_real half = m1 < 1 ? -VM_C(0.5) : VM_C(0.5);
+    const vm_two sum = vmi_two_sum(ln4, half * L.hi);
+    return vmi_two(sum.hi, sum.lo + (ln4_lo + half * (L.lo + m1_lo / m1)));
 }
 
-/* odd ? a : b without a branch, which would be mispredicted every other time */
-VM_INLINE vm_real vmi_select(vmi_bits odd, vm_real a, vm_real b)
+/* K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)) for l = ln(4/k'), c = 1 - m <= 1/2, A and B fitted together: relative
+   error 2^-58 (float 2^-30) */
+VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
 {
-    const vmi_bits a_bits = vmi_to_bits(a), b_bits = vmi_to_bits(b), mask = (vmi_bits)0 - odd;
-    return vmi_from_bits(b_bits ^ ((a_bits ^ b_bits) & mask));
+    const vm_real cc = c * c, head = vmi_head(c), tail = c - head;
+    const vm_real less = l.hi - 1, less_head = vmi_head(less), less_tail = less - less_head;
+    const vm_two sum = vmi_fast_two_sum(l.hi, head * less_head / 4);
+#if VM_MANT_DIG > 24
+    const vm_real A01 = VM_C(0.140624999989917426) + c * VM_C(0.0976562379873884279);
+    const vm_real A23 = VM_C(0.0747659708874116175) + c * VM_C(0.0604635753570759646);
+    const vm_real A45 = VM_C(0.0492978880327891861) + c * VM_C(0.0339442681568997914);
+    const vm_real A67 = VM_C(0.012474590931201476) + c * VM_C(6.09741459959139043e-4);
+    const vm_real B01 = VM_C(0.164062499943033208) + c * VM_C(0.120442655878206961);
+    const vm_real B23 = VM_C(0.0948766696910365165) + c * VM_C(0.0779033129747223191);
+    const vm_real B45 = VM_C(0.0624531825687128506) + c * VM_C(0.037162517735165726);
+    const vm_real B67 = VM_C(7.51299469689479475e-3) - c * VM_C(1.21456158984582113e-3);
+    const vm_real A = (A01 + cc * A23) + cc * cc * ((A45 + cc * A67) - cc * cc * VM_C(1.47954745189517243e-4));
+    const vm_real B = (B01 + cc * B23) + cc * cc * (B45 + cc * B67);
+#else
+    const vm_real A01 = VM_C(0.1406276673) + c * VM_C(0.09707102925);
+    const vm_real A = A01 + cc * (VM_C(0.06059887633) + c * VM_C(0.012512994));
+    const vm_real B = VM_C(0.1640692502) + c * (VM_C(0.1182833314) + c * VM_C(0.06061541289));
+#endif
+    const vm_real middle = (head * less_tail + tail * less) / 4 + cc * (l.hi * A - B);
+    return vmi_fast_two_sum(sum.hi, sum.lo + (l.lo + middle));
 }
 
-/* Neville's theta functions s, c, d, n of z, or where odd is 1 of z and a quarter, but for a common factor, so that
-   pq = theta_p/theta_q: each relatively accurate, since no difference loses digits. A quarter on, theta_1, theta_2,
-   theta_3, theta_4 become theta_2, -theta_1, theta_4, theta_3. */
-VM_INLINE void vmi_theta_circular(const vmi_theta_form *t, vm_two z, vmi_bits odd, vm_real *theta)
+/* E - 1 likewise, as c (l A(c) - B(c)): error 2^-56 (float 2^-29) */
+VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 {
-    const vm_real q = vmi_select(odd, -t->q, t->q); /* X changes its sign there, and with it Q and O */
-    vm_real s, c, X, XX, P, Q, E, O;
-    vmi_sin_cos(z, &s, &c);
-    X = q - (2 * q * s) * s;
-    XX = X * X;
-    P = t->f[0] + t->f[2] * XX;
-    Q = X * (t->f[1] + t->f[3] * XX);
-    E = t->g[0] + t->g[2] * XX;
-    O = X * (t->g[1] + t->g[3] * XX);
-    theta[0] = t->scale[0] * (vmi_select(odd, c, s) * (P - Q));
-    theta[1] = t->scale[1] * (vmi_select(odd, -s, c) * (P + Q));
-    theta[2] = t->scale[2] * (E + O);
-    theta[3] = E - O;
+    const vm_real cc = c * c;
+#if VM_MANT_DIG > 24
+    const vm_real A01 = VM_C(0.499999999999303724) + c * VM_C(0.187499997923190304);
+    const vm_real A23 = VM_C(0.117186821989593418) + c * VM_C(0.0853987891959771678);
+    const vm_real A45 = VM_C(0.0661404122824279239) + c * VM_C(0.0462006550177885);
+    const vm_real A67 = VM_C(0.0180993698311603043) + c * VM_C(5.73337947036873879e-4);
+    const vm_real B01 = VM_C(0.24999999999566927) + c * VM_C(0.203124990160116814);
+    const vm_real B23 = VM_C(0.140622372161008674) + c * VM_C(0.106750406049363547);
+    const vm_real B45 = VM_C(0.0830562354113903306) + c * VM_C(0.0517296710396015144);
+    const vm_real B67 = VM_C(0.0113912385296323967) + c * VM_C(-2.40808484454518293e-3);
+    const vm_real A = (A01 + cc * A23) + cc * cc * ((A45 + cc * A67) - cc * cc * VM_C(3.4706602508716508e-4));
+    const vm_real B = (B01 + cc * B23) + cc * cc * (B45 + cc * B67);
+#else
+    const vm_real A23 = VM_C(0.09726078063) + c * VM_C(0.01954176836);
+    const vm_real B23 = VM_C(0.09307274967) + c * VM_C(1.615328365e-4);
+    const vm_real A = VM_C(0.4999949038) + c * VM_C(0.1864423007) + cc * A23;
+    const vm_real B = VM_C(0.2499748766) + c * VM_C(0.1995639652) + cc * B23;
+#endif
+    return c * (l * A - B);
 }
 
-#define VMI_FAR (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-VMI_FAR) is 0: tanh is 1, sech 0 */
-
-/* The same for 0 <= z <= VMI_FAR, all four by 2 exp(-z), which makes sinh z 1 - exp(-2z) and cosh z 1 + exp(-2z). A
-   quarter on, s, c, d, n become c, -k's, k'n, d. */
-VM_INLINE void vmi_theta_hyperbolic(const vmi_theta_form *t, int form, vm_two z, vmi_bits odd, vm_real *theta)
+/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: x S, error 2^-60 (float 2^-31). After one step
+   of the AGM before, k' -> 2 sqrt(k')/(1 + k'), it covers VMI_MIDDLE. */
+VM_API vm_real vmi_K_series(vm_real x)
 {
+#if VM_MANT_DIG > 24
+    const vm_real xx = x * x;
+    const vm_real S01 = VM_C(0.250000000000002276) + x * VM_C(0.140624999998056721);
+    const vm_real S23 = VM_C(0.0976562505663747388) + x * VM_C(0.0747679882260262468);
+    const vm_real S45 = VM_C(0.0605678939898120217) + x * VM_C(0.0506567294491898287);
+    return x * ((S01 + xx * S23) + xx * xx * (S45 + xx * VM_C(0.0486832738964245657)));
+#else
+    return x * (VM_C(0.2500003576) + x * (VM_C(0.1405491382) + x * VM_C(0.1020393297)));
+#endif
+}
+
+/* E = (pi/4) (1 + k') (1 + x S(x)), the same x, but up to 0.27: x S, error 2^-57.7 (float 2^-32) */
+VM_API vm_real vmi_E_series(vm_real x)
+{
+    const vm_real xx = x * x;
+#if VM_MANT_DIG > 24
+    const vm_real x4 = xx * xx;
+    const vm_real S01 = VM_C(0.250000000000002831) + x * VM_C(0.0156249999994042994);
+    const vm_real S23 = VM_C(3.9062500435263622e-3) + x * VM_C(1.52587732337036795e-3);
+    const vm_real S45 = VM_C(7.47714001195162259e-4) + x * VM_C(4.2013106312607611e-4);
+    const vm_real S67 = VM_C(2.63401284398674228e-4) + x * VM_C(1.50226812853163923e-4);
+    const vm_real S89 = VM_C(1.9585253418758568e-4) - x * VM_C(8.28901959558369798e-5);
+    const vm_real high = (S45 + xx * S67) + x4 * (S89 + xx * VM_C(2.54076909382468089e-4));
+    return x * ((S01 + xx * S23) + x4 * high);
+#else
+    const vm_real S23 = VM_C(3.928991966e-3) + x * VM_C(1.366691897e-3);
+    return x * ((VM_C(0.2500000298) + x * VM_C(0.01562360954)) + xx * (S23 + xx * VM_C(1.22730108e-3)));
+#endif
+}
+
+/* agm(1, k') = pi/(2K), relative error below 2^-84 (float 2^-40), in two words until the last step is a series:
+   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...), x = (c/s)^2. m1 > 0. */
+VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo)
+{
+    const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
+    const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
+    vm_two a = vmi_two(1, 0), b = vmi_root(m1 * lift * lift, m1_lo * lift * lift), p;
+    b = vmi_two(b.hi / lift, b.lo / lift);
+    for (;;) {
+        const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
+        const vm_two sum = vmi_two_sum(a.hi, b.hi), s = vmi_two(sum.hi / 2, (sum.lo + (a.lo + b.lo)) / 2);
+        if (VM_FABS(c) < last * s.hi) {
+            const vm_real x = (c / s.hi) * (c / s.hi);
+            return vmi_two_sum(s.hi, s.lo - s.hi * x * (VM_C(0.25) + x * VM_C(0.078125)));
+        }
+        p = vmi_two_product(a.hi, b.hi);
+        b = vmi_root(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+        a = s;
+    }
+}
+
+/* ---- Theta functions ------------------------------------------------------------------------------------------ */
+
+/* Neville's theta functions but for a common factor, so that pq = theta_p/theta_q: each relatively accurate, since no
+   difference loses digits */
+typedef struct VM_TAG(vmi_thetas) {
+    vm_real s, c, d, n;
+} vmi_thetas;
+
+/* v^2 max(1, 1 - m) up to which the Laurent series serves: all |v| <= K/2 for -21.5 < m < 0.955 */
+#define VMI_NEAR VM_C(2.2)
+
+/* Terms 1 to 3 of theta cs^2(w) = 1 + c_1 + c_2 + ..., theta = w^2; cs^2(w) + (2 - m)/3 is Weierstrass' function of
+   w, whence [5]
+     c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
+VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
+{
+    const vm_real e = theta + m1_theta, product = theta * m1_theta, ee = e * e;
+    c[1] = -e * VM_C(0.3333333333333333333);
+    c[2] = (ee - 3 * product) * VM_C(0.06666666666666666667);
+    c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
+}
+
+/* By this series at w = v/4 to the ninth term (float: the fifth) and two duplications, where no difference occurs but
+   in c and f, far from their zeros: if b/a = sc^2(w),
+     sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
+     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
+VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
+{
+    vmi_thetas theta;
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w2;
+    vm_real c[4], more, a, f, g, b, s, aa, rb;
+#if VM_MANT_DIG > 24
+    vm_real c22;
+#endif
+    vmi_laurent(w2, r, c);
+#if VM_MANT_DIG > 24
+    c22 = c[2] * c[2];
+    more = c22 * ((VM_C(0.3333333333333333333) + c22 * VM_C(7.541478129713423831e-3)) +
+                  (c[2] * VM_C(0.05128205128205128205) + c[3] * VM_C(0.06060606060606060606))) +
+           c[3] * (c[2] * ((VM_C(0.2727272727272727273) + c[3] * VM_C(0.02468120115178938708)) +
+                           c22 * VM_C(0.01067353698932646301)) +
+                   c[3] * (VM_C(0.07692307692307692308) + c[3] * VM_C(4.048582995951417004e-3)));
+#else
+    more = c[2] * (c[2] * VM_C(0.3333333333) + c[3] * VM_C(0.2727272727));
+#endif
+    a = 1 + ((c[1] + (c[2] + c[3])) + more);
+    f = a * a - r * w2;
+    g = a * ((a + w2) * (a + r)); /* sc^2(2w) = 4 w^2 g/f^2 = b/a from here on */
+    b = 4 * w2 * g;
+    a = f * f;
+    s = m1 * b;
+    aa = a * a;
+    rb = s * b;
+    theta.s = v * (f * VM_SQRT(g * ((a + b) * (a + s))));
+    theta.c = aa - rb;
+    theta.d = aa + (2 * s * a + rb);
+    theta.n = aa + (2 * b * a + rb);
+    return theta;
+}
+
+/* Far from 0, where c <= 0.05: theta functions of the imaginary argument i z, z = u agm(1, k), with the nome q of
+   c = 1 - m, or reciprocal, z = k'u agm(1, k) with that of c = 1/(1 - m), by sn(u | m) = sd(k'u | m/(m - 1))/k' and
+   its kin. The coefficients: with X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
+     theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
+     theta_3, theta_4 = E + O, E - O,                    E = g0 + g1 X^2,  O = 2 X;
+   what is left out is below 1e-18. One step of the AGM from 1 and k reaches (1 + k)/2 and the parameter x. */
+VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
+{
+    const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
+    const vm_real half = c / (2 * (1 + root)), k1 = 2 * half / (1 + root), x = k1 * k1;
+    const vm_two kp = m1 > 1 ? vmi_root(m1, m1_lo) : vmi_two(VM_SQRT(m1), 0);
+    vm_real q2, q4, q6;
+    t->kp = kp.hi;
+    t->kp_lo = kp.lo;
+    t->q = k1 / 4 * (1 + x * (VM_C(0.25) + x * (VM_C(0.1328125) + x * VM_C(0.087890625))));
+    t->defect = half + (1 - half) * (x * (VM_C(0.25) + x * (VM_C(0.078125) + x * VM_C(0.04296875))));
+    q2 = t->q * t->q;
+    q4 = q2 * q2;
+    q6 = q2 * q4;
+    t->f[0] = 1 - (q2 + q6);
+    t->f[1] = 2 * t->q * (1 - q4);
+    t->f[2] = 4 * q4;
+    t->g[0] = 1 - 2 * q4;
+    t->g[1] = 4 * q2;
+    t->scale[0] = 1 / (m1 > 1 ? kp.hi * fourth : fourth);
+    t->scale[2] = 2 * (1 + (q2 + q6)) / (1 + (2 * t->q + 2 * q4));
+    t->scale[1] = t->scale[2] / fourth;
+}
+
+#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-it) is 0: tanh is 1, sech 0 */
+
+/* All four by 2 exp(-z), which makes sinh z 1 - exp(-2z) and cosh z 1 + exp(-2z); |argument| <= VMI_LONGEST */
+VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
+{
+    vmi_thetas theta;
     const vm_real tiny = VM_EPSILON * VM_EPSILON; /* q: then X <= sqrt(q)/2 is negligible */
-    vm_real p, p_lo, power, root, less, e, cosh_2z, X, XX, P, Q, E, O, s, c, d, n, d_form, n_form;
+    const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
+    const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
+    vm_real p, p_lo, power, root, less, e, X, XX, P, Q, E, O, d, n;
     int k;
-    p = vmi_exp_core(-z.hi, -z.lo, &k, &p_lo);
+    p = vmi_exp_core(-z, -z_lo, &k, &p_lo);
     power = vmi_ldexp(1, k);
     root = power + power * p;       /* exp(-z) */
     less = (1 - power) - power * p; /* 1 - exp(-z) */
     e = root * root;
-    cosh_2z = (e + 1 / e) / 2;
-    X = t->q > tiny ? t->q * cosh_2z : 0;
+    X = t->q > tiny ? t->q * ((e + 1 / e) / 2) : 0;
     XX = X * X;
     P = t->f[0] + t->f[2] * XX;
-    Q = X * (t->f[1] + t->f[3] * XX);
-    E = t->g[0] + t->g[2] * XX;
-    O = X * (t->g[1] + t->g[3] * XX);
-    s = t->scale[0] * (less * (1 + root) * (P - Q));
-    c = t->scale[1] * (root * (E - O));
+    Q = t->f[1] * X;
+    E = t->g[0] + t->g[1] * XX;
+    O = 2 * X;
     d = t->scale[2] * (root * (E + O));
     n = (1 + e) * (P + Q);
-    d_form = form == VMI_RECIPROCAL ? n : d;
-    n_form = form == VMI_RECIPROCAL ? d : n;
-    theta[0] = vmi_select(odd, c, s);
-    theta[1] = vmi_select(odd, -t->kp * s, c);
-    theta[2] = vmi_select(odd, t->kp * n_form, d_form);
-    theta[3] = vmi_select(odd, d_form, n_form);
+    theta.s = sign * (t->scale[0] * (less * (1 + root) * (P - Q)));
+    theta.c = t->scale[1] * (root * (E - O));
+    theta.d = reciprocal ? n : d;
+    theta.n = reciprocal ? d : n;
+    return theta;
 }
 
-/* The thetas at z and so many quarters: z < 0 changes the sign of s before the quarter, half periods those of s, c */
-VM_INLINE void vmi_theta_at(const vmi_theta_form *t, int form, vm_two z, int quarter, vm_real *theta)
+VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
-    const vmi_bits odd = (vmi_bits)(quarter & 1);
-    const vm_real half = (vm_real)(1 - (quarter & 2));
-    if (form == VMI_CIRCULAR) {
-        vmi_theta_circular(t, z, odd, theta);
-        theta[0] *= half;
-        theta[1] *= half;
-    } else {
-        const vm_real sign = VM_COPYSIGN((vm_real)1, z.hi), flipped = sign * half;
-        vmi_theta_hyperbolic(t, form, vmi_two(sign * z.hi, sign * z.lo), odd, theta);
-        theta[0] *= vmi_select(odd, half, flipped);
-        theta[1] *= vmi_select(odd, flipped, half);
-    }
+    vmi_theta_form t;
+    vmi_far_prepare(&t, m1, m1_lo);
+    return vmi_theta_far(&t, m1 > 1, m1 > 1 ? vmi_two_times(v, vmi_two(t.kp, t.kp_lo)) : v);
 }
 
-VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high) { return x < low ? low : x > high ? high : x; }
-
-VM_INLINE void vmi_theta_ratios(const vm_real *theta, vm_real kp, vm_real *sn, vm_real *cn, vm_real *dn)
+/* The thetas so many quarters on: at one s, c, d, n become c, -k's, k'n, d; at two s and c change their sign. With no
+   branch, which would be mispredicted every other time. */
+VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
-    const vm_real low = kp < 1 ? kp : 1, high = kp < 1 ? 1 : kp;
-    *sn = vmi_clamp(theta[0] / theta[3], -1, 1);
-    *cn = vmi_clamp(theta[1] / theta[3], -1, 1);
-    *dn = vmi_clamp(theta[2] / theta[3], low, high);
+    const vm_real one = 1;
+    const vmi_bits odd = quarters & 1, mask = (vmi_bits)0 - odd, top = sizeof(vm_real) * 8 - 1;
+    const vmi_bits half = (quarters >> 1 & 1) << top, one_bits = vmi_to_bits(one);
+    const vmi_bits s = vmi_to_bits(theta.s), c = vmi_to_bits(theta.c), s_or_c = (s ^ c) & mask;
+    const vmi_bits d = vmi_to_bits(theta.d), n = vmi_to_bits(theta.n), d_or_n = (d ^ n) & mask;
+    const vm_real factor = vmi_from_bits(one_bits ^ ((one_bits ^ vmi_to_bits(kp)) & mask));
+    theta.s = vmi_from_bits(s ^ s_or_c ^ half);
+    theta.c = factor * vmi_from_bits(c ^ s_or_c ^ half ^ odd << top);
+    theta.d = factor * vmi_from_bits(d ^ d_or_n);
+    theta.n = vmi_from_bits(n ^ d_or_n);
+    return theta;
+}
+
+VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
+{
+    const vm_real below = x > high ? high : x;
+    return below < low ? low : below;
+}
+
+/* dn lies between 1 and bound */
+VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real low = bound < 1 ? bound : 1, high = bound > 1 ? bound : 1, per_n = 1 / theta.n;
+    *sn = vmi_clamp(theta.s, -theta.n, theta.n) * per_n; /* n (1/n) rounds to 1 at most */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) * per_n;
+    *dn = vmi_clamp(theta.d * per_n, low, high);
 }
 
 /* ---- The phase and its quarter -------------------------------------------------------------------------------- */
 
-/* v, times k' in the reciprocal form */
-VM_INLINE vm_two vmi_theta_argument(const vmi_theta_form *t, vm_two v)
+/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE: two steps of
+   the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
+   2 pi (1 + x S); the series and its rounding errors are small. Within an eps of the result if that is no less than
+   u/64, else NaN. */
+VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
-    vm_two p;
-    if (t->form != VMI_RECIPROCAL) return v;
-    p = vmi_two_product(v.hi, t->kp);
-    return vmi_fast_two_sum(p.hi, p.lo + (v.hi * t->kp_lo + v.lo * t->kp));
-}
-
-/* z = v (1 - defect): within 2^-(p + 3) */
-VM_INLINE vm_two vmi_theta_phase(const vmi_theta_form *t, vm_two v)
-{
-    const vm_real less = v.hi * t->defect, z = v.hi - less;
-    return vmi_two(z, ((v.hi - z) - less) + (v.lo * (1 - t->defect) - v.hi * t->defect_lo));
-}
-
-/* The quarter period of the phase in two words: pi/2, or -ln(q)/2 with q = m1/(2 (1 + k)(1 + sqrt k)^2) (1 + 2 q^4 -
-   ...) and m1 -> 1/m1 in the reciprocal form. Relative error < 2^-63 (float 2^-31). */
-VM_API vm_two vmi_theta_quarter(const vmi_theta_form *t, const vmi_roots *roots, vm_real m1, vm_real m1_lo)
-{
-#if VM_MANT_DIG > 24
-    const vm_real lift = VM_C(2.5822498780869086e120), threshold = VM_C(1e150); /* 2^400 */
-    const vm_real ln_lift = VM_C(277.2588722239781304779), ln_lift_lo = VM_C(-6.711024299217055504695e-15);
-#else
-    const vm_real lift = VM_C(1099511627776.0), threshold = VM_C(1e18); /* 2^40 */
-    const vm_real ln_lift = VM_C(27.725887298583984375), ln_lift_lo = VM_C(-7.618616848503734217957e-8);
-#endif
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real y = vmi_fourth_power(t->q), scale = m1 > threshold ? 1 / lift : m1 < 1 / threshold ? lift : 1;
-    vm_two a = vmi_fast_two_sum(1, roots->second), b = vmi_fast_two_sum(1, roots->fourth), p, x, L;
-    if (t->form == VMI_CIRCULAR) return vmi_two(half_pi.hi, half_pi.mid);
-    p = vmi_two_product(b.hi, b.hi);
-    p.lo += 2 * b.hi * (b.lo + roots->fourth_lo);
-    x = vmi_two_product(a.hi, p.hi);
-    x.lo += a.hi * p.lo + (a.lo + roots->second_lo) * p.hi;
-    m1 *= scale;
-    m1_lo *= scale;
-    if (t->form == VMI_RECIPROCAL) {
-        p = vmi_two_product(x.hi, m1);
-        p.lo += x.hi * m1_lo + x.lo * m1;
-    } else {
-        a.hi = x.hi / m1;
-        p = vmi_two_product(a.hi, m1);
-        p = vmi_two(a.hi, (((x.hi - p.hi) - p.lo) + (x.lo - a.hi * m1_lo)) / m1);
-    }
-    L = vmi_log(2 * p.hi);
-    L.lo += p.lo / p.hi - y * (2 - y * (3 - y * VM_C(2.666666666666666667)));
-    if (scale != 1) {
-        const vm_two s = vmi_two_sum(L.hi, ln_lift);
-        L = vmi_two(s.hi, s.lo + L.lo + ln_lift_lo);
-    }
-    return vmi_fast_two_sum(L.hi / 2, L.lo / 2);
+    const vm_two kp = vmi_root(m1, m1_lo), f = vmi_root(kp.hi, kp.lo);
+    const vm_real per = 1 / (1 + f.hi), h = (1 - f.hi) * per, hh = h * h;
+    const vm_real more = half_pi.mid + half_pi.hi * vmi_K_series(hh * hh);
+    const vm_two sum = vmi_two_sum(1, kp.hi), rate = vmi_fast_two_sum(sum.hi, 2 * f.hi);
+    const vm_real rate_lo = (rate.lo + sum.lo) + (kp.lo + 2 * f.lo);
+    const vm_real u_head = vmi_head(u), rate_head = vmi_head(rate.hi);
+    const vm_real phase = u_head * rate_head; /* exact */
+    const vm_real phase_lo = u_head * (rate.hi - rate_head) + (u - u_head) * rate.hi + u * rate_lo;
+    const int second = phase > 6 * half_pi.hi; /* added, not branched on, which would be mispredicted */
+    const vm_real j = (vm_real)(4 + 4 * second);
+    const vm_real rest = (phase - j * half_pi.hi) + (phase_lo - j * more);
+    *quarters = (vmi_bits)(1 + second);
+    return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest * (per * per) : VM_NAN;
 }
 
-/* The phase less one or two quarters H: its quarter, or 0 if it is so near a multiple that H has too few digits */
-VM_API int vmi_theta_first_quarters(const vmi_theta_form *t, vm_real u, vm_two H, vm_two *z)
+/* The same in two words for any u > 0 and m1 > 0, by the period in two words, in three for less than 128 K and next
+   to a multiple */
+VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
-    const vm_two v = vmi_theta_argument(t, vmi_two(u, 0)), less = vmi_two_product(v.hi, t->defect);
-    const vm_two high = vmi_fast_two_sum(v.hi, -less.hi);
-    const int j = high.hi < VM_C(1.5) * H.hi ? 1 : 2;
-    const vm_two s = vmi_two_sum(high.hi, -(vm_real)j * H.hi);
-    const vm_real low = high.lo + (v.lo * (1 - t->defect) - v.hi * t->defect_lo) - less.lo;
-    *z = vmi_fast_two_sum(s.hi, s.lo + (low - (vm_real)j * H.lo));
-    return VM_FABS(s.hi) > high.hi / 64 ? j : 0;
-}
-
-/* The phase z of u > 0, |z| <= half a quarter but for a rounding, and the quarter 0 to 3 it is counted from; by K in
-   more words where the phase's own quarter period has too few: for many quarters, or next to a multiple of K */
-VM_API vm_two vmi_theta_reduced(vmi_theta_form *t, vmi_roots *roots, vm_real m1, vm_real m1_lo, vm_real u,
-                                int *quarter)
-{
-    vm_two z = vmi_theta_phase(t, vmi_theta_argument(t, vmi_two(u, 0))), H, v;
-    *quarter = 0;
-    if (z.hi <= VM_PI / 4 || m1 == 0) return z;
-    vmi_theta_refine(t, roots, m1, m1_lo);
-    H = vmi_theta_quarter(t, roots, m1, m1_lo);
-    if (z.hi < H.hi / 2) return vmi_theta_phase(t, vmi_theta_argument(t, vmi_two(u, 0)));
-    if (z.hi < VM_C(2.5) * H.hi && (*quarter = vmi_theta_first_quarters(t, u, H, &z)) != 0) return z;
-    H = vmi_K_two_words(m1, m1_lo);
-    v = vmi_reduce(u, H, quarter);
-    if (VM_FABS(v.hi) < 128 * VM_EPSILON * u && u < VMI_EXACT_QUARTERS * H.hi) {
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real next = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
+    const vm_two rate = vmi_agm_two_words(m1, m1_lo);
+    const vm_real size = u * rate.hi, count = size * VM_C(0.6366197723675813431);
+    const vm_real shifted = vmi_rounded(count + 1 / VM_EPSILON);
+    const vm_real j = shifted - 1 / VM_EPSILON;
+    vm_two phase, whole, rest, error;
+    vm_real v;
+    *quarters = 0;
+    if (!(count < 1 / VM_EPSILON)) return vmi_two(0, 0); /* no phase is left */
+    *quarters = vmi_to_bits(shifted);
+    phase = vmi_two_product(u, rate.hi);
+    whole = vmi_two_product(j, half_pi.hi);
+    rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
+    if (VM_FABS(rest.hi) < size * next && count < 128) {
         vm_real K[4];
         vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
-        v = vmi_reduce_pieces(u, K, 1 / H.hi, quarter);
+        return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
-    return vmi_theta_phase(t, vmi_theta_argument(t, v));
+    v = rest.hi / rate.hi;
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* |v| < 2 there: the low word is not asked for */
+    error = vmi_two_product(v, rate.hi);
+    return vmi_two(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
+}
+
+/* The same for any u >= 0 and m, NaN where one is refused; reach < 30 for u < 2.5 K. The result's low word, if it has
+   one, is *v_lo. */
+VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
+                              vmi_bits *quarters)
+{
+    *v_lo = 0;
+    if (reach < 30 && VMI_MIDDLE(m1)) {
+        const vm_real v = vmi_reduce_short(u, m1, m1_lo, quarters);
+        if (v == v) return v;
+    }
+    *quarters = 0;
+    if (m1 > 0 && VM_IS_FINITE(m1) && VM_IS_FINITE(u)) {
+        const vm_two v = vmi_reduce_long(u, m1, m1_lo, quarters);
+        *v_lo = v.lo;
+        return v.hi;
+    }
+    return m1 != 0 ? VM_NAN : u > VMI_LONGEST ? VMI_LONGEST : u;
 }
 
 /* ---- sn, cn, dn and their quotients --------------------------------------------------------------------------- */
 
-/* theta_s, theta_c, theta_d, theta_n (u), relatively accurate, for 1 - m = m1 + m1_lo, and k'; NaN where refused */
-VM_API void vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *theta, vm_real *kp)
+/* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused.
+   Near 0 nothing is reduced, and neither K nor k' is asked for. */
+VM_INLINE vmi_thetas vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
-    vmi_theta_form t;
-    vmi_roots roots;
-    vm_two z;
-    vm_real x = VM_FABS(u);
-    int quarter;
-    if (m1 == 0 && x > VMI_FAR) x = VMI_FAR;
-    if (vmi_refused(m1) || !VM_IS_FINITE(x)) {
-        theta[0] = theta[1] = theta[2] = theta[3] = *kp = VM_NAN;
-        return;
-    }
-    roots = vmi_theta_choose(&t, m1, m1_lo);
-    vmi_theta_prepare(&t, roots.fourth);
-    z = vmi_theta_reduced(&t, &roots, m1, m1_lo, x, &quarter);
-    if (t.form == VMI_CIRCULAR) vmi_theta_at(&t, VMI_CIRCULAR, z, quarter, theta);
-    else vmi_theta_at(&t, t.form, z, quarter, theta);
-    if (theta[0] == 0) theta[1] = VM_COPYSIGN(theta[3], theta[1]), theta[2] = theta[3]; /* not almost */
-    theta[0] *= VM_COPYSIGN((vm_real)1, u);
-    *kp = t.kp;
+    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.36) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
+    vm_real v, v_lo;
+    vmi_bits quarters;
+    vmi_thetas theta;
+    *bound = m1; /* beyond k', and dn(K/2) is before */
+    if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
+    *bound = VM_SQRT(m1);
+    v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
+    if (v * v * (m1 > 1 ? m1 : 1) > VMI_NEAR) theta = vmi_theta_far_unprepared(vmi_two(v, v_lo), m1, m1_lo);
+    else theta = vmi_theta_near(v, m1);
+    theta = vmi_theta_shift(theta, *bound, quarters);
+    theta.s *= VM_COPYSIGN((vm_real)1, u);
+    return theta;
+}
+
+VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vm_real bound;
+    const vmi_thetas theta = vmi_neville(u, m1, m1_lo, &bound);
+    vmi_theta_ratios(theta, bound, sn, cn, dn);
 }
 
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vm_real theta[4], kp;
     const vm_two m1 = vmi_two_sum(1, -m);
-    vmi_neville(u, m1.hi, m1.lo, theta, &kp);
-    vmi_theta_ratios(theta, kp, sn, cn, dn);
+    vmi_sncndn(u, m1.hi, m1.lo, sn, cn, dn);
 }
 
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    vm_real theta[4], kp;
-    vmi_neville(u, m1, 0, theta, &kp);
-    vmi_theta_ratios(theta, kp, sn, cn, dn);
+    vmi_sncndn(u, m1, 0, sn, cn, dn);
 }
 
 /* theta_p/theta_q; equal ones, which may both have underflown at m = 1, make 1 */
-VM_API vm_real vmi_quotient(vm_real u, vm_real m, int p, int q)
+VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
-    vm_real theta[4], kp;
+    vm_real bound;
     const vm_two m1 = vmi_two_sum(1, -m);
-    vmi_neville(u, m1.hi, m1.lo, theta, &kp);
-    return theta[p] == theta[q] ? 1 : theta[p] / theta[q];
+    const vmi_thetas t = vmi_neville(u, m1.hi, m1.lo, &bound);
+    const vm_real above = p == 's' ? t.s : p == 'c' ? t.c : p == 'd' ? t.d : t.n;
+    const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : q == 'd' ? t.d : t.n;
+    return above == below ? 1 : above / below;
 }
 
-VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 1, 2); }
-VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 0, 2); }
-VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 2); }
-VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 0, 1); }
-VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 2, 1); }
-VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 1); }
-VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 1, 0); }
-VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 2, 0); }
-VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 3, 0); }
+VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 'd'); }
+VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'd'); }
+VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'd'); }
+VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'c'); }
+VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 'c'); }
+VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'c'); }
+VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 's'); }
+VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 's'); }
+VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 's'); }
 
 VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 {
@@ -1171,19 +1179,73 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 
 /* ---- One m prepared ------------------------------------------------------------------------------------------- */
 
+/* p(y) = 1 + c_1 y + c_2 y^2 + ... */
+VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
+{
+    const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
+#if VM_MANT_DIG > 24
+    const vm_real high = ((c[4] + y * c[5]) + yy * (c[6] + y * c[7])) + y4 * (c[8] + y * c[9]);
+#else
+    const vm_real high = c[4];
+#endif
+    return 1 + y * (low + y4 * high);
+}
+
+enum { VMI_MORE_TERMS = 26 };
+
+/* The polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^.. by one of degree VMI_TERMS, for 0 <= t <= 1: its highest
+   power is time and again replaced by what Chebyshev's polynomial of that degree has below it */
+VM_API void vmi_shorten(vm_real *c)
+{
+    int n, k;
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
+        vm_real term = c[n];
+        for (k = n; k > 1; k--) {
+            term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
+            c[k - 1] -= term;
+        }
+    }
+}
+
+/* The series of a = theta cs^2(w) and of its kin -theta d(cs^2)/d theta, at w = v/2, in powers of v^2 <= longest^2 */
+VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
+{
+    const vm_real theta = longest * longest / 4;
+    vm_real a[VMI_MORE_TERMS + 1], b[VMI_MORE_TERMS + 1], power = 1;
+    int k, i;
+    vmi_laurent(theta, p->m1 * theta, a);
+    for (k = 4; k <= VMI_MORE_TERMS; k++) {
+        vm_real sum = 0;
+        for (i = 2; i <= k - 2; i++) sum += a[i] * a[k - i];
+        a[k] = 3 * sum / (vm_real)((2 * k + 1) * (k - 3));
+    }
+    for (k = 1; k <= VMI_MORE_TERMS; k++) b[k] = (vm_real)(1 - k) * a[k];
+    vmi_shorten(a);
+    vmi_shorten(b);
+    for (k = 1; k <= VMI_TERMS; k++) {
+        power *= longest * longest;
+        p->a[k - 1] = a[k] / power;
+        p->b[k - 1] = b[k] / power;
+    }
+}
+
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
-    vmi_roots roots;
-    int i;
+    vmi_three K;
+    int is_near;
     if (vmi_refused(m1)) return -1;
-    roots = vmi_theta_choose(&p->theta, m1, m1_lo);
-    vmi_theta_refine(&p->theta, &roots, m1, m1_lo);
-    vmi_theta_prepare(&p->theta, roots.fourth);
-    for (i = 0; i < 4; i++) p->K[i] = 0;
-    p->per_K = 0;
-    if (m1 == 0) return 0;
-    vmi_pieces(vmi_K_three_words(m1, m1_lo), p->K);
-    p->per_K = 1 / (p->K[0] + p->K[1]);
+    memset(p, 0, sizeof *p);
+    p->m1 = m1;
+    p->theta.kp = VM_SQRT(m1);
+    if (m1 > 0) {
+        K = vmi_K_three_words(m1, m1_lo);
+        vmi_pieces(K, p->K);
+        p->per_K = 1 / K.hi;
+    }
+    is_near = m1 > 0 && K.hi * K.hi / 4 * (m1 > 1 ? m1 : 1) <= VMI_NEAR;
+    p->form = is_near ? VMI_NEAR_FORM : m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
+    if (is_near) vmi_plan_prepare(p, K.hi / 2);
+    else vmi_far_prepare(&p->theta, m1, m1_lo);
     return 0;
 }
 
@@ -1195,36 +1257,65 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* One point from u = j K + v; no branch where form is known to the compiler */
-VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vm_two v, int quarter, vm_real *sn,
-                              vm_real *cn, vm_real *dn)
+/* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a',
+   since sc^2 of w has the derivative 2 sc nc dc */
+VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
-    vm_real theta[4];
-    if (form == VMI_RECIPROCAL) v = vmi_theta_argument(&p->theta, v);
-    vmi_theta_at(&p->theta, form, vmi_theta_phase(&p->theta, v), quarter, theta);
-    theta[0] *= VM_COPYSIGN((vm_real)1, u);
+    vmi_thetas theta;
+    const vm_real y = v * v, a = vmi_plan_series(p->a, y), b = y / 4, s = p->m1 * b, aa = a * a, sb = s * b;
+    theta.s = v * vmi_plan_series(p->b, y);
+    theta.c = aa - sb;
+    theta.d = aa + (2 * s * a + sb);
+    theta.n = aa + (2 * b * a + sb);
+    return theta;
+}
+
+/* One point u from |u| = j K + rest; no branch where form is known to the compiler */
+VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
+                              vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vmi_thetas theta;
+    if (form == VMI_NEAR_FORM) theta = vmi_plan_near(p, (rest.hi + rest.mid) + rest.lo);
+    else {
+        vm_two v = vmi_two_terms(rest);
+        if (form == VMI_RECIPROCAL) {
+            const vm_two product = vmi_two_product(v.hi, p->theta.kp);
+            v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
+        }
+        v.hi = vmi_clamp(v.hi, -VMI_LONGEST, VMI_LONGEST); /* beyond where m = 1 */
+        theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
+    }
+    theta = vmi_theta_shift(theta, p->theta.kp, quarters);
+    theta.s *= VM_COPYSIGN((vm_real)1, u);
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Beyond this size an argument changes nothing: the range of exp where m = 1 */
-VM_API vm_real vmi_plan_longest(const jacobi_plan *p) { return p->per_K == 0 ? VMI_FAR : VM_INFINITY; }
+/* Any argument u >= 0 that is too long for K in pieces */
+VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
+{
+    const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
+    vm_two v;
+    int quarter;
+    *quarters = 0;
+    if (p->per_K == 0) return vmi_three_words(u > VMI_LONGEST ? VMI_LONGEST : u, 0, 0); /* m = 1 */
+    if (!VM_IS_FINITE(u)) return vmi_three_words(VM_NAN, 0, 0);
+    v = vmi_reduce(u, K, &quarter);
+    *quarters = (vmi_bits)quarter;
+    return vmi_three_words(v.hi, v.lo, 0);
+}
 
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    const vm_real longest = vmi_plan_longest(p), size = VM_FABS(u), x = size > longest ? longest : size;
-    vm_two v;
-    int quarter;
-    if (!VM_IS_FINITE(x)) {
-        *sn = *cn = *dn = VM_NAN;
+    const vm_real x = VM_FABS(u);
+    vmi_bits quarters;
+    vmi_three v;
+    if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
+    else v = vmi_plan_reduce_long(p, x, &quarters);
+    if (p->form == VMI_NEAR_FORM) {
+        vmi_plan_point(p, VMI_NEAR_FORM, u, v, quarters, sn, cn, dn);
         return;
     }
-    if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarter);
-    else {
-        const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
-        v = vmi_reduce(x, K, &quarter);
-    }
-    if (p->theta.form == VMI_CIRCULAR) vmi_plan_point(p, VMI_CIRCULAR, u, v, quarter, sn, cn, dn);
-    else vmi_plan_point(p, p->theta.form, u, v, quarter, sn, cn, dn);
+    vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
     if (*sn == 0) *cn = VM_COPYSIGN((vm_real)1, *cn), *dn = 1; /* not almost */
 }
 
@@ -1232,14 +1323,13 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
-    const vm_real longest = vmi_plan_longest(p);
     int i;
     for (i = 0; i < n; i++) {
-        const vm_real size = VM_FABS(u[i]), x = size > longest ? longest : size;
-        int quarter;
-        const vm_two v = vmi_reduce_pieces(x, p->K, p->per_K, &quarter);
-        vmi_plan_point(p, form, u[i], v, quarter, sn + i, cn + i, dn + i);
+        vmi_bits quarters;
+        const vmi_three v = vmi_reduce_pieces(VM_FABS(u[i]), p->K, p->per_K, &quarters);
+        vmi_plan_point(p, form, u[i], v, quarters, sn + i, cn + i, dn + i);
     }
+    if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
         if (sn[i] == 0) cn[i] = VM_COPYSIGN((vm_real)1, cn[i]), dn[i] = 1; /* not almost */
 }
@@ -1252,104 +1342,53 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
     for (i = 0; i < n; i++) far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
     if (far)
         for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
-    else if (local.theta.form == VMI_CIRCULAR) vmi_plan_loop(&local, VMI_CIRCULAR, n, u, sn, cn, dn);
-    else if (local.theta.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
+    else if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
+    else if (local.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
     else vmi_plan_loop(&local, VMI_RECIPROCAL, n, u, sn, cn, dn);
 }
 
 /* ---- Complete integrals --------------------------------------------------------------------------------------- */
 
-/* H(x) = 4 (1 - E(x)/K(x)) = 2x + x^2/4 + ..., 0 <= x <= 0.0005: relative error 2^-57 (float 2^-30) */
-VM_API vm_real vmi_E_defect(vm_real x)
-{
-#if VM_MANT_DIG > 24
-    const vm_real more = VM_C(0.12499997073544461) + x * VM_C(0.080148077009501606);
-    return x * (2 + x * (VM_C(0.250000000004824641) + x * more));
-#else
-    return x * (2 + x * VM_C(0.2500866652));
-#endif
-}
-
-/* Two steps of the AGM from 1 and k' = root reach ((1 + r)/2)^2, r = sqrt(k'), and the parameter x <= 0.0063 for m
-   from -1 to 0.9; h = (1 - r)/2, corrected by the rounding errors of both roots */
-typedef struct VM_TAG(vmi_two_steps) {
-    vm_two root;
-    vm_real h, x;
-} vmi_two_steps;
-
-VM_API vmi_two_steps vmi_agm_two_steps(vm_real m1, vm_real m1_lo)
-{
-    vmi_two_steps s;
-    vm_real fourth, ratio;
-    s.root.hi = VM_SQRT(m1);
-    s.root.lo = (vmi_root_residual(m1, s.root.hi) + m1_lo) / (2 * s.root.hi);
-    fourth = VM_SQRT(s.root.hi);
-    s.h = (1 - fourth) / 2 - (vmi_root_residual(s.root.hi, fourth) + s.root.lo) / (4 * fourth);
-    ratio = s.h / (1 - s.h);
-    s.x = vmi_fourth_power(ratio);
-    return s;
-}
-
-/* K = pi/2 over the limit, E/K = ((1 + k')/2)^2 - ((1 + r)/2)^4 H(x), as sums of a large part and a smaller one */
-VM_API vm_two vmi_K_middle(const vmi_two_steps *s)
-{
-    const vmi_three half_pi = vmi_half_pi();
-    const vm_real rest = 1 - s->h, defect = s->h * (2 - s->h) + rest * rest * vmi_agm_defect(s->x);
-    return vmi_fast_two_sum(half_pi.hi, half_pi.hi * (defect / (1 - defect)) + half_pi.mid);
-}
-
-VM_API vm_real vmi_E_middle(const vmi_two_steps *s)
-{
-    const vm_two K = vmi_K_middle(s);
-    const vm_real a2 = (1 - s->h) * (1 - s->h), root = s->root.hi;
-    const vm_real more = (root - 1) * (root + 3) / 4 + s->root.lo * (root + 1) / 2;
-    return K.hi + (K.lo + K.hi * (more - a2 * a2 * vmi_E_defect(s->x)));
-}
-
-/* For m > 1/2, or m < -1 and there of mu = m/(m - 1): K = H/agm(1, k), E = agm(1, k) + K (1 - E'/K') */
-typedef struct VM_TAG(vmi_outer) {
-    vm_two K, E;
-} vmi_outer;
-
-VM_API vmi_outer vmi_K_outer(vm_real m1, vm_real m1_lo)
-{
-    vmi_theta_form t;
-    const vmi_roots r = vmi_theta_choose(&t, m1, m1_lo);
-    const vm_two H = vmi_theta_quarter(&t, &r, m1, m1_lo);
-    const vm_real h = (1 - r.fourth) / 2, a2 = (1 - h) * (1 - h), ratio = h / (1 - h), limit = 1 - t.defect;
-    const vm_real less = r.complement * (3 + r.second) / (4 * (1 + r.second)); /* 1 - ((1 + k)/2)^2 */
-    vmi_outer o;
-    o.K = vmi_fast_two_sum(H.hi, H.hi * (t.defect / limit) + H.lo);
-    o.E = vmi_fast_two_sum(1, -t.defect);
-    o.E.lo += o.K.hi * (less + a2 * a2 * vmi_E_defect(vmi_fourth_power(ratio)));
-    o.E = vmi_fast_two_sum(o.E.hi, o.E.lo);
-    return o;
-}
-
+/* By the series after two steps of the AGM, 2 pi (1 + x S)/(1 + f)^2, x = ((1 - f)/(1 + f))^4, f^2 = k'; for m near 1
+   and m < -33.5 by logarithms, there by k'K(m) = K(mu) with 1 - mu = 1/(1 - m) */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
+    vm_two K, root;
+    vm_real quotient;
+    if (VMI_MIDDLE(m1)) {
+        const vmi_three half_pi = vmi_half_pi();
+        const vm_real kp = VM_SQRT(m1), f = VM_SQRT(kp), h = (1 - f) / (1 + f), hh = h * h;
+        const vm_two first = vmi_two_sum(1, kp), sum = vmi_fast_two_sum(first.hi, 2 * f);
+        const vm_real start = 4 * half_pi.hi / sum.hi, low = (first.lo + sum.lo) * VM_C(0.1591549430918953358);
+        return start + start * (vmi_K_series(hh * hh) - start * low + half_pi.mid / half_pi.hi);
+    }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    if (m1 >= VM_C(0.1) && m1 <= 2) {
-        const vmi_two_steps s = vmi_agm_two_steps(m1, m1_lo);
-        return vmi_K_middle(&s).hi;
-    } else {
-        const vm_two K = vmi_K_outer(m1, m1_lo).K;
-        return m1 < 1 ? K.hi : vmi_two_over(K, vmi_two_sqrt(vmi_two(m1, m1_lo))).hi;
-    }
+    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
+    if (m1 < 1) return K.hi;
+    root = vmi_root(m1, m1_lo);
+    quotient = K.hi / root.hi;
+    return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
+/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -1 by E(m) = k'E(mu) */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
+    vm_two root;
+    vm_real rest;
+    if (m1 >= VM_C(0.1) && m1 <= 10) {
+        const vmi_three half_pi = vmi_half_pi();
+        const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
+        const vm_two sum = vmi_two_sum(1, kp);
+        const vm_real more = sum.lo + sum.hi * vmi_E_series(k1 * k1);
+        return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
+    }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return 1;
-    if (m1 >= VM_C(0.3) && m1 <= 2) { /* nearer to m = 1 the sum cancels */
-        const vmi_two_steps s = vmi_agm_two_steps(m1, m1_lo);
-        return vmi_E_middle(&s);
-    } else {
-        const vm_two E = vmi_K_outer(m1, m1_lo).E;
-        return m1 < 1 ? E.hi : vmi_two_times(E, vmi_two_sqrt(vmi_two(m1, m1_lo))).hi;
-    }
+    rest = vmi_E_rest(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo).hi);
+    if (m1 < 1) return 1 + rest;
+    root = vmi_root(m1, m1_lo);
+    return root.hi + (root.lo + root.hi * rest);
 }
 
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
@@ -1372,7 +1411,7 @@ VM_API vm_real jacobi_kpK(vm_real m)
     const vm_two m1 = vmi_two_sum(1, -m);
     if (vmi_refused(m1.hi)) return VM_NAN;
     if (m1.hi == 0) return 0;
-    if (m1.hi > 2) return vmi_K_outer(m1.hi, m1.lo).K.hi;
+    if (m1.hi > 10) return vmi_K_by_log(1 / m1.hi, vmi_log_4(m1.hi, m1.lo)).hi;
     return VM_SQRT(m1.hi) * vmi_K(m1.hi, m1.lo);
 }
 
@@ -1408,19 +1447,19 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     const vmi_three half_pi = vmi_half_pi();
-    vm_real K, turns, j, odd, am, theta[4], kp;
+    vm_real K, turns, j, odd, am, bound;
     vm_two p;
-    vmi_neville(VM_FABS(u), m1.hi, m1.lo, theta, &kp);
-    if (kp != kp) return VM_NAN;
-    if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta[0], theta[1]), u);
+    vmi_thetas theta = vmi_neville(VM_FABS(u), m1.hi, m1.lo, &bound);
+    if (theta.n != theta.n) return VM_NAN;
+    if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta.s, theta.c), u);
     K = vmi_K(m1.hi, m1.lo);
     turns = VM_FABS(u) / (2 * K);
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta[1] < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
-    am = vmi_arctan(VM_FABS(theta[0]), VM_FABS(theta[1]));
-    if ((theta[0] < 0) != (theta[1] < 0)) am = -am;
+    if ((odd > 0) != (theta.c < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
+    am = vmi_arctan(VM_FABS(theta.s), VM_FABS(theta.c));
+    if ((theta.s < 0) != (theta.c < 0)) am = -am;
     p = vmi_two_product(j, 2 * half_pi.hi);
     return VM_COPYSIGN(p.hi + (am + (p.lo + j * (2 * half_pi.mid))), u);
 }
@@ -1595,14 +1634,14 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* (383), (384), (408), from K and E in two words, 1/2 < m < 1 */
-VM_API void vmi_means_from_K(const vmi_outer *o, vm_real m1, vm_real *C2, vm_real *C4, vm_real *C6)
+/* (383), (384), (408), from K and E in two words, for 1 - m = c < 1/2; l = ln(4/k') */
+VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_real *C6)
 {
-    const vm_real m = 1 - m1;
-    const vm_two less = vmi_two_product(m1, o->K.hi);
-    *C2 = ((o->E.hi - less.hi) + (o->E.lo - (less.lo + m1 * o->K.lo))) / (m * o->K.hi);
-    *C4 = (2 * (m - m1) * *C2 + m1) / (3 * m);
-    *C6 = (4 * (m - m1) * *C4 + 3 * m1 * *C2) / (5 * m);
+    const vm_real m = 1 - c;
+    const vm_two K = vmi_K_by_log(c, l), less = vmi_two_product(c, K.hi);
+    *C2 = ((1 - less.hi) + (vmi_E_rest(c, l.hi) - (less.lo + c * K.lo))) / (m * K.hi);
+    *C4 = (2 * (m - c) * *C2 + c) / (3 * m);
+    *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
 }
 
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
@@ -1615,8 +1654,7 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        const vmi_outer o = vmi_K_outer(m1.hi, m1.lo);
-        vmi_means_from_K(&o, m1.hi < 1 ? m1.hi : 1 / m1.hi, C2, C4, C6);
+        vmi_means_from_K(m1.hi < 1 ? m1.hi : 1 / m1.hi, vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
         if (m1.hi < 1) return;
         *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* cn(u | m) = cd(k'u | mu), of sn's means */
         *C4 = 1 - 2 * *C2 + *C4;
@@ -1625,6 +1663,27 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 }
 
 /* ---- The route by the AGM [1, 2] ---------------------------------------------------------------------------- */
+
+/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
+VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
+{
+    const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
+#if VM_MANT_DIG > 24
+    const vm_real S01 = VM_C(-0.166666666666666269) + t * VM_C(8.33333333332120924e-3);
+    const vm_real S23 = VM_C(-1.98412698288076529e-4) + t * VM_C(2.75573133340740356e-6);
+    const vm_real S45 = VM_C(-2.5050700566966798e-8) + t * VM_C(1.58933807848550637e-10);
+    const vm_real C01 = VM_C(0.041666666666666588) + t * VM_C(-1.38888888888725006e-3);
+    const vm_real C23 = VM_C(2.48015872884295392e-5) + t * VM_C(-2.75573140380815829e-7);
+    const vm_real C45 = VM_C(2.08756793176115783e-9) + t * VM_C(-1.13573139592429182e-11);
+    const vm_real S = S01 + tt * (S23 + tt * S45), C = C01 + tt * (C23 + tt * C45);
+#else
+    const vm_real S = VM_C(-0.1666666716) + t * VM_C(8.333329111e-3) +
+                      tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
+    const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
+#endif
+    *sine = z.hi + (z.hi * t * S + z.lo * w);
+    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+}
 
 /* Down the ladder by Gauss' transformation in homogeneous form, sn : cn : dn : 1 = s : c : d : q,
      s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     (a+ = a_(n+1))
@@ -1679,7 +1738,7 @@ VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * p
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
 /* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
-VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_two_sqrt(x) : vmi_two(0, 0); }
+VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
 
 /* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1,
    19.36.1] in what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument
@@ -1809,7 +1868,7 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
         vmi_sincos_turns((vm_real)(2 * n + 1) * y / (8 * Kc), &sine, &cosine);
         d.re[n] = power * cosine; /* Qd^(n^2) */
         d.im[n] = power * sine;
-        power *= vmi_exp(-(vm_real)(2 * n + 1) * (d.Q > 0 ? VM_PI * K / (2 * Kc) : VMI_FAR), 0);
+        power *= vmi_exp(-(vm_real)(2 * n + 1) * (d.Q > 0 ? VM_PI * K / (2 * Kc) : VMI_LONGEST), 0);
     }
     return d;
 }

@@ -168,29 +168,35 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 
 enum {
     VM_OK = 0,
-    VM_NULL_AXIS = 1,      /* done, but about an axis without inertia (of a rod, a point) the spin stayed as it was,
-                             though angular momentum was left for it: that is lost */
-    VM_STOPPED = 2,        /* an event or the caller ended the run */
-    VM_BAD_ARGUMENT = -1,  /* a null pointer, a negative count */
-    VM_NOT_FINITE = -2,    /* a number that is infinite or NaN, given or arising */
-    VM_BAD_MASS = -3,      /* a mass that is not positive, the rest's included */
-    VM_BAD_INERTIA = -4,   /* an inertia that no body has, the rest's included */
-    VM_SINGULAR = -5,      /* linear equations without a unique solution, an effective mass that is not positive */
-    VM_BAD_MOTION = -30,   /* a motion that does not exist, or that this effect or event cannot act on */
-    VM_NO_SUCH_BODY = -31, /* no such body, or an event for one that is not there */
-    VM_NO_SUCH_COORDINATE = -32, /* the body has no such coordinate */
-    VM_NO_SUCH_EFFECT = -33,     /* no such effect */
-    VM_TWO_MASS_LAWS = -34,      /* two laws for one mass, or two links of one body */
-    VM_BAD_ORDER = -35,          /* a mass law stands after, or a link before, another effect on its body */
-    VM_MASS_IS_NO_STATE = -36,   /* a stream needs a body whose mass is a state */
-    VM_TOO_MANY_EVENTS = -37,    /* events do not end */
-    VM_NOT_INTEGRATED = -38      /* the integrator failed: scene.ode_status */
+    VM_NULL_AXIS = 1,            /* done, but about an axis without inertia (of a rod, a point) the spin stayed as
+                                    it was, though angular momentum was left for it: that is lost */
+    VM_STOPPED = 2,              /* an event or the caller ended the run */
+    VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
+    VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, a choice that does not exist */
+    VM_NOT_FINITE = -2,          /* a number that is infinite or NaN, given or arising */
+    VM_BAD_MASS = -3,            /* a mass (a stiffness) that is not positive, the rest's included */
+    VM_BAD_INERTIA = -4,         /* an inertia that no body has, the rest's included */
+    VM_SINGULAR = -5,            /* linear equations without a unique solution; an effective mass not positive */
+    VM_DOMAIN = -6,              /* a parameter outside its domain */
+    VM_NO_LAW = -7,              /* the route does not exist for this problem */
+    VM_NOT_INTEGRATED = -8,      /* the integrator gave up */
+    VM_BAD_MOTION = -9,          /* scenes: no such motion, or one on which this effect or event cannot act */
+    VM_NO_SUCH_BODY = -10,       /* no such body, or an event for one that is not there */
+    VM_NO_SUCH_COORDINATE = -11, /* the body has no such coordinate */
+    VM_NO_SUCH_EFFECT = -12,     /* no such effect */
+    VM_TWO_MASS_LAWS = -13,      /* two laws for one mass, or two links of one body */
+    VM_BAD_ORDER = -14,          /* a mass law stands after, or a link before, another effect on its body */
+    VM_MASS_IS_NO_STATE = -15,   /* a stream needs a body whose mass is a state */
+    VM_TOO_MANY_EVENTS = -16     /* events do not end */
 };
 VM_API const char *vm_strerror(int status);
 
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
+typedef struct VM_TAG(vm_complex) {
+    vm_real re, im;
+} vm_complex;
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
@@ -365,7 +371,152 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 /* -- Chapter 3.3.2: the broken rotor -- */
 
+/* A disc on an elastic shaft without mass, turned by a torque against viscous damping, in the plane. The shaft goes
+   through the mass centre of the whole (s = 0) and passes the remainder's at distance s: at r + s (cos psi, sin psi).
+   Its state is y[6] = {x, y, psi, x', y', psi'} as rk45 takes it: mass centre from where the shaft is at rest (m),
+   angle (rad), rates. In the notation of (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. */
+typedef struct VM_TAG(vm_rotor) {
+    vm_real mass;      /* kg, > 0 */
+    vm_real inertia;   /* about the own mass centre, kg m^2, > 0 */
+    vm_real stiffness; /* c of the shaft, N/m, >= 0 */
+    vm_real damping;   /* k, N m s */
+    vm_real torque;    /* N m */
+    vm_real s;         /* m */
+} vm_rotor;
+
+/* (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_rotor */
+VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
+
+/* State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0. damping and stiffness may be 0; end may be
+   start, here and below. Error: no more than the rounding of every input, t included, would do. */
+VM_API int vm_rotor_free(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
+/* A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass,
+   not 0. The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, wrong after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t) */
+VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *abcd);
+
+/* The break, (52)-(64) corrected: the whole touches the stator at A and loses a piece, of which A keeps its velocity
+   while S2 loses that across S2A (57). This is an assumption of [1]; everything else follows by momenta. */
+typedef struct VM_TAG(vm_rotor_piece) {
+    vm_real mass, inertia; /* m; I_S2 about the own mass centre S2, >= 0 */
+    vm_real distance;      /* SS2, m */
+    vm_real alpha;         /* angle from SS2 to SA, counterclockwise (Fig. 17: S2 at -alpha from SA) */
+    vm_real radius;        /* SA, m */
+    vm_real contact;       /* direction angle of SA in inertial axes */
+} vm_rotor_piece;
+typedef struct VM_TAG(vm_rotor_break) {
+    vm_rotor rest;      /* the remainder: I_S1 by the parallel axes, s = m SS2/(M - m); the rest is the whole's */
+    vm_real state[6];   /* its state, psi being the direction from S1 to the shaft, which is that of SS2 */
+    vm_real piece[6];   /* the piece's state, psi likewise */
+    vm_real dragging;   /* v_S2d (52), (61): speed of S2 before, and */
+    vm_real gamma;      /* its angle from SA (52), (60); both for v_S in any direction */
+    vm_real beta;       /* angle of S2A from SA, tan beta = SS2 sin alpha/(R - SS2 cos alpha)  [(56) corrected] */
+    vm_real normal;     /* N (54), m/s, along S2A, */
+    vm_real tangential; /* T = v_S2d sin(gamma - beta) across it, counterclockwise  [(55) with the other sign] */
+    vm_real spin_piece; /* Omega_r = T/AS2 (57), (63) */
+    vm_real spin_rest;  /* Omega_r1, from I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T  [(58) corrected] */
+    vm_real stop_inertia; /* the I_S2 that would stop the rest, where there is one: I_S (R - SS2)/R for alpha = 0
+                             [after (64), corrected] */
+} vm_rotor_break;
+/* The remainder's spin, state[5], is Omega_b + Omega_r1  [(59), (64) corrected]. Refuses m not in (0, M), an I_S1
+   that is negative or lost in rounding errors (VM_BAD_INERTIA), a whole with s != 0 and S2 at A (VM_DOMAIN). */
+VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
+                              vm_rotor_break *result);
+
+/* The remainder for short times, |psi| << 1, linearised: (69) complete; and without its term -s y omega^2 p^2,
+   which (70)-(72) leave out, though it is of the order of the others. Both for any k*, omega, s, zero included, and
+   accurate as vm_rotor_free is (the first to twice that). All of (69) grows exponentially: VM_NOT_FINITE where it
+   overflows. */
+VM_API int vm_rotor_linear(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
+VM_API int vm_rotor_linear_uncoupled(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end);
+
+/* Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0. The conversions
+   refuse r = 0 and r < 0. */
+VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
+VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar);
+VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y);
+
+/* Steady motion at psi' = Omega, which needs torque = damping Omega (47). r_SS = s omega^2/(omega^2 - Omega^2), m:
+   positive as in (77), phi = psi + pi, where Omega^2 < omega^2; negative as in (76), phi = psi. Infinite at resonance
+   (NaN for s = 0). Within 2 eps however near resonance is. */
+VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega);
+/* Small motions about it, exp(lambda t). (81) corrected (its last term lacks lambda^2) is lambda times the polynomial
+     l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
+   D = w^2 - O^2, G = s^2 p^2 w^4/D: c[6], highest power first. lambda = 0 is the freedom of the phase. */
+VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c);
+/* Its five roots, by rising |imaginary part|, pairs as (+, -): each within twice what an eps of every coefficient
+   would do, the smallest too, which near resonance is many orders below the largest. VM_DOMAIN at resonance. */
+VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im);
+/* Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2 */
+VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column);
+/* 1 where the steady motion is asymptotically stable, exactly Omega^2 < omega^2 (82) with k* > 0, s != 0, Omega != 0;
+   else 0 (for k*, s or Omega = 0 some motions neither grow nor fade) */
+VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega);
+
+/* r(t) after a start from rest where Omega = torque/damping is not below omega: psi' is caught at omega, and what the
+   torque has left goes into the orbit. r = |s|/4 + R with R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R),
+   R(0) = 0, which changes over from one law to the other,
+     R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
+   s/4 is the next order. Not in it: terms of s^2/r and the time of the capture (Fig. 18 at t = 400: 0.001 of 3.473
+   and 0.093 of 12.437 too little and too much). NaN below resonance, for t < 0, k* < 0 and omega = 0. */
+VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega);
+
 /* -- Chapter 4: Lagrange's equations across a jump -- */
+
+/* Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes). A body
+   enters by dr[i] = dv/dqdot_i of its mass centre and turn[i] = d omega/dqdot_i, in inertial axes (87)-(90). With
+   these each function adds to its last argument: a body's share of the mass matrix (n by n, T = qdot^T matrix
+   qdot/2), the generalized momentum of a body (as it moves), the generalized impulse (95) of what acts on a body
+   whose mass centre is at r; its moment is that about r, as (23a) should have said. */
+VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix);
+VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p);
+VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
+                                vm_real *p);
+
+/* (96): d(T2 - T1)/dqdot = impulse, where the part's velocity relative to the body is held while differentiating, so
+   that d(T of the part)/dqdot is its generalized momentum part:
+     after qdot_after = before qdot - part + impulse    separation
+     after qdot_after = before qdot + part + impulse    attachment
+   Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
+   qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
+   mass: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled to 1. */
+#define VM_LAGRANGE_WORK(n) ((n) * ((n) + 1))
+VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
+                                const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
+                                vm_real *work);
+VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
+                              const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
+                              vm_real *work);
+/* matrix (qdot_after - qdot) = impulse: no mass changes. Also a separation, free of cancellation for m -> M, where
+   matrix is that of the rest and -impulse the momentum of the part's motion relative to the body. */
+VM_API int vm_lagrange_hit(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
+                           vm_real *qdot_after, vm_real *work);
+
+/* Example (119)-(132), corrected: a uniform rod of mass M swings about its end O; the outer length l, and with it
+   m = M l/L, leaves at the relative velocity u and angular velocity Omega. */
+enum {
+    VM_AXES_COS_SIN = 0, /* S2 at (cos, sin) angle: angle from x, counterclockwise; what (122), (125), (132) need */
+    VM_AXES_SIN_COS = 1  /* S2 at (sin, cos) angle (123): x across, y along, so that the angle turns clockwise */
+};
+typedef struct VM_TAG(vm_pendulum) {
+    vm_real mass, length; /* M, L > 0 */
+    vm_real angle, rate;  /* phi, phi' */
+    int axes;
+} vm_pendulum;
+typedef struct VM_TAG(vm_pendulum_cut) {
+    vm_pendulum rest;         /* rest.rate is phi1' */
+    vm_real mass;             /* of the part, m */
+    vm_real x, y, vx, vy;     /* of S2 (123), (121) */
+    vm_real rate;             /* of the part, phi' + Omega; turns as phi does */
+    vm_real T1, T_S1, T_S2;   /* kinetic energies (119), (124), (122) corrected, J */
+    vm_real L1, L2;           /* angular momenta about O of the rest (130) and the part (128) corrected */
+    vm_real pivot_x, pivot_y; /* impulse of the pivot on the rest during the cut, N s */
+} vm_pendulum_cut;
+/* part is l, 0 < l < L; u in the axes of the pendulum. phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y
+   u_x)), s = 1 for (cos, sin), -1 for (sin, cos): (125), (132) corrected, with what cancels cancelled */
+VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
+                                vm_pendulum_cut *cut);
 
 /* -- Free rotation, exact -- */
 
@@ -392,7 +543,8 @@ typedef struct VM_TAG(vm_free_motion) {
     vm_real lean[3];             /* the same of angular momentum over its size, as parts of a quaternion */
     vm_two phase, phase_rate, K; /* of u/(4K), K the quarter period; on the separatrix K is 0, and they are of u */
     vm_two turn_rate;            /* mean rate of half the angle about the angular momentum, turns/s */
-    vmi_theta_form functions;    /* sn, cn, dn */
+    vm_real m1;                  /* 1 - m of sn, cn, dn */
+    vmi_theta_form far_form;     /* of theirs far from 0 */
     vmi_doubled_theta theta;     /* what half that angle is beyond its mean */
 } vm_free_motion;                /* plain data: it may be copied */
 
@@ -416,6 +568,198 @@ VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q,
 VM_API int vm_free_rotation(const vm_body *body, vm_real t, vm_body *later);
 
 /* -- Chapter 5: continuous variation of mass -- */
+
+/* A stream carries mass into a body (rate > 0) or out of it (rate < 0) at one point. Zero fields are fair defaults,
+   and what does not act costs nothing; the loads of several streams add. Its velocity is given as its motion says: */
+enum {
+    VM_RELATIVE = 0, /* velocity against the point of the body where it crosses, spin against the body: body axes */
+    VM_ABSOLUTE = 1, /* velocity and spin as they are: inertial axes */
+    VM_CARRIED = 2,  /* moves with the body: no torque, but M' omega x d is left of the force that (166) has as 0 */
+    VM_AT_REST = 3   /* has neither velocity nor spin (167)-(169) */
+};
+typedef struct VM_TAG(vm_store) {
+    vm_vec3 at;          /* m, body axes, from the body's reference point */
+    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what is stored there, about its mass centre */
+} vm_store;
+typedef struct VM_TAG(vm_stream) {
+    vm_real rate;        /* kg/s */
+    int motion;          /* VM_RELATIVE ... */
+    vm_vec3 at;          /* m, where it crosses, body axes, from the body's reference point */
+    vm_vec3 velocity;    /* m/s */
+    vm_vec3 spin;        /* rad/s */
+    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what crosses, about its own mass centre */
+    const vm_store
+        *from; /* where the mass is taken from or put; null: where it crosses. Between the two it flows in
+                             a straight line, with what it has of momentum on the way */
+} vm_stream;
+
+/* Reactive loads at an instant, inertial axes but for inertia_rate. With d = SS2 from the mass centre to the crossing
+   point, M' the rate, u the velocity, kappa the gyration, omega2 the angular velocity of each stream:
+     force   sum M' (u - v)                             (156)
+     moment  sum d x M' (u - v)                         (158)
+     torque  sum M' kappa omega2 - I' omega             (157) corrected: printed I' (omega2 - omega), which is right
+                                                        only for P(d) omega2 = 0
+     drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
+     inertia_rate  I' = sum M' (kappa + P(d)), body axes
+   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). */
+typedef struct VM_TAG(vm_reactive) {
+    vm_vec3 force, moment, torque, drift; /* N, N m, N m, m/s */
+    vm_real mass_rate;                    /* kg/s */
+    vm_inertia inertia_rate;              /* kg m^2/s */
+} vm_reactive;
+/* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0, or a stream with a store: run that) */
+VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
+                             vm_reactive *result);
+/* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
+   mass centre; VM_BAD_INERTIA where the inertia is singular */
+VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
+                            vm_vec3 *acceleration, vm_vec3 *angular_acceleration);
+
+/* The free body in space. A vm_flow is the ctx of the right-hand sides below:
+     vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle;
+     vm_flow_start(&flow, &body, y);
+     if (rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, NULL, work) >= 0 && rk45_solve(&s, 3) >= 0)
+         vm_flow_body(&flow, VM_RHS, s.y, &body);
+   The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
+   here, and rates may jump. States, in inertial axes but for the last two:
+     y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
+     y[VM_Y_MASS], and in body axes y[VM_Y_CENTRE] mass centre c from the reference point 3, y[VM_Y_INERTIA] xx, yy,
+     zz, xy, xz, yz about the mass centre
+     r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
+     q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
+   R turns body axes into inertial ones, d = at - c; these are (151), (152), which [1] prints with I' omega2, in the
+   body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
+   holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
+   q/|q|: the length is held, and the order of no integrator suffers.
+   A mass or an inertia that is not positive (in a trial step beyond the end) gives NaN, so that the step is
+   shortened, and its status is left in flow.status. Stop before, by the events below. */
+enum {
+    VM_Y_R = 0,
+    VM_Y_Q = 3,
+    VM_Y_P = 7,
+    VM_Y_H = 10,
+    VM_Y_MASS = 13,
+    VM_Y_CENTRE = 14,
+    VM_Y_INERTIA = 17,
+    VM_Y_BALANCE = 23,
+    VM_RHS_GIVEN = 13,   /* numbers of states: mass, centre and inertia given by flow.update */
+    VM_RHS = 23,         /* or states */
+    VM_RHS_BALANCED = 30 /* and the account of momenta and energy */
+};
+typedef struct VM_TAG(vm_flow) {
+    int n;              /* streams */
+    vm_stream *streams; /* the caller's */
+    vm_vec3 force;      /* N, resultant of the outer forces, inertial axes */
+    vm_vec3 moment;     /* N m, their moment about the mass centre and the torques, inertial axes */
+    /* null, or called before each evaluation; it may change all that is here; nonzero stops the run. What switches in
+       time belongs into an ODE_RESTART event's change, not here */
+    int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
+    void *ctx;                         /* the caller's */
+    vm_real mass;                      /* vm_rhs_given, vm_rhs_carried: the laws M(t), */
+    vm_vec3 centre;                    /* c(t) (vm_flow_start: where the mass centre is at first), */
+    vm_inertia inertia;                /* I(t) */
+    vm_vec3 drift;                     /* and c'(t), vm_rhs_carried */
+    vm_real least_mass, least_inertia; /* of the events */
+    int status;                        /* 0, or why the last evaluations gave NaN */
+} vm_flow;
+
+/* y: the VM_RHS first states for body, streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
+   unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
+VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
+/* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y */
+VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body);
+VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
+/* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
+   at rest where the mass centre is */
+VM_API int vm_rhs_given(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
+/* The same for what moves with the body (166). The states are r, q, v (not the momentum), omega in body axes (not the
+   angular momentum); streams are not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I
+   omega = M_S */
+VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
+/* vm_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have
+   brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the body's own all seven stay
+   constant (the energy but for streams with a store, where angular momentum is y[VM_Y_H] + r x p). The energy goes
+   by the limit of (113), (118), for either sign of M':
+     T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
+     w = u - v - omega x d, omega_r = omega2 - omega:
+   the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
+VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
+/* Event functions of vm_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia, 0 where I is
+   singular */
+VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow);
+VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow);
+
+/* Translation (172): 7 states r, momentum, mass; the flow's streams without at, spin and gyration, body axes along
+   the inertial ones */
+enum { VM_RHS_TRANSLATION = 7 };
+VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
+
+/* One degree of freedom: straight motion (175), (176), and rotation about a fixed axle (173a), which is the same
+   equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa +
+   rho^2), rho the distance from the axle, and velocity the stream's angular momentum per unit mass over that. */
+typedef struct VM_TAG(vm_stream1) {
+    vm_real rate, velocity;
+    int motion;
+} vm_stream1;
+typedef struct VM_TAG(vm_flow1) {
+    int n;
+    vm_stream1 *streams;
+    vm_real force; /* or moment */
+    int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
+    void *ctx;
+    int status;
+} vm_flow1;
+enum { VM_RHS1 = 3 };
+VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *flow1);
+
+/* The plane: as in space. States: x, y, angle, momentum 2, angular momentum about the mass centre, mass, mass centre
+   from the reference point in body axes 2, inertia about it. No stores. */
+typedef struct VM_TAG(vm_stream2) {
+    vm_real rate;
+    int motion;
+    vm_real x, y;   /* where it crosses */
+    vm_real vx, vy; /* velocity */
+    vm_real spin;
+    vm_real gyration; /* m^2 */
+} vm_stream2;
+typedef struct VM_TAG(vm_flow2) {
+    int n;
+    vm_stream2 *streams;
+    vm_real fx, fy, moment;
+    int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
+    void *ctx;
+    int status;
+} vm_flow2;
+enum { VM_RHS2 = 10 };
+VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *flow2);
+
+/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity. v when the mass has
+   come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
+   (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
+   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive. */
+VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse);
+VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w);
+/* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
+   through rate = 0 without loss: 8 eps of the terms; VM_BAD_MASS where m0 + rate t or m0 is not positive */
+VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
+                          vm_real *x, vm_real *v);
+/* Jet damping of an axisymmetric body without outer loads: omega after t, body axes, z the axis of symmetry. Mass
+   is taken from around the mass centre, which stays, and leaves through a nozzle on the axis (or the other way
+   round); A, C are the transverse and the axial moment of inertia, A' = rate gyration_transverse, C' = rate
+   gyration_axial:
+     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
+     omega_z constant, phase of omega_t: omega_z integral (C/A - 1) dt
+   Within 8 eps of what an eps in the inputs makes; VM_BAD_INERTIA where A or C is not positive, VM_NOT_FINITE */
+typedef struct VM_TAG(vm_jet) {
+    vm_real rate;                /* kg/s, < 0: leaves */
+    vm_real axial, transverse;   /* C0, A0, kg m^2 */
+    vm_real gyration_axial;      /* m^2, of what is stored and, alike, of what crosses */
+    vm_real gyration_transverse; /* m^2, of what is stored, */
+    vm_real gyration_out;        /* and of what crosses */
+    vm_real nozzle;              /* m, from the mass centre */
+} vm_jet;
+VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega);
 
 /* -- Chapter 5.2: the drum -- */
 
@@ -507,22 +851,80 @@ VM_API vm_real vm_lambert_wm1_mexp(vm_real l);
 
 /* -- Chapter 6: Lagrange's equations with variable mass -- */
 
-/* -- Chapter 7.2-7.3: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0, x(0) = x0, x'(0) = 0 -- */
+/* (247) corrected: with T(t, q, q', masses) of the material velocities, r2 where a stream crosses,
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i]
+   A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
+   are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
+     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
+   A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
+   central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
+typedef struct VM_TAG(vm_lagrange) {
+    int n;        /* coordinates */
+    int n_masses; /* masses, inertias, whatever is frozen */
+    void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx); /* null where n_masses is 0 */
+    vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
+    /* null, or adds the generalized forces to Q, vm_add_force does; nonzero stops the run */
+    int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
+    void *ctx;
+    const vm_real *scales; /* of each q; null: 1 */
+    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers */
+} vm_lagrange;
+#define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
+/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange; VM_SINGULAR stops it */
+VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange);
+/* y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE */
+VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y);
+VM_API int vm_lagrange_rates(vm_lagrange *l, vm_real t, const vm_real *y, vm_real *rates);
+/* dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .. n - 1 */
+VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i);
+/* Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235): of outer loads F, M; of streams M' u at the point where
+   they cross, and M' kappa omega2. dr or domega may be null: no part of it. */
+VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega,
+                         vm_real *Q);
 
-/* Exact period (262), s, and largest velocity (267), m/s */
+/* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
+   inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
+   axes, VM_SINGULAR where sin(theta) = 0. Within 4 eps; angles of any size. */
+VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi);
+VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3]);
+VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3]);
+VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3]);
+
+/* -- Chapter 7.2-7.3: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 -- */
+
+/* Started at rest, x(0) = x0, x'(0) = 0 (258), x0 of either sign: exact period (262), s, and largest velocity (267),
+   m/s */
 VM_API vm_real vm_osc_period(vm_real x0, vm_real omega0, vm_real alpha);
 VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha);
 /* Exact motion, x(t) = x0 ca(alpha, 1, s) (282) and x'(t) (283), for x0 of either sign */
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v);
-/* Omega_alpha (293) of the approximation x0 cos(Omega_alpha |x0|^((alpha-1)/2) omega0 t), which has the exact
-   period */
+/* Energy by mass v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1) (259), m^2/s^2 */
+VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha);
+/* Amplitude A > 0 (m) and phase psi in (-Pi, Pi] of any state: x = A ca(psi), v = -vmax(A) sa(psi) */
+VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi);
+/* Exact motion from any x(0) = x0, x'(0) = v0 */
+VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0, vm_real alpha, vm_real *x,
+                              vm_real *v);
+
+/* The approximations with the exact amplitude and period, started at rest: x0 cos(Omega t) (291), (295) with
+   Omega_alpha (293), Omega = Omega_alpha omega0 |x0|^((alpha-1)/2); and x0 cn(Omega_1 t | m) (297), (302) with
+   Omega_1* (300), m = k^2 (307), -1.8079 < m < 0.8062, which has the exact velocity at x = 0 also */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha);
-/* m = k^2 (307) and Omega_1* (300) of x0 cn(Omega_1* |x0|^((alpha-1)/2) omega0 t | m), which also has the exact
-   velocity at x = 0; -1.8079 < m < 0.8062 */
 VM_API vm_real vm_osc_m_jacobi(vm_real alpha);
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha);
+VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v);
+VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v);
 
-/* -- Chapter 7.4: m x'' + k x|x|^(alpha-1) = -(r m' + b) x' with slowly varying mass -- */
+/* How good they are, criterion (268): their largest velocities over the exact one (267), that of cos (296) and that
+   of cn, which for m > 1/2 is Omega_1/(2k) next to x = 0, not the k' Omega_1 of (306) at x = 0; and the largest
+   errors of x over x0 and of v over vmax in a period. NaN outside alpha >= 0. */
+typedef struct VM_TAG(vm_osc_comparison) {
+    vm_real trig_vmax, jacobi_vmax;
+    vm_real trig_x, trig_v, jacobi_x, jacobi_v;
+} vm_osc_comparison;
+VM_API vm_osc_comparison vm_osc_compare(vm_real alpha);
+
+/* -- Chapter 7.4: m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F, with slowly varying m and k -- */
 
 /* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
    damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
@@ -532,13 +934,321 @@ VM_API vm_real vm_osc_omega_jacobi(vm_real alpha);
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
 
+/* How a mass or a stiffness depends on time: positive between 0 and the times that are asked for. The value at t = 0
+   is f0, but for tables and functions. A table is interpolated monotonically, by cubics with Fritsch and Butland's
+   slopes; times rise, and t must lie between the first and the last. */
+typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx); /* f(t), df/dt; 0 or failure */
+enum {
+    VM_LAW_LINEAR = 0,      /* f0 + f1 t (346); constant where f1 = 0 */
+    VM_LAW_QUADRATIC = 1,   /* f0 + f1 t + f2 t^2 */
+    VM_LAW_EXPONENTIAL = 2, /* f0 exp(f1 t) */
+    VM_LAW_POWER = 3,       /* f0 (1 + f1 t)^f2 */
+    VM_LAW_TABLE = 4,       /* the points (time[i], value[i]), 0 <= i < n, n >= 2 */
+    VM_LAW_FUNCTION = 5     /* function(t, ., ., ctx), smooth */
+};
+typedef struct VM_TAG(vm_law) {
+    int kind;
+    vm_real f0, f1, f2;
+    int n;
+    const vm_real *time, *value;
+    vm_law_function function;
+    void *ctx;
+} vm_law;
+VM_API vm_law vm_law_linear(vm_real f0, vm_real f1);
+VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2);
+VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1);
+VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2);
+VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value);
+VM_API vm_law vm_law_user(vm_law_function function, void *ctx);
+/* f(t), its rate, and the integral from 0 to t of ds/f: closed forms within some 8 ulp, also where they tend to 0/0;
+   of tables and functions by integration, to 1e-13 (float 1e-5). VM_BAD_MASS where f <= 0 at t (the integral:
+   anywhere between), VM_BAD_ARGUMENT outside a table or where the function fails. */
+VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate);
+VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral);
+
+/* The problem. F, where there is one, is a further small force, N, of time, place and velocity. */
+typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
+typedef struct VM_TAG(vm_osc_problem) {
+    vm_real alpha;          /* >= 0 */
+    vm_law mass, stiffness; /* kg; N/m^alpha */
+    vm_real reactive;       /* r: 1 with reactive force, 0 without */
+    vm_real damping;        /* b, kg/s (the dissertation's eps b); negative ones drive */
+    vm_real x, v;           /* at t = 0, m and m/s */
+    vm_osc_force force;     /* F or null */
+    void *ctx;
+} vm_osc_problem;
+
+/* Routes to x(t), x'(t), the cheapest first. q = (ln k)' + (2r-1)(ln m)' + 2b/m is the rate at which things change,
+   Om the rate of the Ateb phase; q/Om must be small for the first four. */
+enum {
+    VM_ROUTE_TRIG = 0,      /* (329), (330), averaged to first order, with the sign of (335) mended */
+    VM_ROUTE_JACOBI = 1,    /* (370), (371), averaged to first order */
+    VM_ROUTE_ATEB = 2,      /* (310), (311), averaged to first order: error q/Om */
+    VM_ROUTE_SECOND = 3,    /* the second-order law: error (q/Om)^2; without F only */
+    VM_ROUTE_VARIATION = 4, /* exact equations of amplitude and phase, (314), (315) completed, by rk45 */
+    VM_ROUTE_RK45 = 5,      /* the equation of motion itself */
+    VM_ROUTE_RK87 = 6
+};
+VM_API const char *vm_osc_route_name(int route);
+
+typedef struct VM_TAG(vm_osc_motion) {
+    vm_real x, v;
+    vm_real amplitude; /* A, of the motion without the ripple of a period for the first four routes */
+    vm_real error;     /* estimate of the largest of |error of x|/A and |error of v|/vmax(A) */
+    int route;
+    long evals; /* of right-hand sides */
+} vm_osc_motion;
+
+/* What a problem has to have computed but once. Not for changing: it points to the problem's tables and contexts. */
+typedef struct VM_TAG(vm_osc_plan) {
+    vm_osc_problem problem;
+    vm_real pi, gamma, mean_ca2; /* Pi_alpha, (alpha-1)/(alpha+3), the mean of ca^2 */
+    vm_real m0, k0;
+    vm_real A, psi, Om;                  /* amplitude, Ateb phase and its rate at t = 0 */
+    vm_real q, h, h_rate, ln_rho, shift; /* of the second-order law at t = 0; mean phase minus psi */
+    vm_real base, rate_m, rate_k; /* closed forms: m = m0 exp(rate_m u), k likewise, u = ln(1 + base t)/base */
+    int closed, has_ateb;
+    ateb_plan ateb;
+} vm_osc_plan;
+
+/* x(t), x'(t) at any t of either sign, by the route that is asked for, or by the cheapest whose error is estimated
+   to be within the tolerance. The laws cost one or two sa, ca and the integrals of the mass law, and disregard the
+   tolerance. The integrators work to it (0 means 1e-6, float 1e-3): each runs twice, the second time stricter, and
+   error comes from what the two differ by. With F the averaged equations are integrated instead of closed forms;
+   there is no second-order law, and vm_osc_at takes the variation of constants.
+   Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
+   3 times error in 99 %, never above 10, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
+   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its errors
+   do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
+   VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
+   untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
+   negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
+   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up). */
+VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem);
+VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+/* The same for a problem that is asked once */
+VM_API int vm_osc_by(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_at(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_by_trig(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_jacobi(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_ateb(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_second(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion);
+VM_API int vm_osc_by_variation(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_by_rk45(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+VM_API int vm_osc_by_rk87(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion);
+
+/* Averaged equations at (t, A) with the force F of the problem: A', theta', psi' in the method's own angle (Ateb
+   phase, radians, Jacobi argument), for VM_ROUTE_ATEB: (314), (315) averaged, with the term of omega' that they
+   lack; VM_ROUTE_TRIG: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339); VM_ROUTE_JACOBI:
+   (380)-(382) with theta' in the second of (382). Means by Gauss' rule on each quarter of the period, so that F may
+   jump where x or x' = 0: to 1e-10 for cubic F and alpha <= 30 (float: roundings). 160 calls of F. */
+VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real A, vm_real *A_rate,
+                           vm_real *theta_rate, vm_real *psi_rate);
+
 /* -- Chapter 7.6: Van der Pol -- */
+
+/* A mass, and in this chapter's last sections all that depends on it, at time t: kg, and its rate in kg/s. Slow: it
+   changes little in a period. vm_slow_mass_linear is one, whose ctx is a vm_linear_mass. */
+typedef vm_real (*vm_slow_mass)(vm_real t, vm_real *rate, void *ctx);
+typedef struct VM_TAG(vm_linear_mass) {
+    vm_real mass, rate; /* mass + rate t */
+} vm_linear_mass;
+VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass);
+
+/* m x'' + k x|x|^(alpha-1) = (b - c x^2) x' - r m' x' (404). Here b > 0 feeds the vibration; b and c are the eps b
+   and eps c of [1], of either sign. vm_vdp_init checks alpha, k, b, c, reactive and method and fills a1, a2, a3,
+   which the other functions need; the mass is for the equations of motion only. */
+typedef struct VM_TAG(vm_vdp) {
+    vm_real alpha, k, b, c; /* alpha >= 0; k > 0 N/m^alpha; kg/s; kg/(s m^2) */
+    vm_real reactive;       /* r: 1 where what joins or leaves is at rest, 0 where it has the body's velocity */
+    int method;             /* of averaging */
+    vm_slow_mass mass;
+    void *mass_ctx;
+    vm_real a1, a2, a3;
+} vm_vdp;
+enum {
+    VM_VDP_ATEB = 0,         /* about the exact generating solution: a1 = 1, exact to first order */
+    VM_VDP_JACOBI = 1,       /* (411)-(413), exact means; the steady amplitude is right to 0.5 % for alpha <= 5 */
+    VM_VDP_TRIGONOMETRIC = 2 /* a3/a1 = 1/(2 (alpha + 3)): the steady amplitude does not depend on alpha */
+};
+VM_API int vm_vdp_init(vm_vdp *v);
+
+/* Amplitude at t where it was A0 at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
+   (427), (429), (431)-(435), (437) in one, as corrected, smooth through q = 0. Right to 1e-14 but for what is
+   averaged. c < 0 may carry it to infinity in a finite time: NaN from there on. */
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m);
+/* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
+   none. stable, where not null: whether the amplitudes around tend to the one returned. */
+VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL);
+/* Equations for rk45 or rk87, ctx a vm_vdp: of motion, y = (x, x') (404); averaged, y = (A, psi), any mass (410),
+   where x = A ca(psi). They return a status of this header, which stops the run, where the mass is not positive. */
+VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp);
+VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp);
 
 /* -- Chapter 7.7: Laval's rotor -- */
 
+/* The disc's centre z = x + i y (451), with the shaft's stiffness F_e(rho)/rho, which [1] calls F_e', and the
+   gyroscopic constant g = Omega_p g of the remark after (516):
+     m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
+   A zero field means none; mass and stiffness must be there. */
+/* F_e(rho)/rho, N/m, and its derivative, for rho >= 0. vm_laval_power is k rho^(alpha-1), ctx a vm_power_force. */
+typedef vm_real (*vm_laval_stiffness)(vm_real rho, vm_real *slope, void *ctx);
+typedef vm_complex (*vm_laval_force)(vm_real t, vm_complex z, vm_complex v, void *ctx);
+typedef struct VM_TAG(vm_power_force) {
+    vm_real k, alpha;
+} vm_power_force;
+VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force);
+typedef struct VM_TAG(vm_laval) {
+    vm_slow_mass mass;
+    void *mass_ctx;
+    vm_laval_stiffness stiffness;
+    void *stiffness_ctx;
+    vm_laval_force force; /* F_z, N; small where averaged */
+    void *force_ctx;
+    vm_real gyro;     /* kg/s */
+    vm_real reactive; /* r */
+    vm_complex u;     /* absolute velocity of what joins or leaves, m/s */
+    int samples;      /* of a period in an average; default 32, enough for polynomials of degree 15 */
+} vm_laval;
+
+/* rho and phi in (-pi, pi] (448) */
+VM_API void vm_laval_polar(vm_complex z, vm_real *rho, vm_real *phi);
+/* Angular momentum Im(conj z m z') - g |z|^2, kg m^2/s: constant where r = 1, u = 0, F_z = 0 */
+VM_API vm_real vm_laval_momentum(const vm_laval *r, vm_real mass, vm_complex z, vm_complex v);
+/* Equations of motion (449), (450) for rk45 or rk87, ctx a vm_laval, y = (x, y, x', y') */
+VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
+
+/* Small nonlinearity: two circular motions (460), (461) of the frequency omega = sqrt(F_e'(0)/m),
+     z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
+     P = A1 e^(i theta1),  N = A2 e^(-i theta2),
+   y = (Re P, Im P, Re N, Im N, phi), phi' = omega, from and to y = (x, y, x', y') at time t. The equations
+   (470)-(473) exactly, and averaged over phi while P and N stay: forward and backward motion are in 1:1 resonance,
+   so that the average over psi1 and psi2 apart, (474)-(477), is wrong unless f turns with z. In P and N nothing is
+   singular where A1 or A2 is 0. All that differs from m z'' + F_e'(0) z = 0 is perturbation: F_z, u, g, F_e'(rho) -
+   F_e'(0). */
+VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y);
+VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real *motion);
+VM_API int vm_laval_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
+VM_API int vm_laval_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
+
+/* Strong nonlinearity: nearly circular motion z = A e^(i psi), z' = i W z, of the frequency W of m W^2 - 2 g W =
+   F_e'(A), forward (sense >= 0) or backward. Averaged equations (506), (507) with g, y = (A, psi). A errs by the
+   order of the loads over times of their inverse; the phase adds that up where F_e' is not constant: 0.005 were
+   measured for loads that turn with z, order 1 for others. Not for a linear F_e with loads that do not turn with z:
+   they send the motion off the circle. */
+VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, int sense);
+VM_API int vm_laval_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
+VM_API int vm_laval_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
+/* The same without F_z: the radius when the mass has gone from mass0, where it was A0, to mass, of
+     A^4 (g^2 + m F_e'(A)) = const, r = 1, which is A^2 (m W - g) = const;  A^4 F_e'(A) m^(2r-1) = const, g = 0 (509)
+   NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from A0. For
+   powers it is A0 vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
+VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass);
+
 /* -- Chapter 7.8: two bodies with a nonlinear connection -- */
 
+/* Equal masses m with k (x - y)|x - y|^(alpha-1) between them, and -r m' x', -r m' y' (517), (518). y = (x, y, x',
+   y'). */
+typedef struct VM_TAG(vm_pair) {
+    vm_real alpha, k, reactive; /* alpha >= 0; k > 0 N/m^alpha; r */
+    vm_slow_mass mass;          /* not needed by vm_pair_at */
+    void *mass_ctx;
+} vm_pair;
+VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair);
+/* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
+   its first ripple, so that any initial velocities do. Averaged equations of the modes for any mass. */
+VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes);
+VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y);
+VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair);
+/* y at t where it was y0 at t = 0, for the mass m.mass + m.rate t, closed: (528), (529) with p0 = y0 - x0. Error of
+   order m.rate over times of order 1/m.rate. y may be y0. */
+VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y);
+
 /* -- Chapter 8: harmonic excitation -- */
+
+/* m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + force cos theta, theta' = nu, where m, k, nu, force may drift slowly:
+   now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
+   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first. */
+typedef struct VM_TAG(vm_forced_now) {
+    vm_real mass, mass_rate; /* kg, kg/s */
+    vm_real k, k_rate;       /* N/m^alpha, per s */
+    vm_real nu, nu_rate;     /* rad/s, rad/s^2 */
+    vm_real force;           /* N */
+} vm_forced_now;
+typedef struct VM_TAG(vm_forced) {
+    vm_real alpha, b, reactive; /* alpha >= 0; kg/s; r */
+    vm_forced_now now;
+    void (*drift)(vm_real t, vm_forced_now *now, void *ctx);
+    void *drift_ctx;
+    vm_real pi, Om1, G; /* Pi_alpha, w = Om1 sqrt(k/m) A^((alpha-1)/2), the force's share; by vm_forced_init */
+    vm_real c[5], s[5]; /* ca = sum c[j] cos((2j+1) pi psi/Pi), sa = sum s[j] sin(...), j = 0 .. */
+} vm_forced;
+VM_API int vm_forced_init(vm_forced *f);
+
+/* Equations for rk45 or rk87, ctx a vm_forced: of motion, y = (x, x', theta); the same in amplitude and Ateb phase,
+   exactly, y = (A, psi, theta), singular at A = 0; averaged near the main resonance nu = w(A), y = (A, delta,
+   theta), where delta is the phase before the force. The averaged ones err by the order of b, m' and force over
+   times of their inverses, off the resonance by more. */
+VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced);
+VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced);
+VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced);
+/* (x, x', theta) to the mean (A, delta, theta), and back, at time t. The ripple of the amplitude is taken out and put
+   back: without that the error is of order 1 where alpha != 1. */
+VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y);
+VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion);
+
+/* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of
+   them, or a negative status. Those far from w(A) = nu are labels only: the averaged equations hold near the
+   resonance. */
+typedef struct VM_TAG(vm_steady) {
+    vm_real nu, A, delta;
+    vm_real trace, det; /* of the averaged equations there: rates lambda^2 - trace lambda + det = 0 */
+    int stable;         /* det > 0 and trace < 0; det < 0 is a saddle */
+} vm_steady;
+VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3]);
+/* The amplitude-frequency curve, traced by its amplitude: the steady vibrations of amplitude A at any nu > 0, the
+   backbone w(A) in the middle between two. Their number, 0 where the force is too small for A, or a negative
+   status. */
+VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady curve[2]);
+/* The amplitude where the curve meets the backbone, its largest; infinite without damping */
+VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t);
+
+/* Passage through the resonance, all rates as they are at time t. The backbone's amplitude A at nu; torque: the
+   drift of w - nu over the force's hold on it, below 1 the vibration may be captured and follow A, with the phase
+   delta, above 1 it passes; jump: half the range of the relative change of A in a quick passage, torque >> 1, over
+   all phases. For alpha = 1 A cannot be told from nu: it is the amplitude given. */
+typedef struct VM_TAG(vm_passage) {
+    vm_real A, torque, delta, jump; /* delta NaN where torque > 1 */
+} vm_passage;
+VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage);
+
+/* -- Diagnostics of slow vibrations -- */
+
+/* Any trajectory, x(t) and x'(t): a route's, a law's, an integrator's dense output. */
+typedef void (*vm_motion)(vm_real t, vm_real *x, vm_real *v, void *ctx);
+typedef struct VM_TAG(vm_point) {
+    vm_real t, x, v;
+} vm_point;
+enum {
+    VM_TURNING_POINTS = 0, /* x' = 0 */
+    VM_ZERO_CROSSINGS = 1  /* x = 0 */
+};
+/* The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period,
+   negative where t1 < t0) and located to an eps of t; the first room of them are written. A negative status for a
+   step of the wrong sign, or a trajectory that is not finite. */
+VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
+                           vm_point *points);
+/* The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step.
+   buffer: room for a state. */
+VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_point *points);
+/* Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings */
+VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_real (*law)(vm_real t, void *ctx),
+                                 void *ctx);
+/* q/Om, what averaging takes for small: q = ((2r-1) m' + 2b)/m + k'/k and the rate Om of the Ateb phase at
+   amplitude A. The amplitude laws err by about (q/Om)^2, waveforms by q/Om over times of order 1/q. */
+VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
+                               vm_real reactive, vm_real alpha);
 
 /* -- Scenes --
 
@@ -762,12 +1472,16 @@ VM_API const char *vm_strerror(int status)
     switch (status) {
     case VM_OK: return "success";
     case VM_NULL_AXIS: return "angular momentum about an axis without inertia was lost";
-    case VM_BAD_ARGUMENT: return "null pointer or negative count";
+    case VM_STOPPED: return "an event or the caller ended the run";
+    case VM_TOLERANCE_MISSED: return "the estimated error is larger than the tolerance";
+    case VM_BAD_ARGUMENT: return "null pointer, negative count or unknown choice";
     case VM_NOT_FINITE: return "a number is infinite or NaN";
-    case VM_BAD_MASS: return "a mass is not positive";
+    case VM_BAD_MASS: return "a mass or a stiffness is not positive";
     case VM_BAD_INERTIA: return "no body has this inertia";
     case VM_SINGULAR: return "linear equations without a unique solution";
-    case VM_STOPPED: return "an event or the caller ended the run";
+    case VM_DOMAIN: return "a parameter outside its domain";
+    case VM_NO_LAW: return "the route does not exist for this problem";
+    case VM_NOT_INTEGRATED: return "the integrator gave up";
     case VM_BAD_MOTION: return "a motion that does not exist, or that this effect or event cannot act on";
     case VM_NO_SUCH_BODY: return "no such body, or an event for one that is not there";
     case VM_NO_SUCH_COORDINATE: return "the body has no such coordinate";
@@ -776,7 +1490,6 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_ORDER: return "a mass law stands after, or a link before, another effect on its body";
     case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state";
     case VM_TOO_MANY_EVENTS: return "events do not end";
-    case VM_NOT_INTEGRATED: return "the integrator failed: scene.ode_status";
     default: return "unknown status";
     }
 }
@@ -807,8 +1520,8 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     if (x < 0) *sine = -*sine;
 }
 
-/* a x = b, a dense and n by n, row after row, by elimination with row pivoting: x replaces b, a is destroyed.
-   VM_SINGULAR, b destroyed, where a column has no pivot. */
+/* a x = b, a dense and n by n, row after row, by elimination with row pivoting: x replaces b, a is destroyed but
+   for its pivots, which stay on the diagonal. VM_SINGULAR, b destroyed, where a column has no pivot. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -879,6 +1592,154 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
         return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_two(-y.hi, -y.lo)), x), x);
     for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
     return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
+}
+
+/* atan2(y, x), within 2 ulp; 0 for x = y = 0 */
+VM_API vm_real vmi_atan2(vm_real y, vm_real x)
+{
+    vm_real angle = x == 0 && y == 0 ? 0 : vmi_arctan(VM_FABS(y), VM_FABS(x));
+    if (x < 0) angle = VM_PI - angle;
+    return VM_COPYSIGN(angle, y);
+}
+
+/* sqrt(x^2 + y^2), within 2 ulp, where the squares overflow too */
+VM_API vm_real vmi_hypot(vm_real x, vm_real y)
+{
+    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = a > b ? a : b, least = a > b ? b : a;
+    const vm_real q = most > 0 ? least / most : 0;
+    return most * VM_SQRT(1 + q * q);
+}
+
+/* A result of n numbers, where all are finite */
+VM_API int vmi_deliver(int n, const vm_real *from, vm_real *to)
+{
+    if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;
+    memcpy(to, from, (size_t)n * sizeof *to);
+    return VM_OK;
+}
+
+VM_API vm_complex vmi_complex(vm_real re, vm_real im)
+{
+    vm_complex z;
+    z.re = re, z.im = im;
+    return z;
+}
+VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
+VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
+VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
+VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); } /* i c a */
+VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
+{
+    return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
+}
+VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
+VM_API vm_complex vmi_c_turn(vm_real angle) /* e^(i angle) */
+{
+    vm_complex e;
+    vmi_sincos(angle, &e.im, &e.re);
+    return e;
+}
+
+VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
+
+/* a/b by Smith's method, where b.re^2 + b.im^2 may underflow */
+VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
+{
+    vm_real q, d;
+    if (VM_FABS(b.re) < VM_FABS(b.im)) {
+        q = b.re / b.im, d = b.im + b.re * q;
+        return vmi_complex((a.re * q + a.im) / d, (a.im * q - a.re) / d);
+    }
+    q = b.im / b.re, d = b.re + b.im * q;
+    return vmi_complex((a.re + a.im * q) / d, (a.im - a.re * q) / d);
+}
+
+/* The step of z = (re[i], im[i]) towards a root of c[0] z^n + ... + c[n], which the other approximations repel:
+   p/p' of p over the product of the z - z_j (Ehrlich, Aberth). 0 where p is within its rounding errors of 0. */
+VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
+{
+    const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
+    const vm_real modulus = vmi_hypot(z.re, z.im);
+    vm_complex p = vmi_complex(c[0], 0), slope = vmi_complex(0, 0), others = slope;
+    vm_real size = VM_FABS(c[0]);
+    int j;
+    for (j = 1; j <= n; j++) {
+        const vm_complex q = vmi_c_times(slope, z);
+        slope = vmi_complex(q.re + p.re, q.im + p.im);
+        p = vmi_c_times(p, z);
+        p.re += c[j];
+        size = size * modulus + VM_FABS(c[j]);
+    }
+    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size) return vmi_complex(0, 0);
+    for (j = 0; j < n; j++) {
+        const vm_complex apart = vmi_complex(z.re - re[j], z.im - im[j]);
+        vm_complex share;
+        if (j == i || (apart.re == 0 && apart.im == 0)) continue;
+        share = vmi_c_over(one, apart);
+        others.re += share.re, others.im += share.im;
+    }
+    others = vmi_c_times(p, others);
+    return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
+}
+
+VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
+{
+    vm_real p = c[0], size = VM_FABS(c[0]);
+    int j;
+    for (j = 1; j <= n; j++) p = p * x + c[j], size = size * VM_FABS(x) + VM_FABS(c[j]);
+    return VM_FABS(p) <= (vm_real)(4 * n) * VM_EPSILON * size;
+}
+
+VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
+{
+    const vm_real x = re[i], y = im[i];
+    re[i] = re[j], im[i] = im[j];
+    re[j] = x, im[j] = y;
+}
+
+/* Makes what rounding left of an imaginary part 0, and conjugate the others by twos: im > 0, then im < 0; by rising
+   |im|, real ones by falling re */
+VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
+{
+    const vm_real near = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
+    int i, j, k;
+    for (i = 0; i < n; i++) {
+        if (VM_FABS(im[i]) <= near * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
+        for (j = i; j > 0; j--) {
+            const vm_real rise = VM_FABS(im[j]) - VM_FABS(im[j - 1]);
+            if (rise > 0 || (rise == 0 && re[j] <= re[j - 1])) break;
+            vmi_poly_swap(re, im, j, j - 1);
+        }
+    }
+    for (i = 0; i < n && im[i] == 0;) i++;
+    if ((n - i) % 2) im[i++] = 0;
+    for (; i < n; i += 2) {
+        for (j = k = i + 1; k < n; k++)
+            if (VM_FABS(re[k] - re[i]) + VM_FABS(im[k] + im[i]) < VM_FABS(re[j] - re[i]) + VM_FABS(im[j] + im[i]))
+                j = k;
+        vmi_poly_swap(re, im, i + 1, j);
+        re[i] = re[i + 1] = (re[i] + re[i + 1]) / 2;
+        im[i] = (VM_FABS(im[i]) + VM_FABS(im[i + 1])) / 2;
+        im[i + 1] = -im[i];
+    }
+}
+
+/* The roots of c[0] z^n + ... + c[n], c[0] != 0, simple ones each to a few n eps times its condition number */
+VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
+{
+    const int most_sweeps = 100;
+    int i, sweep, moving = 1, m = n;
+    while (m > 0 && c[m] == 0) m--, re[m] = im[m] = 0;
+    for (i = 0; i < m; i++) /* not symmetric about the real axis, which no step would then leave */
+        vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
+    for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
+        for (moving = i = 0; i < m; i++) {
+            const vm_complex step = vmi_poly_step(m, c, re, im, i);
+            re[i] -= step.re, im[i] -= step.im;
+            moving += VM_FABS(step.re) + VM_FABS(step.im) > VM_EPSILON * (VM_FABS(re[i]) + VM_FABS(im[i]));
+        }
+    }
+    vmi_poly_order(n, c, re, im);
 }
 
 /* ---- Vectors, rotations, inertia ---------------------------------------------------------------------------- */
@@ -1881,7 +2742,612 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 /* ---- Chapter 3.3.2: the broken rotor ------------------------------------------------------------------------ */
 
+VM_API int vmi_check_rotor(const vm_rotor *r)
+{
+    if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
+        !VM_IS_FINITE(r->damping) || !VM_IS_FINITE(r->torque) || !VM_IS_FINITE(r->s))
+        return VM_NOT_FINITE;
+    if (!(r->mass > 0)) return VM_BAD_MASS;
+    if (!(r->inertia > 0)) return VM_BAD_INERTIA;
+    return r->stiffness >= 0 ? VM_OK : VM_DOMAIN;
+}
+
+VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    const vm_rotor *r = (const vm_rotor *)rotor;
+    vm_real sine, cosine, fx, fy;
+    (void)t;
+    vmi_sincos(y[2], &sine, &cosine);
+    fx = -r->stiffness * (y[0] + r->s * cosine), fy = -r->stiffness * (y[1] + r->s * sine); /* (66) */
+    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
+    dydt[3] = fx / r->mass, dydt[4] = fy / r->mass;
+    dydt[5] = (r->torque - r->damping * y[5] + r->s * (cosine * fy - sine * fx)) / r->inertia;
+    return 0;
+}
+
+/* (67), and the coupling s p^2 omega^2 of (69) */
+typedef struct VM_TAG(vmi_rotor_linear) {
+    vm_real omega, k, torque, s, coupling;
+} vmi_rotor_linear;
+
+VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
+{
+    vmi_rotor_linear a;
+    a.omega = VM_SQRT(r->stiffness / r->mass);
+    a.k = r->damping / r->inertia, a.torque = r->torque / r->inertia, a.s = r->s;
+    a.coupling = coupled ? r->s * (r->stiffness / r->inertia) : 0;
+    return a;
+}
+
+/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_rotor_rate at most
+   1: the n-th terms of y and of s psi are then below 1/n! of the first ones */
+VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
+{
+    const int terms = VM_MANT_DIG > 24 ? 20 : 12;
+    const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
+    vm_real y0 = z[0], psi0 = z[1], y1 = z[2] * h, psi1 = z[3] * h, drive = a->torque * h * h;
+    int n;
+    change[0] = y1, change[1] = psi1, change[2] = change[3] = 0;
+    for (n = 2; n < terms && h != 0; n++) {
+        const vm_real share = 1 / (vm_real)(n * (n - 1)), y2 = -omega_h2 * (y0 + a->s * psi0) * share;
+        const vm_real psi2 = (drive - k_h * (vm_real)(n - 1) * psi1 - coupling_h2 * y0) * share;
+        change[0] += y2, change[1] += psi2;
+        change[2] += (vm_real)n * y2 / h, change[3] += (vm_real)n * psi2 / h;
+        y0 = y1, psi0 = psi1, y1 = y2, psi1 = psi2, drive = 0;
+    }
+}
+
+VM_API vm_real vmi_rotor_rate(const vmi_rotor_linear *a)
+{
+    return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
+}
+
+/* (e^z - 1)/z and (e^z - 1 - z)/z^2, to a few eps */
+VM_API void vmi_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
+{
+    const int terms = VM_MANT_DIG > 24 ? 20 : 12;
+    int n;
+    if (VM_FABS(z) > 1) {
+        *phi1 = (vmi_exp(z, 0) - 1) / z;
+        *phi2 = (*phi1 - 1) / z;
+        return;
+    }
+    *phi2 = 0;
+    for (n = terms; n >= 2; n--) *phi2 = (1 + z * *phi2) / (vm_real)n;
+    *phi1 = 1 + z * *phi2;
+}
+
+/* w - sin w, given sin w */
+VM_API vm_real vmi_rotor_less_sine(vm_real w, vm_real sine)
+{
+    const int terms = VM_MANT_DIG > 24 ? 19 : 11;
+    vm_real sum = 0;
+    int n;
+    if (VM_FABS(w) > 1) return w - sine;
+    for (n = terms; n >= 3; n -= 2) sum = w * w * (1 - sum) / (vm_real)(n * (n - 1));
+    return w * sum;
+}
+
+/* cos wt, 1 - cos wt, w sin wt, sin wt/w, t - sin wt/w */
+typedef struct VM_TAG(vmi_rotor_swing) {
+    vm_real c, c1, w_s, s_w, late;
+} vmi_rotor_swing;
+
+VM_API vmi_rotor_swing vmi_rotor_swing_at(vm_real t, vm_real w)
+{
+    vmi_rotor_swing g;
+    vm_real half, sine;
+    vmi_sincos(w * t / 2, &half, &g.c);
+    vmi_sincos(w * t, &sine, &g.c);
+    g.c1 = 2 * half * half;
+    g.w_s = w * sine;
+    g.s_w = w > 0 ? sine / w : t;
+    g.late = w > 0 ? vmi_rotor_less_sine(w * t, sine) / w : 0;
+    return g;
+}
+
+/* (71), (72) with M* in the place of k* Omega, for z = y, psi, y', psi' and |t| times the rate of 1 and more. y
+   answers to -s psi, and psi = psi0 + psi0' E1 + M* E2, E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k. g0, g1, g2 solve g''
+   + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
+VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_rotor_swing *g, vm_real *z)
+{
+    const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
+    const vm_real y0 = z[0], psi0 = z[1], v0 = z[2], rate0 = z[3];
+    vm_real E0, E1, E2, g0, g1, g2;
+    vmi_rotor_exp_quotients(-a->k * t, &E1, &E2);
+    E0 = vmi_exp(-a->k * t, 0), E1 *= t, E2 *= t * t;
+    g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
+    g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
+    g2 = (w2 * E2 + (a->k * g->late - g->c1)) / sum;
+    z[0] = y0 * g->c + v0 * g->s_w - a->s * (psi0 * g->c1 + (rate0 * g1 + a->torque * g2));
+    z[1] = psi0 + (rate0 * E1 + a->torque * E2);
+    z[2] = v0 * g->c - y0 * g->w_s - a->s * (psi0 * g->w_s + (rate0 * g0 + a->torque * g1));
+    z[3] = rate0 * E0 + a->torque * E1;
+}
+
+/* z changes by M (z, 1), M = [exp(A t) - E | answer to the torque]: doubled from where the series holds, by
+   2 M + M M, which keeps the digits that E would swallow */
+VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
+{
+    vm_real m[5][4], old[5][4], unit[4], h = t; /* m[j]: of the unit state j, of the torque for j = 4 */
+    vmi_rotor_linear driven = *a;
+    int doublings = 0, i, j, k;
+    for (; VM_FABS(h) * vmi_rotor_rate(a) > 1; h /= 2) doublings++;
+    if (doublings == 0) {
+        vmi_rotor_series(a, h, z, unit);
+        for (i = 0; i < 4; i++) z[i] += unit[i];
+        return;
+    }
+    for (j = 0; j < 5; j++) {
+        for (i = 0; i < 4; i++) unit[i] = i == j;
+        driven.torque = j < 4 ? 0 : a->torque;
+        vmi_rotor_series(&driven, h, unit, m[j]);
+    }
+    for (; doublings > 0; doublings--) {
+        memcpy(old, m, sizeof m);
+        for (j = 0; j < 5; j++)
+            for (i = 0; i < 4; i++)
+                for (m[j][i] *= 2, k = 0; k < 4; k++) m[j][i] += old[k][i] * old[j][k];
+    }
+    memcpy(unit, z, sizeof unit);
+    for (i = 0; i < 4; i++) {
+        vm_real change = m[4][i];
+        for (j = 0; j < 4; j++) change += m[j][i] * unit[j];
+        z[i] += change;
+    }
+}
+
+VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
+{
+    vm_real y[6], z[4];
+    vmi_rotor_linear a;
+    vmi_rotor_swing g;
+    int status;
+    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_all_finite(6, start)) return VM_NOT_FINITE;
+    status = vmi_check_rotor(rotor);
+    if (status) return status;
+    a = vmi_rotor_reduced(rotor, coupled);
+    g = vmi_rotor_swing_at(t, a.omega);
+    z[0] = start[1], z[1] = start[2], z[2] = start[4], z[3] = start[5];
+    if (coupled || VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_double(t, &a, z);
+    else vmi_rotor_follow(t, &a, &g, z);
+    y[0] = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
+    y[3] = start[3] * g.c - g.w_s * (start[0] + a.s);
+    y[1] = z[0], y[2] = z[1], y[4] = z[2], y[5] = z[3];
+    return vmi_deliver(6, y, end);
+}
+
+VM_API int vm_rotor_linear(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+{
+    return vmi_rotor_linearised(t, rotor, start, 1, end);
+}
+
+VM_API int vm_rotor_linear_uncoupled(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+{
+    return vmi_rotor_linearised(t, rotor, start, 0, end);
+}
+
+/* With s = 0 the uncoupled equations are (46) itself. */
+VM_API int vm_rotor_free(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+{
+    if (rotor && rotor->s != 0) return rotor->s - rotor->s == 0 ? VM_DOMAIN : VM_NOT_FINITE;
+    return vmi_rotor_linearised(t, rotor, start, 0, end);
+}
+
+VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *abcd)
+{
+    vm_real w, vx, vy, c[4];
+    int status;
+    if (!rotor || !start || !abcd) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(6, start)) return VM_NOT_FINITE;
+    status = vmi_check_rotor(rotor);
+    if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
+    if (status) return status;
+    w = VM_SQRT(rotor->stiffness / rotor->mass), vx = start[3] / w, vy = start[4] / w;
+    c[0] = (start[0] + vy) / 2, c[1] = (start[1] - vx) / 2;
+    c[2] = (start[0] - vy) / 2, c[3] = (start[1] + vx) / 2;
+    return vmi_deliver(4, c, abcd);
+}
+
+/* -- The break, in axes along SA and counterclockwise across it -- */
+
+VM_API int vmi_check_piece(const vm_rotor *whole, const vm_rotor_piece *p)
+{
+    if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
+        !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
+        return VM_NOT_FINITE;
+    if (!(p->mass > 0 && p->mass < whole->mass)) return VM_BAD_MASS;
+    return p->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
+}
+
+/* (x, y) turned by the angle whose sine and cosine are given */
+VM_API void vmi_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
+{
+    const vm_real x0 = *x;
+    *x = cosine * x0 - sine * *y;
+    *y = sine * x0 + cosine * *y;
+}
+
+/* State of a body whose mass centre is at d from S, at angle psi, moving relative to the whole by (ux, uy), spin */
+VM_API void vmi_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
+                            vm_real spin, vm_real *state)
+{
+    state[0] = before[0] + dx, state[1] = before[1] + dy, state[2] = psi;
+    state[3] = before[3] - before[5] * dy + ux, state[4] = before[4] + before[5] * dx + uy;
+    state[5] = before[5] + spin;
+}
+
+/* Mass, inertia and eccentricity of the rest */
+VM_API int vmi_rotor_rest(const vm_rotor *whole, const vm_rotor_piece *p, vm_rotor *rest)
+{
+    const vm_real left = whole->mass - p->mass, share = p->mass / left;
+    *rest = *whole;
+    rest->mass = left;
+    rest->inertia = (whole->inertia - p->inertia) - share * whole->mass * (p->distance * p->distance);
+    rest->s = share * p->distance;
+    return rest->inertia > 8 * VM_EPSILON * whole->inertia ? VM_OK : VM_BAD_INERTIA;
+}
+
+/* (52)-(58), all but rest, state and piece, from SS2 and v_S in axes along SA and counterclockwise across it; e is
+   the direction of S2A. Returns AS2. */
+VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p, vm_real spin, const vm_real *d,
+                                 const vm_real *v, vm_real *e, vm_rotor_break *b)
+{
+    const vm_real ux = v[0] - spin * d[1], uy = v[1] + spin * d[0], reduced = p->mass / b->rest.mass * whole->mass;
+    const vm_real reach_x = p->radius - d[0], reach_y = -d[1], reach = vmi_hypot(reach_x, reach_y);
+    vm_real moment; /* SS2 x v_T */
+    e[0] = reach_x / reach, e[1] = reach_y / reach;
+    b->dragging = vmi_hypot(ux, uy);
+    b->gamma = vmi_atan2(uy, ux), b->beta = vmi_atan2(reach_y, reach_x);
+    b->normal = ux * e[0] + uy * e[1];
+    b->tangential = uy * e[0] - ux * e[1];
+    moment = b->tangential * (d[0] * e[0] + d[1] * e[1]);
+    b->spin_piece = b->tangential / reach;
+    b->spin_rest = (reduced * moment - p->inertia * b->spin_piece) / b->rest.inertia;
+    b->stop_inertia = (whole->inertia * spin + reduced * (moment - p->distance * p->distance * spin)) /
+                      (spin + b->spin_piece);
+    return reach;
+}
+
+VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
+                              vm_rotor_break *result)
+{
+    vm_rotor_break b;
+    vm_real sine, cosine, d[2], v[2], e[2], share, T;
+    int status;
+    if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
+    status = vmi_check_rotor(whole);
+    if (!status) status = vmi_all_finite(6, before) ? vmi_check_piece(whole, piece) : VM_NOT_FINITE;
+    if (!status && whole->s != 0) status = VM_DOMAIN;
+    if (!status) status = vmi_rotor_rest(whole, piece, &b.rest);
+    if (status) return status;
+
+    vmi_sincos(piece->alpha, &sine, &cosine);
+    d[0] = piece->distance * cosine, d[1] = -piece->distance * sine;
+    vmi_sincos(piece->contact, &sine, &cosine);
+    v[0] = before[3], v[1] = before[4];
+    vmi_rotor_turn(-sine, cosine, &v[0], &v[1]);
+    if (!(vmi_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
+
+    vmi_rotor_turn(sine, cosine, &d[0], &d[1]);
+    vmi_rotor_turn(sine, cosine, &e[0], &e[1]);
+    share = piece->mass / b.rest.mass, T = b.tangential;
+    vmi_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
+    vmi_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
+                    share * T * e[0], b.spin_rest, b.state);
+    if (!vmi_all_finite(6, b.state) || !vmi_all_finite(6, b.piece)) return VM_NOT_FINITE;
+    *result = b;
+    return VM_OK;
+}
+
+/* -- Polar form -- */
+
+VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    const vm_rotor *r = (const vm_rotor *)rotor;
+    const vm_real w2 = r->stiffness / r->mass;
+    vm_real sine, cosine;
+    (void)t;
+    if (!(y[0] > 0)) return VM_DOMAIN;
+    vmi_sincos(y[1] - y[2], &sine, &cosine);
+    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
+    dydt[3] = y[0] * (y[4] * y[4]) - w2 * (y[0] + r->s * cosine);
+    dydt[4] = (r->s * w2 * sine - 2 * y[3] * y[4]) / y[0];
+    dydt[5] = (r->torque - r->damping * y[5] - r->s * r->stiffness * y[0] * sine) / r->inertia;
+    return 0;
+}
+
+VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar)
+{
+    vm_real p[6], c, s;
+    if (!y || !polar) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(6, y)) return VM_NOT_FINITE;
+    p[0] = vmi_hypot(y[0], y[1]);
+    if (!(p[0] > 0)) return VM_DOMAIN;
+    c = y[0] / p[0], s = y[1] / p[0];
+    p[1] = vmi_atan2(y[1], y[0]), p[2] = y[2];
+    p[3] = c * y[3] + s * y[4], p[4] = (c * y[4] - s * y[3]) / p[0], p[5] = y[5];
+    return vmi_deliver(6, p, polar);
+}
+
+VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
+{
+    vm_real z[6], c, s, across;
+    if (!y || !polar) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(6, polar)) return VM_NOT_FINITE;
+    if (!(polar[0] > 0)) return VM_DOMAIN;
+    vmi_sincos(polar[1], &s, &c);
+    across = polar[0] * polar[4];
+    z[0] = polar[0] * c, z[1] = polar[0] * s, z[2] = polar[2];
+    z[3] = polar[3] * c - across * s, z[4] = polar[3] * s + across * c, z[5] = polar[5];
+    return vmi_deliver(6, z, y);
+}
+
+/* -- The steady motion and its stability -- */
+
+/* (omega^2 - Omega^2) mass, whose sign is right and whose relative error is an eps however near resonance is */
+VM_API vm_real vmi_rotor_detuning(const vm_rotor *r, vm_real Omega)
+{
+    const vm_two load = vmi_two_times(vmi_two_product(Omega, Omega), vmi_two(-r->mass, 0));
+    const vm_two left = vmi_two_plus(vmi_two(r->stiffness, 0), load);
+    return left.hi + left.lo;
+}
+
+VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega)
+{
+    if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
+    return rotor->s * (rotor->stiffness / vmi_rotor_detuning(rotor, Omega));
+}
+
+/* w^2, O^2, k*, D and G of (81) */
+typedef struct VM_TAG(vmi_rotor_steady) {
+    vm_real w2, O2, k, D, G;
+} vmi_rotor_steady;
+
+VM_API int vmi_rotor_about_steady(const vm_rotor *r, vm_real Omega, vmi_rotor_steady *a)
+{
+    int status;
+    vm_real detuning;
+    if (!r) return VM_BAD_ARGUMENT;
+    status = VM_IS_FINITE(Omega) ? vmi_check_rotor(r) : VM_NOT_FINITE;
+    if (status) return status;
+    detuning = vmi_rotor_detuning(r, Omega);
+    if (detuning == 0) return VM_DOMAIN;
+    a->w2 = r->stiffness / r->mass, a->O2 = Omega * Omega, a->k = r->damping / r->inertia;
+    a->D = detuning / r->mass;
+    a->G = r->s * (r->stiffness / detuning) * (r->s * r->stiffness / r->inertia);
+    return VM_OK;
+}
+
+VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c)
+{
+    vmi_rotor_steady a;
+    vm_real p[6];
+    int status = c ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    if (status) return status;
+    p[0] = 1, p[1] = a.k;
+    p[2] = 2 * (a.w2 + a.O2) + a.G, p[3] = 2 * a.k * (a.w2 + a.O2);
+    p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2), p[5] = a.k * (a.D * a.D);
+    return vmi_deliver(6, p, c);
+}
+
+VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
+{
+    vmi_rotor_steady a;
+    vm_real p[6];
+    int status = column ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    if (status) return status;
+    p[0] = 1, p[1] = a.k, p[2] = a.G;
+    p[3] = a.k * a.D, p[4] = 4 * a.G * a.O2, p[5] = a.k * (a.D * a.D);
+    return vmi_deliver(6, p, column);
+}
+
+VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega)
+{
+    if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
+    return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_rotor_detuning(rotor, Omega) > 0;
+}
+
+/* lambda is measured in size = |Omega| + omega + k* + sqrt|G|, so that no coefficient is above 10. */
+VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
+{
+    vmi_rotor_steady a;
+    vm_real c[6], x[5], y[5], size, power;
+    int i, status = re && im ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    if (!status) status = vm_rotor_char_poly(rotor, Omega, c);
+    if (status) return status;
+    size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
+    for (i = 1, power = 1 / size; i < 6; i++, power /= size) c[i] *= power;
+    if (!vmi_all_finite(6, c)) return VM_NOT_FINITE;
+    vmi_poly_roots(5, c, x, y);
+    for (i = 0; i < 5; i++) x[i] *= size, y[i] *= size;
+    if (!vmi_all_finite(5, x)) return VM_NOT_FINITE;
+    status = vmi_deliver(5, y, im);
+    if (!status) memcpy(re, x, sizeof x);
+    return status;
+}
+
+/* ln(1 + x) - x + x^2/2, x >= 0, to a few eps: x^3/3 - x^4/4 ..., by powers of w = x/(2 + x), all terms positive */
+VM_API vm_real vmi_rotor_growth_time(vm_real x)
+{
+    const int terms = VM_MANT_DIG > 24 ? 45 : 21; /* w <= 1/3 */
+    const vm_real w = x / (2 + x);
+    vm_real sum = 0;
+    vm_two l;
+    int n;
+    if (x > 1) {
+        l = vmi_log(1 + x);
+        return (l.hi - x) + x * x / 2;
+    }
+    for (n = terms; n >= 3; n--) sum = w * sum + ((vm_real)(n - 2) + (n & 1 ? 1 / (vm_real)n : 0));
+    return 2 * w * w * w * sum;
+}
+
+/* r r' = A + B/r gives tau = t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A r/B: convex, so that Newton's method
+   falls to the root from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
+VM_API vm_real vmi_rotor_growth_root(vm_real tau)
+{
+    const int most_steps = 60;
+    vm_real x = vmi_raised(3 * tau, VM_C(1.) / 3) + VM_SQRT(2 * tau), fall;
+    int i;
+    for (i = 0; i < most_steps; i++) {
+        fall = (vmi_rotor_growth_time(x) - tau) * (1 + x) / (x * x);
+        if (!(fall > 0)) break;
+        x -= fall;
+    }
+    return x;
+}
+
+VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
+{
+    vm_real over, w, A, B, R, z;
+    if (!rotor || vmi_check_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega)) return VM_NAN;
+    over = -vmi_rotor_detuning(rotor, Omega), w = VM_SQRT(rotor->stiffness / rotor->mass);
+    if (!(over >= 0) || !(w > 0) || !(rotor->damping >= 0)) return VM_NAN;
+    A = rotor->damping * (over / rotor->mass / (VM_FABS(Omega) + w)) / (2 * rotor->mass * w);
+    B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
+    R = vmi_raised(3 * B * t, VM_C(1.) / 3);
+    if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
+    z = A * R / B;
+    if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t); /* B = 0 among it */
+    else if (z > VM_EPSILON) R = vmi_rotor_growth_root(z * z * z / 3) * B / A;
+    return VM_FABS(rotor->s) / 4 + R;
+}
+
 /* ---- Chapter 4: Lagrange's equations across a jump ---------------------------------------------------------- */
+
+VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix)
+{
+    int i, j;
+    for (j = 0; j < n; j++) {
+        vm_body moved = *body;
+        vm_vec3 spin;
+        moved.omega = turn[j];
+        spin = vmi_spin_momentum(&moved);
+        for (i = 0; i < n; i++) matrix[i * n + j] += body->mass * vmi_dot(dr[i], dr[j]) + vmi_dot(turn[i], spin);
+    }
+}
+
+VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
+{
+    const vm_vec3 linear = vm_momentum(body), spin = vmi_spin_momentum(body);
+    int i;
+    for (i = 0; i < n; i++) p[i] += vmi_dot(linear, dr[i]) + vmi_dot(spin, turn[i]);
+}
+
+VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
+                                vm_real *p)
+{
+    const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
+    int i;
+    for (i = 0; i < n; i++) p[i] += vmi_dot(impulse->linear, dr[i]) + vmi_dot(moment, turn[i]);
+}
+
+/* matrix (qdot_after - qdot) = b, b at the end of work. Scaled to unit diagonal, which makes units and sizes of the
+   coordinates nothing and the condition number nearly the least that scaling can (van der Sluis 1969). */
+VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after, vm_real *work)
+{
+    vm_real *a = work, *b = work + n * n;
+    int i, j;
+    if (!vmi_all_finite(n * n, matrix) || !vmi_all_finite(n, qdot) || !vmi_all_finite(n, b)) return VM_NOT_FINITE;
+    for (i = 0; i < n; i++)
+        if (!(matrix[i * n + i] > 0)) return VM_SINGULAR;
+    for (i = 0; i < n; i++) {
+        const vm_real scale = VM_SQRT(matrix[i * n + i]);
+        for (j = 0; j < n; j++) a[i * n + j] = matrix[i * n + j] / scale / VM_SQRT(matrix[j * n + j]);
+        b[i] /= scale;
+    }
+    if (vmi_solve_linear(n, a, b)) return VM_SINGULAR;
+    for (i = 0; i < n; i++) /* the pivots, left on the diagonal */
+        if (!(VM_FABS(a[i * n + i]) > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
+    for (i = 0; i < n; i++) b[i] = qdot[i] + b[i] / VM_SQRT(matrix[i * n + i]);
+    return vmi_deliver(n, b, qdot_after);
+}
+
+/* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,
+   with a small error */
+VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
+                             const vm_real *part, vm_real sign, const vm_real *impulse, vm_real *qdot_after,
+                             vm_real *work)
+{
+    int i, j;
+    if (n <= 0 || !before || !after || !qdot || !qdot_after || !work) return VM_BAD_ARGUMENT;
+    for (i = 0; i < n; i++) {
+        vm_real sum = part ? sign * part[i] : 0;
+        for (j = 0; j < n; j++) sum += (before[i * n + j] - after[i * n + j]) * qdot[j];
+        work[n * n + i] = impulse ? sum + impulse[i] : sum;
+    }
+    return vmi_lagrange_solve(n, after, qdot, qdot_after, work);
+}
+
+VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
+                                const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
+                                vm_real *work)
+{
+    return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, -1, impulse_or_NULL, qdot_after, work);
+}
+
+VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
+                              const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
+                              vm_real *work)
+{
+    return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, 1, impulse_or_NULL, qdot_after, work);
+}
+
+VM_API int vm_lagrange_hit(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
+                           vm_real *qdot_after, vm_real *work)
+{
+    if (!impulse) return VM_BAD_ARGUMENT;
+    return vmi_lagrange_jump(n, matrix, matrix, qdot, NULL, 0, impulse, qdot_after, work);
+}
+
+VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
+{
+    if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->length) || !VM_IS_FINITE(p->angle) || !VM_IS_FINITE(p->rate) ||
+        !VM_IS_FINITE(part))
+        return VM_NOT_FINITE;
+    if (!(p->mass > 0)) return VM_BAD_MASS;
+    if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_DOMAIN;
+    return part > 0 && part < p->length ? VM_OK : VM_DOMAIN;
+}
+
+/* With e from O to S2, f across it the way the angle grows: x u_y - y u_x = s rho u.f */
+VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
+                                vm_pendulum_cut *cut)
+{
+    vm_pendulum_cut c;
+    vm_real ex, ey, fx, fy, rho, left, rest_mass, across, change;
+    int status;
+    if (!pendulum || !cut) return VM_BAD_ARGUMENT;
+    status = vmi_check_pendulum(pendulum, part);
+    if (status) return status;
+    if (pendulum->axes == VM_AXES_COS_SIN) vmi_sincos(pendulum->angle, &ey, &ex), fx = -ey, fy = ex;
+    else vmi_sincos(pendulum->angle, &ex, &ey), fx = ey, fy = -ex;
+    rho = pendulum->length - part / 2, left = pendulum->length - part;
+    across = ux * fx + uy * fy;
+    change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
+
+    c.rest = *pendulum;
+    c.rest.mass = rest_mass = pendulum->mass * (left / pendulum->length), c.rest.length = left;
+    c.rest.rate = pendulum->rate + change;
+    c.mass = pendulum->mass * (part / pendulum->length);
+    c.x = rho * ex, c.y = rho * ey;
+    c.vx = pendulum->rate * rho * fx + ux, c.vy = pendulum->rate * rho * fy + uy;
+    c.rate = pendulum->rate + Omega;
+    c.L1 = rest_mass * left * left * c.rest.rate / 3;
+    c.L2 = c.mass * (part * part * c.rate / 12 + rho * (rho * pendulum->rate + across));
+    c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
+    c.T_S1 = c.L1 * c.rest.rate / 2;
+    c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after less before */
+    c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
+    if (!VM_IS_FINITE(c.rest.rate) || !VM_IS_FINITE(c.vx) || !VM_IS_FINITE(c.vy) || !VM_IS_FINITE(c.T1) ||
+        !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) || !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
+        return VM_NOT_FINITE;
+    *cut = c;
+    return VM_OK;
+}
 
 /* ---- Free rotation ------------------------------------------------------------------------------------------ */
 
@@ -2238,12 +3704,17 @@ VM_API void vmi_turn_sizes(vm_free_motion *m, const vmi_turn_axes *t, const vmi_
     m->lean[2] = t->s * t->I3.hi * m->spin[2] / L;
 }
 
+VM_API void vmi_turn_parameter(vm_free_motion *m, vm_two m1)
+{
+    m->m1 = m1.hi;
+    vmi_far_prepare(&m->far_form, m1.hi, m1.lo);
+}
+
 /* All but the unit of time and the start */
 VM_API void vmi_turn_prepare(vm_free_motion *m, const vmi_turn_body *b)
 {
     const vmi_turn_axes t = vmi_turn_order(b);
     vmi_turn_squares q;
-    vmi_roots roots;
     int constant = vmi_turn_is_constant(&t);
     if (!constant) {
         q = vmi_turn_amplitudes(&t);
@@ -2255,9 +3726,7 @@ VM_API void vmi_turn_prepare(vm_free_motion *m, const vmi_turn_body *b)
     }
     vmi_turn_sizes(m, &t, &q, vmi_turn_rates(m, &t, &q));
     vmi_turn_theta(m, &t, &q);
-    roots = vmi_theta_choose(&m->functions, q.m1.hi, q.m1.lo);
-    vmi_theta_refine(&m->functions, &roots, q.m1.hi, q.m1.lo);
-    vmi_theta_prepare(&m->functions, roots.fourth);
+    vmi_turn_parameter(m, q.m1);
 }
 
 /* rate t without whole turns, |..| <= 1; meaningless beyond 2^(2p - 4) turns */
@@ -2273,7 +3742,8 @@ VM_API vm_two vmi_turn_fraction(vm_two rate, vm_two t)
 VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* where sech is next to the smallest number */
-    vm_real theta[4], x;
+    vmi_thetas theta;
+    vm_real x;
     int half = 0, j = 0;
     vm_two v;
     if (m->K.hi > 0) {
@@ -2288,8 +3758,9 @@ VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn
         if (VM_FABS(v.hi) > longest) v = vmi_two(VM_COPYSIGN(longest, v.hi), 0);
         x = v.hi;
     }
-    vmi_theta_at(&m->functions, m->functions.form, vmi_theta_phase(&m->functions, v), (j + 2 * half) & 3, theta);
-    vmi_theta_ratios(theta, m->functions.kp, sn, cn, dn);
+    theta = v.hi * v.hi <= VMI_NEAR ? vmi_theta_near(v.hi, m->m1) : vmi_theta_far(&m->far_form, 0, v);
+    theta = vmi_theta_shift(theta, m->far_form.kp, (vmi_bits)((j + 2 * half) & 3));
+    vmi_theta_ratios(theta, m->far_form.kp, sn, cn, dn);
     return x;
 }
 
@@ -2317,7 +3788,7 @@ VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real pow
     vm_quat q = m->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_theta_prepare(&m->functions, vmi_theta_choose(&m->functions, 1, 0).fourth); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_turn_parameter(m, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
     m->theta.re[0] = 1;
     m->lean[2] = 1;
     vmi_turn_prepare(m, b);
@@ -2417,6 +3888,686 @@ VM_API int vm_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 }
 
 /* ---- Chapter 5: continuous variation of mass ---------------------------------------------------------------- */
+
+VM_API vm_vec3 vmi_load3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+VM_API void vmi_store3(vm_real *y, vm_vec3 a) { y[0] = a.x, y[1] = a.y, y[2] = a.z; }
+VM_API vm_inertia vmi_stream_load_inertia(const vm_real *y)
+{
+    vm_inertia i;
+    i.xx = y[0], i.yy = y[1], i.zz = y[2], i.xy = y[3], i.xz = y[4], i.yz = y[5];
+    return i;
+}
+VM_API void vmi_stream_store_inertia(vm_real *y, const vm_inertia *i)
+{
+    y[0] = i->xx, y[1] = i->yy, y[2] = i->zz, y[3] = i->xy, y[4] = i->xz, y[5] = i->yz;
+}
+VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
+{
+    vm_quat q;
+    q.w = y[0], q.x = y[1], q.y = y[2], q.z = y[3];
+    return q;
+}
+
+/* The rotation of a quaternion whose length is nowhere near the ends of the type's range */
+VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
+{
+    const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
+    const vm_real xx = x * q.x, yy = y * q.y, zz = z * q.z, xy = x * q.y, xz = x * q.z, yz = y * q.z;
+    const vm_real wx = x * q.w, wy = y * q.w, wz = z * q.w;
+    vmi_mat3 m;
+    m.x = vmi_vec3(1 - (yy + zz), xy + wz, xz - wy);
+    m.y = vmi_vec3(xy - wz, 1 - (xx + zz), yz + wx);
+    m.z = vmi_vec3(xz + wy, yz - wx, 1 - (xx + yy));
+    return m;
+}
+
+/* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
+typedef struct VM_TAG(vmi_stream_ldl) {
+    vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
+} vmi_stream_ldl;
+VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
+{
+    const vm_real lost = 8 * VM_EPSILON;
+    vm_real y, z, t;
+    f->x = 1 / i->xx, f->xy = i->xy * f->x, f->xz = i->xz * f->x;
+    y = i->yy - f->xy * i->xy, t = i->yz - f->xz * i->xy;
+    f->y = 1 / y, f->yz = t * f->y;
+    z = i->zz - f->xz * i->xz - f->yz * t;
+    f->z = 1 / z;
+    return i->xx > 0 && y > lost * i->yy && z > lost * i->zz;
+}
+
+VM_INLINE vm_vec3 vmi_stream_solve(const vmi_stream_ldl *f, vm_vec3 h)
+{
+    vm_vec3 w;
+    w.y = h.y - f->xy * h.x;
+    w.z = (h.z - f->xz * h.x - f->yz * w.y) * f->z;
+    w.y = w.y * f->y - f->yz * w.z;
+    w.x = h.x * f->x - f->xy * w.y - f->xz * w.z;
+    return w;
+}
+
+/* What the streams of a moving body add up to, body axes */
+typedef struct VM_TAG(vmi_stream_sum) {
+    vm_real rate, carried;    /* sum M'; that of the streams whose velocity is given relative to the body, */
+    vm_vec3 pushed;           /* their sum M' (u - v), */
+    vm_vec3 absolute;         /* and sum M' u of the others, inertial axes: exact where u = 0 */
+    vm_vec3 moment;           /* sum d x M' (u - v) */
+    vm_vec3 own;              /* sum M' kappa omega2 */
+    vm_vec3 crossing, stored; /* sum M' d, sum M' d_s */
+    vm_inertia inertia;       /* I' */
+    vm_real brought, lost;    /* twice the sums of T' */
+} vmi_stream_sum;
+
+/* Momentum, and angular momentum about the mass centre, of what is between the stores and the points of crossing */
+VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
+{
+    int k;
+    *p = *h = vmi_vec3(0, 0, 0);
+    for (k = 0; k < n; k++) {
+        if (!s[k].from) continue;
+        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
+        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+    }
+}
+
+/* M' kappa */
+VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
+{
+    vm_inertia i;
+    i.xx = rate * gyration->xx, i.yy = rate * gyration->yy, i.zz = rate * gyration->zz;
+    i.xy = rate * gyration->xy, i.xz = rate * gyration->xz, i.yz = rate * gyration->yz;
+    return i;
+}
+
+/* The motion of a body as the streams see it: v = momentum/mass in inertial axes; in body axes slip, the velocity
+   of its material at the mass centre less v, omega and the mass centre. energy: brought and lost are wanted */
+typedef struct VM_TAG(vmi_stream_seen) {
+    const vmi_mat3 *turn;
+    vm_vec3 v, slip, omega, centre;
+    int energy;
+} vmi_stream_seen;
+
+/* M' (u - v) and omega2 of a stream, body axes, and its part of the momentum's rate; 0 for an unknown motion */
+VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
+                                vm_vec3 *push, vm_vec3 *spin)
+{
+    switch (s->motion) {
+    case VM_RELATIVE: carried = vmi_add(carried, s->velocity), *spin = vmi_add(b->omega, s->spin); break;
+    case VM_ABSOLUTE:
+        *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
+        *spin = vmi_times_transposed(b->turn, s->spin);
+        sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
+        return 1;
+    case VM_CARRIED: *spin = b->omega; break;
+    case VM_AT_REST:
+        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v)), *spin = vmi_vec3(0, 0, 0);
+        return 1;
+    default: return 0;
+    }
+    *push = vmi_scale(s->rate, carried);
+    sum->carried += s->rate;
+    sum->pushed = vmi_add(sum->pushed, *push);
+    return 1;
+}
+
+VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
+                                 vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
+{
+    const vm_vec3 u = s->rate != 0 ? vmi_scale(1 / s->rate, push) : push, relative = vmi_sub(spin, b->omega);
+    const vm_vec3 absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v)), w = vmi_sub(u, carried);
+    sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
+    sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
+}
+
+VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
+{
+    const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
+                                 {0, 0, 0}, {0, 0, 0}, {0, 0, 0, 0, 0, 0}, 0,         0};
+    int k;
+    *sum = none;
+    for (k = 0; k < n; k++, s++) {
+        const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
+        vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
+        vm_vec3 push, spin, stored = d;
+        if (!vmi_stream_motion(s, b, carried, sum, &push, &spin)) return 0;
+        if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
+        sum->rate += s->rate;
+        sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
+        sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
+        sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
+        if (s->from) stored = vmi_sub(s->from->at, b->centre), own = vmi_stream_own(s->rate, &s->from->gyration);
+        sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
+        /* as a whole, so that opposite streams cancel */
+        own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
+        sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
+    }
+    return 1;
+}
+
+/* The loads of an instant */
+
+/* Finite, no negative moment. The triangle inequality is not asked for: a tensor with zz alone does for plane
+   motion */
+VM_API int vmi_stream_gyration_good(const vm_inertia *i)
+{
+    if (!vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)))
+        return VM_NOT_FINITE;
+    return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
+}
+
+VM_API int vmi_stream_good(const vm_stream *s)
+{
+    int status;
+    if (s->motion < VM_RELATIVE || s->motion > VM_AT_REST) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
+        !vmi_vec3_finite(s->spin))
+        return VM_NOT_FINITE;
+    status = vmi_stream_gyration_good(&s->gyration);
+    if (status || !s->from) return status;
+    return vmi_vec3_finite(s->from->at) ? vmi_stream_gyration_good(&s->from->gyration) : VM_NOT_FINITE;
+}
+
+VM_API int vmi_stream_all_good(int n, const vm_stream *s)
+{
+    int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
+    for (k = 0; !status && k < n; k++) status = vmi_stream_good(s + k);
+    return status;
+}
+
+VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
+                             vm_reactive *result)
+{
+    vmi_mat3 turn;
+    vmi_stream_sum sum;
+    vmi_stream_seen seen;
+    int status, k;
+    if (!body || !result) return VM_BAD_ARGUMENT;
+    status = vmi_check_body(body);
+    if (!status) status = vmi_stream_all_good(n, streams);
+    if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
+    for (k = 0; !status && k < n; k++)
+        if (streams[k].from) status = VM_BAD_ARGUMENT;
+    if (status) return status;
+    turn = vmi_rotation(body->q);
+    seen.turn = &turn, seen.v = body->v, seen.slip = vmi_vec3(0, 0, 0), seen.centre = centre, seen.energy = 0;
+    seen.omega = vmi_times_transposed(&turn, body->omega);
+    vmi_stream_sums(n, streams, &seen, &sum);
+    result->force = vmi_add(vmi_times(&turn, sum.pushed),
+                            vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    result->moment = vmi_times(&turn, sum.moment);
+    result->torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    result->drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    result->mass_rate = sum.rate;
+    result->inertia_rate = sum.inertia;
+    return VM_OK;
+}
+
+/* I^-1 (moment - omega x I omega), body axes */
+VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_stream_ldl *factors, vm_vec3 omega,
+                                   vm_vec3 moment)
+{
+    return vmi_stream_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+}
+
+VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
+                            vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
+{
+    vmi_mat3 turn;
+    vmi_stream_ldl factors;
+    int status;
+    if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
+    status = vmi_check_body(body);
+    if (!status && !(vmi_vec3_finite(force) && vmi_vec3_finite(moment))) status = VM_NOT_FINITE;
+    if (!status && !vmi_stream_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (status) return status;
+    turn = vmi_rotation(body->q);
+    moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
+    *acceleration = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    *angular_acceleration = vmi_times(&turn, vmi_stream_euler(&body->inertia, &factors,
+                                                              vmi_times_transposed(&turn, body->omega),
+                                                              vmi_times_transposed(&turn, moment)));
+    return VM_OK;
+}
+
+/* The free body */
+
+/* Derivatives that make the integrator shorten its step */
+VM_API int vmi_flow_refuse(int n, vm_real *dydt)
+{
+    int k;
+    for (k = 0; k < n; k++) dydt[k] = VM_NAN;
+    return 0;
+}
+
+/* Keeps the first reason of evaluations in a row that are refused: the others follow from its NaN */
+VM_INLINE int vmi_flow_refused(int *kept, int status)
+{
+    if (!status || !*kept) *kept = status;
+    return status;
+}
+
+/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes: the length comes back within some steps of any explicit
+   method, at a rate that is below that of the rotation itself */
+VM_INLINE void vmi_stream_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
+{
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8, x = omega.x / 2, y = omega.y / 2,
+                  z = omega.z / 2;
+    dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+/* A state taken apart: rotation, velocity and angular velocity; VM_BAD_MASS, VM_BAD_INERTIA */
+VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mass, const vm_inertia *inertia,
+                              vm_vec3 centre, vmi_mat3 *turn, vmi_stream_seen *seen)
+{
+    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
+    const vm_vec3 p = vmi_load3(y + VM_Y_P);
+    const vm_real inverse = 1 / mass;
+    vm_vec3 h;
+    vmi_stream_ldl factors;
+    if (!(mass > 0)) return VM_BAD_MASS;
+    if (!vmi_stream_factor(inertia, &factors)) return VM_BAD_INERTIA;
+    *turn = vmi_stream_rotation(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    h = vmi_times_transposed(turn, vmi_load3(y + VM_Y_H));
+    vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
+    seen->turn = turn, seen->centre = centre;
+    seen->v = vmi_scale(inverse, p);
+    seen->slip = vmi_scale(-inverse, seen->slip);
+    seen->omega = vmi_stream_solve(&factors, vmi_sub(h, seen->omega));
+    return VM_OK;
+}
+
+/* VM_Y_BALANCE on: momentum, angular momentum and energy carried off by streams less those brought by loads */
+VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
+                                const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
+{
+    const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_load3(y + VM_Y_R);
+    const vm_vec3 drift = vmi_times(seen->turn, sum->crossing);
+    vmi_store3(dydt, vmi_scale(-1, force));
+    vmi_store3(dydt + 3, vmi_scale(-1, vmi_add(moment, vmi_add(vmi_cross(r, force), vmi_cross(drift, seen->v)))));
+    dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
+}
+
+VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
+{
+    const int given = n == VM_RHS_GIVEN;
+    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
+    vm_real mass;
+    vm_vec3 centre, force, moment;
+    vm_inertia inertia;
+    vmi_mat3 turn;
+    vmi_stream_seen seen;
+    vmi_stream_sum sum;
+    int status = flow->update ? flow->update(t, y, flow) : 0;
+    if (status) return status;
+    mass = given ? flow->mass : y[VM_Y_MASS];
+    centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
+    inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
+    status = vmi_flow_motion(flow, y, mass, &inertia, centre, &turn, &seen);
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(n, dydt);
+    seen.energy = n == VM_RHS_BALANCED;
+    if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
+    force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
+    force = vmi_add(flow->force, vmi_add(sum.absolute, force));
+    moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
+    vmi_store3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / mass, sum.crossing))));
+    vmi_stream_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_store3(dydt + VM_Y_P, force);
+    vmi_store3(dydt + VM_Y_H, moment);
+    if (given) return 0;
+    dydt[VM_Y_MASS] = sum.rate;
+    vmi_store3(dydt + VM_Y_CENTRE, vmi_scale(1 / mass, sum.stored));
+    vmi_stream_store_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
+    if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
+    return 0;
+}
+
+VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+{
+    return vmi_flow_rates((vm_flow *)flow, VM_RHS, t, y, dydt);
+}
+
+VM_API int vm_rhs_given(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+{
+    return vmi_flow_rates((vm_flow *)flow, VM_RHS_GIVEN, t, y, dydt);
+}
+
+VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+{
+    return vmi_flow_rates((vm_flow *)flow, VM_RHS_BALANCED, t, y, dydt);
+}
+
+VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vm_flow *flow = (vm_flow *)ctx;
+    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
+    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    const vm_vec3 omega = vmi_load3(y + VM_Y_H);
+    vmi_mat3 turn;
+    vmi_stream_ldl factors;
+    int status = flow->update ? flow->update(t, y, flow) : 0;
+    if (status) return status;
+    status = !(flow->mass > 0) ? VM_BAD_MASS : vmi_stream_factor(&flow->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS_GIVEN, dydt);
+    turn = vmi_stream_rotation(q, square);
+    vmi_store3(dydt + VM_Y_R, vmi_add(vmi_load3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
+    vmi_stream_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_store3(dydt + VM_Y_P,
+               vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+    vmi_store3(dydt + VM_Y_H,
+               vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
+    return 0;
+}
+
+/* Of length 1; the identity for all zero */
+VM_API vm_quat vmi_stream_unit(vm_quat q)
+{
+    vm_real largest = VM_FABS(q.w), length;
+    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
+    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
+    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
+    if (largest == 0) q.w = largest = 1;
+    q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
+    length = VM_SQRT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    q.w /= length, q.x /= length, q.y /= length, q.z /= length;
+    return q;
+}
+
+VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
+{
+    vm_vec3 p, h;
+    vm_quat q;
+    vmi_stream_ldl factors;
+    vmi_mat3 turn;
+    int status;
+    if (!flow || !body || !y) return VM_BAD_ARGUMENT;
+    status = vmi_check_body(body);
+    if (!status) status = vmi_stream_all_good(flow->n, flow->streams);
+    if (!status &&
+        !(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
+        status = VM_NOT_FINITE;
+    if (!status && !vmi_stream_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (status) return status;
+    q = vmi_stream_unit(body->q);
+    turn = vmi_rotation(q);
+    vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
+    y[VM_Y_Q] = q.w, y[VM_Y_Q + 1] = q.x, y[VM_Y_Q + 2] = q.y, y[VM_Y_Q + 3] = q.z;
+    vmi_store3(y + VM_Y_R, body->r);
+    vmi_store3(y + VM_Y_P, vm_momentum(body));
+    vmi_store3(y + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    y[VM_Y_MASS] = body->mass;
+    vmi_store3(y + VM_Y_CENTRE, flow->centre);
+    vmi_stream_store_inertia(y + VM_Y_INERTIA, &body->inertia);
+    flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
+    return VM_OK;
+}
+
+VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
+{
+    const int given = n < VM_RHS;
+    vm_vec3 centre;
+    vm_body b;
+    vmi_mat3 turn;
+    vmi_stream_seen seen;
+    int status;
+    if (!flow || !y || !body || n < VM_RHS_GIVEN) return VM_BAD_ARGUMENT;
+    b.mass = given ? flow->mass : y[VM_Y_MASS];
+    b.inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
+    centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
+    status = vmi_flow_motion(flow, y, b.mass, &b.inertia, centre, &turn, &seen);
+    if (status) return status;
+    b.q = vmi_stream_unit(vmi_stream_load_quat(y + VM_Y_Q));
+    b.r = vmi_load3(y + VM_Y_R), b.v = seen.v, b.omega = vmi_times(&turn, seen.omega);
+    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    *body = b;
+    return VM_OK;
+}
+
+VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
+{
+    (void)t;
+    return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
+}
+
+VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
+{
+    const vm_inertia i = vmi_stream_load_inertia(y + VM_Y_INERTIA);
+    vmi_stream_ldl f;
+    vm_real least = i.xx;
+    (void)t;
+    if (vmi_stream_factor(&i, &f)) {
+        if (1 / f.y < least) least = 1 / f.y;
+        if (1 / f.z < least) least = 1 / f.z;
+    } else least = 0;
+    return least - ((const vm_flow *)flow)->least_inertia;
+}
+
+VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
+{
+    const vm_real inverse = 1 / y[6];
+    const vm_vec3 v = vmi_scale(inverse, vmi_load3(y + 3));
+    vm_real rate = 0;
+    vm_vec3 force = flow->force;
+    int k;
+    if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
+        return vmi_flow_refuse(VM_RHS_TRANSLATION, dydt);
+    for (k = 0; k < flow->n; k++) {
+        const vm_stream *s = flow->streams + k;
+        vm_vec3 u = vmi_add(v, s->velocity);
+        if (s->motion != VM_RELATIVE)
+            u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
+        rate += s->rate, force = vmi_add(force, vmi_scale(s->rate, u));
+    }
+    vmi_store3(dydt, v), vmi_store3(dydt + 3, force);
+    dydt[6] = rate;
+    return 0;
+}
+
+VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
+{
+    const vm_real v = y[1] / y[2];
+    vm_real force = flow->force, rate = 0;
+    int k;
+    if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_RHS1, dydt);
+    for (k = 0; k < flow->n; k++) {
+        const vm_stream1 *s = flow->streams + k;
+        vm_real u = v + s->velocity;
+        if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
+        rate += s->rate, force += s->rate * u;
+    }
+    dydt[0] = v, dydt[1] = force, dydt[2] = rate;
+    return 0;
+}
+
+/* Apart, so that nothing is saved for a call that is not made */
+VMI_APART int vmi_translation_updated(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
+{
+    const int status = flow->update(t, y, flow);
+    return status ? status : vmi_translation_rates(flow, y, dydt);
+}
+
+VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
+{
+    const int status = flow->update(t, y, flow);
+    return status ? status : vmi_rates1(flow, y, dydt);
+}
+
+VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+{
+    vm_flow *f = (vm_flow *)flow;
+    return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
+}
+
+VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
+{
+    vm_flow1 *f = (vm_flow1 *)flow1;
+    return f->update ? vmi_updated1(t, y, dydt, f) : vmi_rates1(f, y, dydt);
+}
+
+/* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
+   less its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it
+   costs 2^-67 (2^-28) */
+VM_INLINE void vmi_stream_sincos(vm_real x, vm_real *sine, vm_real *cosine)
+{
+#if VM_MANT_DIG > 24
+    const vm_real most = VM_C(1048576.0), first = VM_C(1.570796326734125614166),
+                  second = VM_C(6.077100506506192601e-11);
+#else
+    const vm_real most = VM_C(1024.0), first = VM_C(1.5706787109375), second = VM_C(1.176158573966192321e-4);
+#endif
+    const vm_real quarters = x * VM_C(0.63661977236758134308);
+    vm_real s, c, rest, tail;
+    vm_two z;
+    long j;
+    if (!(VM_FABS(quarters) < most)) {
+        vmi_sincos(x, sine, cosine);
+        return;
+    }
+    j = (long)(quarters + VM_COPYSIGN(VM_C(0.5), quarters));
+    rest = x - (vm_real)j * first, tail = (vm_real)j * second;
+    z.hi = rest - tail, z.lo = (rest - z.hi) - tail;
+    vmi_sin_cos(z, &s, &c);
+    *sine = (j & 1 ? c : s) * (vm_real)(1 - (j & 2));
+    *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
+}
+
+/* Sums of the streams in the plane, body axes but for fx, fy */
+typedef struct VM_TAG(vmi_stream_sum2) {
+    vm_real rate, carried, px, py, fx, fy, moment, sx, sy, inertia;
+} vmi_stream_sum2;
+
+/* bx, by: v in body axes, of which sine and cosine are the direction */
+VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_real omega, vm_real bx, vm_real by,
+                               vm_real sine, vm_real cosine, vmi_stream_sum2 *sum)
+{
+    vm_real ux, uy, spin = 0; /* M' (u - v) */
+    if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
+        ux = -omega * dy, uy = omega * dx, spin = omega;
+        if (s->motion == VM_RELATIVE) ux += s->vx, uy += s->vy, spin += s->spin;
+        ux *= s->rate, uy *= s->rate;
+        sum->carried += s->rate, sum->px += ux, sum->py += uy;
+    } else {
+        ux = -s->rate * bx, uy = -s->rate * by;
+        if (s->motion == VM_ABSOLUTE) {
+            const vm_real ax = s->rate * s->vx, ay = s->rate * s->vy;
+            sum->fx += ax, sum->fy += ay, spin = s->spin;
+            ux += cosine * ax + sine * ay, uy += cosine * ay - sine * ax;
+        }
+    }
+    sum->rate += s->rate;
+    sum->moment += dx * uy - dy * ux + s->rate * s->gyration * spin;
+    sum->sx += s->rate * dx, sum->sy += s->rate * dy;
+    sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
+}
+
+VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vm_flow2 *flow = (vm_flow2 *)ctx;
+    vmi_stream_sum2 sum = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    vm_real sine, cosine, inverse, vx, vy, omega, sx, sy;
+    int k, status = flow->update ? flow->update(t, y, flow) : 0;
+    if (status) return status;
+    status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
+    sine = 0, cosine = 1;
+    if (flow->n) vmi_stream_sincos(y[2], &sine, &cosine);
+    inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, omega = y[5] / y[9];
+    sum.fx = flow->fx, sum.fy = flow->fy, sum.moment = flow->moment;
+    for (k = 0; k < flow->n; k++)
+        vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
+                        cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
+    sx = sum.sx * inverse, sy = sum.sy * inverse;
+    dydt[0] = vx + cosine * sx - sine * sy, dydt[1] = vy + sine * sx + cosine * sy, dydt[2] = omega;
+    dydt[3] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
+    dydt[4] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
+    dydt[5] = sum.moment, dydt[6] = sum.rate, dydt[7] = sx, dydt[8] = sy, dydt[9] = sum.inertia;
+    return 0;
+}
+
+/* Closed forms */
+
+/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp: the logarithm has 2^-64 (float 2^-31) of itself, so
+   that the difference loses nothing down to 2^-8, where seven terms of its series are enough */
+VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
+{
+    if (VM_FABS(x) < VM_C(0.00390625)) {
+        *second =
+            VM_C(0.5) -
+            x * (VM_C(1.0) / 3 -
+                 x * (VM_C(0.25) - x * (VM_C(0.2) - x * (VM_C(1.0) / 6 - x * (VM_C(1.0) / 7 - x * VM_C(0.125))))));
+        *first = 1 - x * *second;
+    } else {
+        const vm_two l = vmi_two_log(vmi_two_sum(1, x));
+        *first = l.hi / x;
+        *second = ((x - l.hi) - l.lo) / x / x;
+    }
+}
+
+VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
+{
+    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
+}
+
+VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
+{
+    vm_two l;
+    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
+    else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
+    return v0 + w * l.hi;
+}
+
+/* With tau = rate t/m0, L = ln(1 + tau)/tau, B = (tau - ln(1 + tau))/tau^2, constant force and u:
+     v - v0 = (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B
+   as M (v - u) + const; and with constant w:
+     v - v0 = (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B) */
+VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
+                          vm_real *x, vm_real *v)
+{
+    vm_real tau, first, second, pull;
+    if (!stream || !x || !v) return VM_BAD_ARGUMENT;
+    if (stream->motion < VM_RELATIVE || stream->motion > VM_AT_REST) return VM_BAD_ARGUMENT;
+    if (!(m0 > 0)) return VM_BAD_MASS;
+    tau = stream->rate * t / m0;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(x0 + v0 + force + stream->velocity)) return VM_NOT_FINITE;
+    if (!(tau > -1)) return VM_BAD_MASS;
+    vmi_stream_log_means(tau, &first, &second);
+    pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
+    if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
+        pull = (force + stream->rate * pull) / m0;
+        *v = v0 + pull * t * first;
+        *x = x0 + t * (v0 + pull * t * (first - second));
+    } else {
+        pull = (force + stream->rate * (pull - v0)) / m0;
+        *v = v0 + pull * t / (1 + tau);
+        *x = x0 + t * (v0 + pull * t * second);
+    }
+    return VM_OK;
+}
+
+/* With tau = rate gyration t/A0 and c likewise: ln(A/A0) = tau L, integral (C/A - 1) dt = t (C0/A0 L - 1 + rate t
+   gyration_axial/A0 B) */
+VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
+{
+    vm_real change, tau, first, second, decay, sine, cosine;
+    if (!jet || !omega) return VM_BAD_ARGUMENT;
+    if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
+    change = jet->rate * t / jet->transverse, tau = change * jet->gyration_transverse;
+    decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
+    if (!VM_IS_FINITE(tau + decay + jet->axial) || !vmi_vec3_finite(omega0)) return VM_NOT_FINITE;
+    if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
+    vmi_stream_log_means(tau, &first, &second);
+    decay = vmi_exp(decay * first, 0);
+    vmi_sincos(omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second),
+               &sine, &cosine);
+    *omega = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
+                      omega0.z);
+    return VM_OK;
+}
 
 /* ---- Chapter 5.2: the drum ---------------------------------------------------------------------------------- */
 
@@ -2779,6 +4930,184 @@ VM_API vm_real vm_lambert_wm1_mexp(vm_real l)
 
 /* ---- Chapter 6: Lagrange's equations with variable mass ----------------------------------------------------- */
 
+/* Parts of work: A, b and then a right-hand side, rates, a trial point, masses */
+typedef struct VM_TAG(vmi_frozen_parts) {
+    vm_real *A, *b, *rates, *trial, *masses;
+} vmi_frozen_parts;
+VM_API vmi_frozen_parts vmi_frozen_work(const vm_lagrange *l)
+{
+    vmi_frozen_parts w;
+    w.A = l->work, w.b = w.A + (ptrdiff_t)l->n * l->n;
+    w.rates = w.b + l->n, w.trial = w.rates + l->n, w.masses = w.trial + l->n;
+    return w;
+}
+
+/* T at rates x e_i + z e_j */
+VM_API vm_real vmi_frozen_energy(const vm_lagrange *l, vm_real t, const vm_real *q, int i, vm_real x, int j,
+                                 vm_real z)
+{
+    const vmi_frozen_parts w = vmi_frozen_work(l);
+    int k;
+    for (k = 0; k < l->n; k++) w.trial[k] = (k == i ? x : 0) + (k == j ? z : 0);
+    return l->energy(t, q, w.trial, w.masses, l->ctx);
+}
+
+/* A and b from T; steps of the size of 1/sqrt(A_ii) keep the roundings of unlike coordinates apart */
+VM_API void vmi_frozen_quadratic(const vm_lagrange *l, vm_real t, const vm_real *q)
+{
+    const vmi_frozen_parts w = vmi_frozen_work(l);
+    const int n = l->n;
+    const vm_real T0 = vmi_frozen_energy(l, t, q, -1, 0, -1, 0);
+    int i, j;
+    for (i = 0; i < n; i++) {
+        const vm_real plus = vmi_frozen_energy(l, t, q, i, 1, -1, 0);
+        const vm_real minus = vmi_frozen_energy(l, t, q, i, -1, -1, 0);
+        w.A[i * n + i] = (plus - T0) + (minus - T0);
+        w.b[i] = (plus - minus) / 2;
+    }
+    for (i = 0; i < n; i++)
+        for (j = 0; j < i; j++) {
+            const vm_real x = 1 / VM_SQRT(w.A[i * n + i]), z = 1 / VM_SQRT(w.A[j * n + j]);
+            const vm_real same = vmi_frozen_energy(l, t, q, i, x, j, z) + vmi_frozen_energy(l, t, q, i, -x, j, -z);
+            const vm_real apart = vmi_frozen_energy(l, t, q, i, x, j, -z) + vmi_frozen_energy(l, t, q, i, -x, j, z);
+            w.A[i * n + j] = w.A[j * n + i] = (same - apart) / (4 * x * z);
+        }
+}
+
+VM_API void vmi_frozen_freeze(const vm_lagrange *l, vm_real t, const vm_real *q)
+{
+    if (l->masses) l->masses(t, q, vmi_frozen_work(l).masses, l->ctx);
+}
+
+/* q' into the work */
+VM_API int vmi_frozen_solve(const vm_lagrange *l, vm_real t, const vm_real *y)
+{
+    const vmi_frozen_parts w = vmi_frozen_work(l);
+    int k;
+    vmi_frozen_freeze(l, t, y);
+    vmi_frozen_quadratic(l, t, y);
+    for (k = 0; k < l->n; k++) w.rates[k] = y[l->n + k] - w.b[k];
+    return vmi_solve_linear(l->n, w.A, w.rates);
+}
+
+/* h^6/140 of the seventh derivative against eps/h: h = 2^-7 for eps = 2^-52, 2^-3 for 2^-23 */
+VM_API vm_real vmi_frozen_derivative(const vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+{
+    const vmi_frozen_parts w = vmi_frozen_work(l);
+    const vm_real h = (VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125)) * (l->scales ? l->scales[i] : 1);
+    const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
+    vm_real sum = 0;
+    int k;
+    for (k = 0; k < l->n; k++) w.trial[k] = q[k];
+    for (k = 3; k > 0; k--) {
+        vm_real difference;
+        w.trial[i] = q[i] + (vm_real)k * h;
+        difference = l->energy(t, w.trial, rates, w.masses, l->ctx);
+        w.trial[i] = q[i] - (vm_real)k * h;
+        difference -= l->energy(t, w.trial, rates, w.masses, l->ctx);
+        sum += weights[k - 1] * difference;
+    }
+    return sum / h;
+}
+
+VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
+{
+    const vm_lagrange *l = (const vm_lagrange *)lagrange;
+    const vmi_frozen_parts w = vmi_frozen_work(l);
+    int k, status = vmi_frozen_solve(l, t, y);
+    if (status) return status;
+    for (k = 0; k < l->n; k++) dydt[k] = w.rates[k], dydt[l->n + k] = 0;
+    if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
+    for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_frozen_derivative(l, t, y, w.rates, k);
+    return status;
+}
+
+VM_API int vmi_frozen_good(const vm_lagrange *l)
+{
+    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
+}
+
+VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
+{
+    vmi_frozen_parts w;
+    int i, j;
+    if (!vmi_frozen_good(l) || !q || !rates || !y) return VM_BAD_ARGUMENT;
+    w = vmi_frozen_work(l);
+    vmi_frozen_freeze(l, t, q);
+    vmi_frozen_quadratic(l, t, q);
+    for (i = 0; i < l->n; i++)
+        for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
+    for (i = 0; i < l->n; i++)
+        if (!VM_IS_FINITE(w.b[i]) || !VM_IS_FINITE(q[i])) return VM_NOT_FINITE;
+    for (i = 0; i < l->n; i++) y[i] = q[i], y[l->n + i] = w.b[i];
+    return VM_OK;
+}
+
+VM_API int vm_lagrange_rates(vm_lagrange *l, vm_real t, const vm_real *y, vm_real *rates)
+{
+    int k, status;
+    vmi_frozen_parts w;
+    if (!vmi_frozen_good(l) || !y || !rates) return VM_BAD_ARGUMENT;
+    w = vmi_frozen_work(l);
+    status = vmi_frozen_solve(l, t, y);
+    for (k = 0; !status && k < l->n; k++)
+        if (!VM_IS_FINITE(w.rates[k])) status = VM_NOT_FINITE;
+    for (k = 0; !status && k < l->n; k++) rates[k] = w.rates[k];
+    return status;
+}
+
+VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+{
+    if (!vmi_frozen_good(l) || !q || !rates || i < 0 || i >= l->n) return VM_NAN;
+    vmi_frozen_freeze(l, t, q);
+    return vmi_frozen_derivative(l, t, q, rates, i);
+}
+
+VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
+{
+    int k;
+    for (k = 0; k < n; k++) {
+        if (dr) Q[k] += vmi_dot(force, dr[k]);
+        if (domega) Q[k] += vmi_dot(moment, domega[k]);
+    }
+}
+
+VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
+{
+    vm_quat turn, tilt, spin;
+    turn.x = turn.y = tilt.y = tilt.z = spin.x = spin.y = 0;
+    vmi_sincos(psi / 2, &turn.z, &turn.w);
+    vmi_sincos(theta / 2, &tilt.x, &tilt.w);
+    vmi_sincos(phi / 2, &spin.z, &spin.w);
+    return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
+}
+
+VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine;
+    vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(0, 0, 1), axis[1] = vmi_vec3(c, s, 0), axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
+}
+
+VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine;
+    vmi_sincos(phi, &s, &c), vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(sine * s, sine * c, cosine), axis[1] = vmi_vec3(c, -s, 0), axis[2] = vmi_vec3(0, 0, 1);
+}
+
+VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
+{
+    vm_real s, c, sine, cosine;
+    vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
+    if (sine == 0) return VM_SINGULAR;
+    if (!VM_IS_FINITE(sine + s) || !vmi_vec3_finite(omega)) return VM_NOT_FINITE;
+    rates[2] = (s * omega.x - c * omega.y) / sine;
+    rates[1] = c * omega.x + s * omega.y;
+    rates[0] = omega.z - rates[2] * cosine;
+    return VM_OK;
+}
+
 /* ---- Chapter 7.2-7.3: the oscillator of constant mass ------------------------------------------------------- */
 
 /* ds/dt of the Ateb phase, sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2); NaN outside the domain */
@@ -2820,6 +5149,134 @@ VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
 }
 
+VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha)
+{
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
+    return v * v / 2 + omega0 * omega0 * vmi_raised(VM_FABS(x), alpha + 1) / (alpha + 1);
+}
+
+/* The amplitude that the velocity alone would give, A_v^((alpha+1)/2) = v/(sqrt(2/(alpha+1)) omega0), and |x| are put
+   together as A^(alpha+1) = |x|^(alpha+1) + A_v^(alpha+1), scaled so that no power overflows that A does not. */
+VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
+{
+    const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0));
+    vm_real a, b, larger;
+    *A = *psi = VM_NAN;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s)) return;
+    a = VM_FABS(x), b = vmi_raised(VM_FABS(s), 2 / n);
+    larger = a > b ? a : b;
+    *A = larger == 0 || a == 0 || b == 0 ? larger
+                                         : larger * vmi_raised(1 + vmi_raised((a > b ? b : a) / larger, n), 1 / n);
+    *psi = ateb_phase(s == 0 ? 0 : -s, x, alpha);
+}
+
+VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0, vm_real alpha, vm_real *x,
+                              vm_real *v)
+{
+    vm_real A, psi, rate, sa, ca;
+    vm_osc_amplitude_phase(x0, v0, omega0, alpha, &A, &psi);
+    rate = A == 0 ? 0 : vmi_osc_rate(A, omega0, alpha);
+    ateb_saca(psi + rate * t, alpha, &sa, &ca);
+    *x = A * ca;
+    *v = -vm_osc_vmax(A, omega0, alpha) * sa;
+}
+
+/* A periodic function that stands for the motion, x = A c, x' = -speed vmax(A) s, as a function of the Ateb phase
+   psi, of which its own angle is turn psi. In the averaged equations with a force F by mass, V = speed vmax(A),
+     A'/A = -q/(alpha+3) - gain_A <F s>/V,   theta' = -gain_theta <F c>/V   (in its own angle) */
+typedef struct VM_TAG(vmi_osc_wave) {
+    int method;
+    vm_real alpha, turn, speed, gain_A, gain_theta;
+    vm_real m; /* k^2 of cn */
+    const ateb_plan *ateb;
+} vmi_osc_wave;
+
+VM_API vmi_osc_wave vmi_osc_wave_of(int method, vm_real alpha, vm_real pi, const ateb_plan *ateb_or_NULL)
+{
+    vmi_osc_wave w;
+    w.method = method, w.alpha = alpha, w.ateb = ateb_or_NULL;
+    w.turn = w.speed = w.gain_theta = 1, w.gain_A = 2 / (alpha + 1), w.m = 0;
+    if (method == VM_ROUTE_TRIG) {
+        w.turn = VM_PI / pi;
+        w.gain_A = w.gain_theta = 4 / (alpha + 3); /* 5 - alpha in (337)-(339): the sign in (335) */
+    }
+    if (method == VM_ROUTE_JACOBI) {
+        vm_real C2, C4, C6, bracket;
+        w.m = jacobi_solve_kpK(pi / (alpha + 1));
+        w.turn = 2 * jacobi_K(w.m) / pi;
+        jacobi_cn_means(w.m, &C2, &C4, &C6);
+        bracket = (1 - w.m) + w.m * C4; /* = 2 <sn^2 dn^2> */
+        w.gain_A = 4 / ((alpha + 3) * bracket), w.gain_theta = 1 / bracket;
+    }
+    if (method != VM_ROUTE_ATEB) w.speed = (alpha + 1) / 2 * w.turn;
+    return w;
+}
+
+VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
+{
+    if (w->method == VM_ROUTE_TRIG) vmi_sincos(w->turn * psi, s, c);
+    else if (w->method == VM_ROUTE_JACOBI) {
+        vm_real dn;
+        jacobi_sncndn(w->turn * psi, w->m, s, c, &dn);
+        *s *= dn;
+    } else if (w->ateb) ateb_plan_saca(w->ateb, psi, s, c);
+    else ateb_saca(psi, w->alpha, s, c);
+}
+
+VM_API void vmi_osc_constant(int method, vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x,
+                             vm_real *v)
+{
+    const vm_real pi = ateb_pi(alpha);
+    const vmi_osc_wave w = vmi_osc_wave_of(method, alpha, pi, NULL);
+    vm_real rate = vmi_osc_rate(x0, omega0, alpha), c, s;
+    if (x0 == 0 && rate == rate) rate = 0;
+    vmi_osc_wave_at(&w, rate * t, &c, &s);
+    *x = x0 * c;
+    *v = -VM_COPYSIGN(w.speed * vm_osc_vmax(x0, omega0, alpha), x0) * s;
+}
+
+VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
+{
+    vmi_osc_constant(VM_ROUTE_TRIG, t, x0, omega0, alpha, x, v);
+}
+
+VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
+{
+    vmi_osc_constant(VM_ROUTE_JACOBI, t, x0, omega0, alpha, x, v);
+}
+
+/* Largest differences from ca and sa, over a quarter of the period, at points that crowd where x = 0 */
+VM_API void vmi_osc_wave_errors(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
+{
+    const int points = 256;
+    int i;
+    *x_error = *v_error = 0;
+    for (i = 0; i <= points; i++) {
+        const vm_real u = (vm_real)i / (vm_real)points, psi = pi / 2 * (1 - u * u);
+        vm_real sa, ca, c, s;
+        ateb_saca(psi, w->alpha, &sa, &ca);
+        vmi_osc_wave_at(w, psi, &c, &s);
+        c = VM_FABS(c - ca), s = VM_FABS(w->speed * s - sa);
+        if (c > *x_error) *x_error = c;
+        if (s > *v_error) *v_error = s;
+    }
+}
+
+VM_API vm_osc_comparison vm_osc_compare(vm_real alpha)
+{
+    const vm_real pi = ateb_pi(alpha);
+    vm_osc_comparison r = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
+    vmi_osc_wave w;
+    if (pi != pi) return r;
+    w = vmi_osc_wave_of(VM_ROUTE_TRIG, alpha, pi, NULL);
+    r.trig_vmax = w.speed;
+    vmi_osc_wave_errors(&w, pi, &r.trig_x, &r.trig_v);
+    w = vmi_osc_wave_of(VM_ROUTE_JACOBI, alpha, pi, NULL);
+    r.jacobi_vmax = w.m > VM_C(0.5) ? w.speed / (2 * VM_SQRT(w.m)) : 1;
+    vmi_osc_wave_errors(&w, pi, &r.jacobi_x, &r.jacobi_v);
+    return r;
+}
+
 /* ---- Chapter 7.4: slowly varying mass ----------------------------------------------------------------------- */
 
 VM_API int vmi_osc_law_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
@@ -2842,13 +5299,1919 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
     return vmi_raised(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
 }
 
+/* -- Laws of mass and stiffness -- */
+
+/* ln(1 + x)/x and (e^x - 1)/x, 1 at x = 0: quotients of differences from 1 with the same rounding (Kahan) */
+VM_API vm_real vmi_log_ratio(vm_real x)
+{
+    const vm_real y = vmi_rounded(1 + x);
+    return y == 1 ? 1 : vmi_log(y).hi / (y - 1);
+}
+VM_API vm_real vmi_exp_ratio(vm_real x)
+{
+    const vm_real y = vmi_rounded(vmi_exp(x, 0));
+    if (y == 1) return 1;
+    return x > 1 || x < -1 ? (y - 1) / x : (y - 1) / vmi_log(y).hi;
+}
+
+VM_API vm_law vmi_law_of(int kind, vm_real f0, vm_real f1, vm_real f2)
+{
+    vm_law law;
+    law.kind = kind, law.f0 = f0, law.f1 = f1, law.f2 = f2;
+    law.n = 0, law.time = law.value = NULL, law.function = NULL, law.ctx = NULL;
+    return law;
+}
+VM_API vm_law vm_law_linear(vm_real f0, vm_real f1) { return vmi_law_of(VM_LAW_LINEAR, f0, f1, 0); }
+VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
+{
+    return vmi_law_of(VM_LAW_QUADRATIC, f0, f1, f2);
+}
+VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1) { return vmi_law_of(VM_LAW_EXPONENTIAL, f0, f1, 0); }
+VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2) { return vmi_law_of(VM_LAW_POWER, f0, f1, f2); }
+VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
+{
+    vm_law law = vmi_law_of(VM_LAW_TABLE, 0, 0, 0);
+    law.n = n, law.time = time, law.value = value;
+    return law;
+}
+VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
+{
+    vm_law law = vmi_law_of(VM_LAW_FUNCTION, 0, 0, 0);
+    law.function = function, law.ctx = ctx;
+    return law;
+}
+
+/* Slope at point i of a table: the harmonic mean of the chords beside it, weighted (Fritsch and Butland); at the ends
+   that of the parabola through three points, held back so that the cubic stays monotone */
+VM_API vm_real vmi_law_slope(const vm_law *law, int i)
+{
+    const vm_real *t = law->time, *f = law->value;
+    const int last = law->n - 1, end = i == 0 || i == last, j = i == 0 ? 1 : i == last ? last - 1 : i;
+    vm_real h0, h1, d0, d1, slope;
+    if (last == 1) return (f[1] - f[0]) / (t[1] - t[0]);
+    h0 = t[j] - t[j - 1], h1 = t[j + 1] - t[j];
+    d0 = (f[j] - f[j - 1]) / h0, d1 = (f[j + 1] - f[j]) / h1;
+    if (!end) return d0 * d1 <= 0 ? 0 : 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
+    if (i == last) slope = h0, h0 = h1, h1 = slope, slope = d0, d0 = d1, d1 = slope;
+    slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
+    if (slope * d0 <= 0) return 0;
+    return d0 * d1 < 0 && VM_FABS(slope) > 3 * VM_FABS(d0) ? 3 * d0 : slope;
+}
+
+/* i of the interval time[i] .. time[i+1] with t in it; where t is a point, the interval on that side of it */
+VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
+{
+    int low = 0, high = law->n - 1;
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        if (t > law->time[middle] || (t == law->time[middle] && side > 0)) low = middle;
+        else high = middle;
+    }
+    return low;
+}
+
+VM_API int vmi_law_from_table(const vm_law *law, vm_real t, int side, vm_real *f)
+{
+    vm_real h, u, d, s0, s1, b, c;
+    int i;
+    if (law->n < 2 || !law->time || !law->value || !(t >= law->time[0] && t <= law->time[law->n - 1]))
+        return VM_BAD_ARGUMENT;
+    i = vmi_law_interval(law, t, side);
+    h = law->time[i + 1] - law->time[i], u = t - law->time[i];
+    d = (law->value[i + 1] - law->value[i]) / h;
+    s0 = vmi_law_slope(law, i), s1 = vmi_law_slope(law, i + 1);
+    b = (3 * d - 2 * s0 - s1) / h, c = (s0 + s1 - 2 * d) / (h * h);
+    f[0] = law->value[i] + u * (s0 + u * (b + u * c));
+    f[1] = s0 + u * (2 * b + 3 * u * c);
+    f[2] = 2 * b + 6 * u * c;
+    f[3] = 6 * c;
+    return VM_OK;
+}
+
+/* The second derivative of a user's function, of second order from values at t, t + step, t + 2 step */
+VM_API int vmi_law_from_function(const vm_law *law, vm_real t, vm_real step, vm_real *f)
+{
+    vm_real unused, rate[2];
+    int i;
+    f[2] = 0;
+    if (!law->function || law->function(t, f, f + 1, law->ctx)) return VM_BAD_ARGUMENT;
+    if (step == 0) return VM_OK;
+    for (i = 0; i < 2; i++)
+        if (law->function(t + (vm_real)(i + 1) * step, &unused, rate + i, law->ctx)) return VM_BAD_ARGUMENT;
+    f[2] = (4 * (rate[0] - f[1]) - (rate[1] - f[1])) / (2 * step);
+    return VM_OK;
+}
+
+/* f, f', f'' at t, the last on that side of t where it jumps; step as above, 0 where f'' of functions is not wanted.
+   f''' where it is more than changes of f'' in the time of changes of f: in tables, else 0 */
+VM_API int vmi_law_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+{
+    int status = VM_OK;
+    f[3] = 0;
+    switch (law->kind) {
+    case VM_LAW_LINEAR: f[0] = law->f0 + law->f1 * t, f[1] = law->f1, f[2] = 0; break;
+    case VM_LAW_QUADRATIC:
+        f[0] = law->f0 + t * (law->f1 + t * law->f2), f[1] = law->f1 + 2 * law->f2 * t, f[2] = 2 * law->f2;
+        break;
+    case VM_LAW_EXPONENTIAL:
+        f[0] = law->f0 * vmi_exp(law->f1 * t, 0), f[1] = law->f1 * f[0], f[2] = law->f1 * f[1];
+        break;
+    case VM_LAW_POWER: {
+        const vm_real base = 1 + law->f1 * t, c = law->f1 / base;
+        f[0] = law->f0 * vmi_raised(base, law->f2), f[1] = law->f2 * c * f[0], f[2] = (law->f2 - 1) * c * f[1];
+        if (!(base > 0)) return VM_BAD_MASS;
+        break;
+    }
+    case VM_LAW_TABLE: status = vmi_law_from_table(law, t, side, f); break;
+    case VM_LAW_FUNCTION: status = vmi_law_from_function(law, t, step, f); break;
+    default: return VM_BAD_ARGUMENT;
+    }
+    if (status) return status;
+    if (!VM_IS_FINITE(f[0]) || !VM_IS_FINITE(f[1]) || !VM_IS_FINITE(f[2])) return VM_NOT_FINITE;
+    return f[0] > 0 ? VM_OK : VM_BAD_MASS;
+}
+
+VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
+{
+    vm_real values[4];
+    int status;
+    if (!law || !f || !rate) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_law_derivatives(law, t, 1, 0, values);
+    if (status) return status;
+    *f = values[0], *rate = values[1];
+    return VM_OK;
+}
+
+/* Is the law positive between 0 and t, as far as can be told without going there? Tables: all of it, and in order */
+VM_API int vmi_law_check(const vm_law *law, vm_real t)
+{
+    vm_real f[4];
+    int i, status = vmi_law_derivatives(law, 0, 1, 0, f);
+    if (!status) status = vmi_law_derivatives(law, t, 1, 0, f);
+    if (status) return status;
+    if (law->kind == VM_LAW_QUADRATIC && law->f2 > 0) {
+        const vm_real lowest = -law->f1 / (2 * law->f2);
+        if (lowest * t > 0 && VM_FABS(lowest) < VM_FABS(t)) return vmi_law_derivatives(law, lowest, 1, 0, f);
+    }
+    if (law->kind == VM_LAW_TABLE)
+        for (i = 0; i < law->n; i++) {
+            if (!VM_IS_FINITE(law->value[i]) || !VM_IS_FINITE(law->time[i])) return VM_NOT_FINITE;
+            if (!(law->value[i] > 0)) return VM_BAD_MASS;
+            if (i > 0 && !(law->time[i] > law->time[i - 1])) return VM_BAD_ARGUMENT;
+        }
+    return VM_OK;
+}
+
+/* Laws that are f0 exp(rate u), u = ln(1 + base t)/base (t where base = 0): 1 and base, rate; constants have rate 0.
+   A quadratic one is, where it is a square within rounding. */
+VM_API int vmi_law_base(const vm_law *law, vm_real *base, vm_real *rate)
+{
+    *base = *rate = 0;
+    switch (law->kind) {
+    case VM_LAW_LINEAR: *base = *rate = law->f1 / law->f0; return 1;
+    case VM_LAW_EXPONENTIAL: *rate = law->f1; return 1;
+    case VM_LAW_POWER: *base = law->f1, *rate = law->f1 * law->f2; return 1;
+    case VM_LAW_QUADRATIC: {
+        const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
+        *rate = law->f1 / law->f0, *base = *rate / 2;
+        return VM_FABS(rest) <= 4 * VM_EPSILON * square;
+    }
+    default: return 0;
+    }
+}
+
+/* int_0^t dt/(f0 + f1 t + f2 t^2) = (2/y) atanh(y t/x) or (2/y) atan(y t/x), x = 2 f0 + f1 t, y^2 = +-(f1^2 - 4 f0
+   f2) */
+VM_API vm_real vmi_law_quadratic_integral(const vm_law *law, vm_real t)
+{
+    const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
+    const vm_real y = VM_SQRT(VM_FABS(D)) * VM_FABS(t), s = y / x;
+    if (D < 0 && y > 0) return 2 * t / y * ateb_phase(y, x, 1);
+    return 2 * t / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s);
+}
+
+/* -- Integrals of the laws along the motion: int dt/m, int Om dt, int q^2/Om dt -- */
+
+typedef struct VM_TAG(vmi_osc_slow) {
+    const vm_law *mass, *stiffness;
+    const vm_osc_plan *plan; /* null: only the first integral */
+    int side;                /* the direction of time */
+    vm_real ln_A;            /* what jumps of q' have done to the mean amplitude */
+    vm_real kick2, kick3;    /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
+    int status;
+} vmi_osc_slow;
+
+/* The state of things at t: m, k, q, h of the second-order law, and the part of h' that tables make large */
+typedef struct VM_TAG(vmi_osc_rates) {
+    vm_real m, k, q, h, h_rate;
+} vmi_osc_rates;
+
+VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_h, vmi_osc_rates *r)
+{
+    const vm_osc_problem *o = &p->problem;
+    const vm_real step = with_h && p->Om > 0 ? (vm_real)side / (32 * p->Om) : 0;
+    vm_real m[4], k[4], ln_m, ln_k;
+    int status = vmi_law_derivatives(&o->mass, t, side, step, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, t, side, step, k);
+    if (status) return status;
+    r->m = m[0], r->k = k[0];
+    ln_m = m[1] / m[0], ln_k = k[1] / k[0];
+    r->q = ln_k + (2 * o->reactive - 1) * ln_m + 2 * o->damping / m[0];
+    r->h = (k[2] / k[0] - ln_k * ln_k) + (2 * o->reactive - 1) * (m[2] / m[0] - ln_m * ln_m) -
+           2 * o->damping * ln_m / m[0];
+    r->h -= r->q * (ln_k - ln_m - p->gamma * r->q) / 2;
+    r->h_rate = k[3] / k[0] + (2 * o->reactive - 1) * m[3] / m[0];
+    return VM_OK;
+}
+
+/* ln of A/A0 and of Om/Om0 by the adiabatic law, where k, m and int b/m dt have come to these */
+VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real damping, vm_real *ln_A,
+                              vm_real *ln_Om)
+{
+    const vm_real alpha = p->problem.alpha, r = 2 * p->problem.reactive - 1;
+    *ln_A = -(ln_k + r * ln_m + 2 * damping) / (alpha + 3);
+    *ln_Om = ((1 - p->gamma) * ln_k - (1 + p->gamma * r) * ln_m) / 2 - p->gamma * damping;
+}
+
+/* dy/dt of y = int dt/m, int Om/Om0 dt, int q^2 Om0/Om dt */
+VM_API int vmi_osc_slow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vmi_osc_slow *c = (vmi_osc_slow *)ctx;
+    vmi_osc_rates r;
+    vm_real f[4], ln_A, ln_Om, ratio;
+    if (!c->plan) {
+        c->status = vmi_law_derivatives(c->mass, t, c->side, 0, f);
+        dydt[0] = 1 / f[0];
+        return c->status;
+    }
+    c->status = vmi_osc_rates_at(c->plan, t, c->side, 0, &r);
+    if (c->status) return c->status;
+    vmi_osc_adiabatic(c->plan, vmi_log(r.m / c->plan->m0).hi, vmi_log(r.k / c->plan->k0).hi,
+                      c->plan->problem.damping * y[0], &ln_A, &ln_Om);
+    ratio = vmi_exp(ln_Om + (c->plan->problem.alpha - 1) / 2 * c->ln_A, 0);
+    dydt[0] = 1 / r.m, dydt[1] = ratio, dydt[2] = r.q * r.q / ratio;
+    return 0;
+}
+
+/* The next point of a table after t on the way to t_end, or t_end */
+VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
+{
+    const int side = t_end > t ? 1 : -1;
+    vm_real knot;
+    int i;
+    if (law->kind != VM_LAW_TABLE) return t_end;
+    i = vmi_law_interval(law, t, side);
+    knot = law->time[side > 0 ? i + 1 : i];
+    return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
+}
+
+/* The mean phase at the integrals y: Om0 y1 + c2 y2/Om0, Om0 at the mean amplitude */
+VM_API vm_real vmi_osc_mean_phase(const vm_osc_plan *p, const vm_real *y)
+{
+    const vm_real alpha = p->problem.alpha, Om = p->Om * vmi_exp(-p->gamma * p->ln_rho, 0);
+    const vm_real c2 = -p->mean_ca2 * (alpha + 1) / (2 * (alpha + 3) * (alpha + 3));
+    return p->psi + p->shift + (Om * y[1] + c2 * y[2] / Om);
+}
+
+/* psi from the mean phase, psi = mean + slope (ca^2(psi) - <ca^2>): one step of Newton's method, error O(slope^3) */
+VM_API void vmi_osc_phase_from_mean(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real mean, vm_real slope,
+                                    vm_real *c, vm_real *s)
+{
+    vm_real step;
+    vmi_osc_wave_at(w, mean, c, s);
+    step = slope * (*c * *c - p->mean_ca2) / (1 + 4 * slope / (w->alpha + 1) * *s * *c);
+    vmi_osc_wave_at(w, mean + step, c, s);
+}
+
+/* At t, a point of a table, q' jumps: the motion, which does not, goes on with another mean amplitude */
+VM_API int vmi_osc_knot(vmi_osc_slow *c, vm_real t, const vm_real *y, vm_real ratio)
+{
+    const vm_osc_plan *p = c->plan;
+    const vm_real n = p->problem.alpha + 1, Om = p->Om * ratio;
+    const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
+    vmi_osc_rates before, after;
+    vm_real ca, sa, jump;
+    c->status = vmi_osc_rates_at(p, t, -c->side, 1, &before);
+    if (!c->status) c->status = vmi_osc_rates_at(p, t, c->side, 1, &after);
+    if (c->status || before.h == after.h) return c->status;
+    vmi_osc_phase_from_mean(p, &w, vmi_osc_mean_phase(p, y), after.q * n / (2 * (n + 2) * Om), &ca, &sa);
+    jump = (before.h - after.h) / (Om * Om);
+    c->ln_A += n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
+    c->kick2 += jump * jump;
+    jump = (VM_FABS(jump * after.q) + VM_FABS(before.h_rate - after.h_rate) / (Om * Om)) / Om;
+    c->kick3 += jump * jump;
+    return VM_OK;
+}
+
+/* y of vmi_osc_slow_rhs from 0 to t, from one point of a table to the next; n = 1 or 3 */
+VM_API int vmi_osc_slow_integrals(vmi_osc_slow *c, int n, vm_real t, vm_real *y)
+{
+    vm_real work[RK87_WORK(3)], atol[3] = {0, 0, 0}, knot, dydt[3];
+    rk45_options options = rk45_defaults(NULL);
+    rk45 s;
+    int status, tight = VM_MANT_DIG > 24;
+    options.rtol = tight ? VM_C(1e-13) : 32 * VM_EPSILON, options.atol_each = atol, options.h0 = t / 64;
+    c->side = t < 0 ? -1 : 1, c->ln_A = c->kick2 = c->kick3 = 0, c->status = VM_OK;
+    y[0] = 0;
+    if (n == 3) y[1] = y[2] = 0, atol[2] = options.rtol * c->plan->Om * c->plan->Om * VM_FABS(t);
+    if (t == 0) return VM_OK;
+    status = tight ? rk87_init(&s, vmi_osc_slow_rhs, c, n, 0, y, &options, work)
+                   : rk45_init(&s, vmi_osc_slow_rhs, c, n, 0, y, &options, work);
+    while (status >= 0 && s.t != t) {
+        knot = vmi_law_next_knot(c->mass, s.t, t);
+        if (n == 3) knot = vmi_law_next_knot(c->stiffness, s.t, knot);
+        status = tight ? rk87_solve(&s, knot) : rk45_solve(&s, knot);
+        if (status < 0 || knot == t) continue;
+        if (n == 3 && vmi_osc_slow_rhs(s.t, s.y, dydt, c) == 0) vmi_osc_knot(c, s.t, s.y, dydt[1]);
+        if (c->status) return c->status;
+        status = tight ? rk87_restart(&s, s.t, s.y) : rk45_restart(&s, s.t, s.y);
+    }
+    if (c->status) return c->status;
+    if (status < 0) return VM_NOT_INTEGRATED;
+    y[0] = s.y[0];
+    if (n == 3) y[1] = s.y[1], y[2] = s.y[2];
+    return VM_OK;
+}
+
+VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
+{
+    vm_real base, rate, y[1];
+    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0, 0, 0};
+    int status;
+    if (!law || !integral) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_law_check(law, t);
+    if (status) return status;
+    if (law->kind == VM_LAW_QUADRATIC) y[0] = vmi_law_quadratic_integral(law, t);
+    else if (vmi_law_base(law, &base, &rate)) {
+        const vm_real u = t * vmi_log_ratio(base * t);
+        y[0] = u / law->f0 * vmi_exp_ratio((base - rate) * u);
+    } else {
+        c.mass = law;
+        status = vmi_osc_slow_integrals(&c, 1, t, y);
+    }
+    if (status) return status;
+    *integral = y[0];
+    return VM_IS_FINITE(y[0]) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* -- The plan -- */
+
+VM_API const char *vm_osc_route_name(int route)
+{
+    switch (route) {
+    case VM_ROUTE_TRIG: return "trigonometric";
+    case VM_ROUTE_JACOBI: return "Jacobi";
+    case VM_ROUTE_ATEB: return "Ateb, first order";
+    case VM_ROUTE_SECOND: return "second-order law";
+    case VM_ROUTE_VARIATION: return "variation of constants, rk45";
+    case VM_ROUTE_RK45: return "direct, rk45";
+    case VM_ROUTE_RK87: return "direct, rk87";
+    default: return "unknown route";
+    }
+}
+
+/* Are both laws exp(rate u) in one u, and so all integrals closed? With damping int b/m dt must go with u, too:
+   where m = m0 (1 + base t), or nothing changes but by damping. */
+VM_API void vmi_osc_find_base(vm_osc_plan *p)
+{
+    const vm_osc_problem *o = &p->problem;
+    vm_real base_m, base_k;
+    p->closed = vmi_law_base(&o->mass, &base_m, &p->rate_m) && vmi_law_base(&o->stiffness, &base_k, &p->rate_k) &&
+                !o->force;
+    if (!p->closed) return;
+    p->base = p->rate_m == 0 ? base_k : base_m;
+    if (p->rate_m == 0 && p->rate_k == 0) p->base = 0;
+    if (p->rate_m != 0 && p->rate_k != 0 && base_m != base_k) p->closed = 0;
+    if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
+}
+
+/* Constants of the second-order law from the start: ln rho, and the mean phase minus the phase */
+VM_API int vmi_osc_start(vm_osc_plan *p)
+{
+    const vm_real n = p->problem.alpha + 1, M = p->mean_ca2, scale = 1 / p->Om;
+    const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, n - 1, p->pi, p->has_ateb ? &p->ateb : NULL);
+    vmi_osc_rates r;
+    vm_real ca, sa, g, c, e, Om_ratio, rho = 1;
+    int i, status = vmi_osc_rates_at(p, 0, 1, 1, &r);
+    if (status) return status;
+    p->q = r.q, p->h = r.h, p->h_rate = r.h_rate, p->ln_rho = p->shift = 0;
+    if (p->A == 0 || (r.q == 0 && r.h == 0)) return VM_OK;
+    vmi_osc_wave_at(&w, p->psi, &ca, &sa);
+    g = sa * ca, c = ca * ca - M, Om_ratio = 1;
+    for (i = 0; i < 3; i++) { /* Om at the mean amplitude, A0 rho^(-2/(alpha+3)) */
+        e = scale / Om_ratio;
+        rho = 1 + r.q * e / 2 * g +
+              (r.q * e * r.q * e * (2 - p->gamma) * (g * g - M * n / (n + 6)) + n * c * r.h * e * e) / 8;
+        if (!(rho > 0) || !VM_IS_FINITE(rho)) rho = 1; /* far from slow */
+        Om_ratio = vmi_raised(rho, -p->gamma);
+    }
+    p->ln_rho = vmi_log(rho).hi;
+    p->shift = -r.q * scale / Om_ratio * n / (2 * (n + 2)) * c;
+    return VM_OK;
+}
+
+/* <ca^2> = B(3/(alpha+1), 1/2)/Pi_alpha; B(q, 1/2) is Pi of alpha = 1/q - 1, from q <= 1 upward by its recurrence */
+VM_API vm_real vmi_osc_mean_ca2(vm_real alpha, vm_real pi)
+{
+    vm_real q = 3 / (alpha + 1), factor = 1;
+    for (; q > 1; q -= 1) factor *= (q - 1) / (q - VM_C(0.5));
+    return factor * ateb_pi(1 / q - 1) / pi;
+}
+
+/* All but the Ateb plan, which only pays where many values are wanted */
+VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
+{
+    const vm_osc_problem *o = &p->problem;
+    vm_real f[4], omega;
+    int status;
+    p->problem = *problem, p->has_ateb = 0;
+    if (!(o->alpha >= 0) || !VM_IS_FINITE(o->alpha)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping))
+        return VM_NOT_FINITE;
+    status = vmi_law_check(&o->mass, 0);
+    if (!status) status = vmi_law_check(&o->stiffness, 0);
+    if (status) return status;
+    vmi_law_derivatives(&o->mass, 0, 1, 0, f), p->m0 = f[0];
+    vmi_law_derivatives(&o->stiffness, 0, 1, 0, f), p->k0 = f[0];
+    omega = VM_SQRT(p->k0 / p->m0);
+    p->pi = ateb_pi(o->alpha), p->gamma = (o->alpha - 1) / (o->alpha + 3);
+    p->mean_ca2 = vmi_osc_mean_ca2(o->alpha, p->pi);
+    vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
+    p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
+    if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
+    vmi_osc_find_base(p);
+    return VM_OK;
+}
+
+VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
+{
+    vm_osc_plan plan;
+    int status;
+    if (!p || !problem) return VM_BAD_ARGUMENT;
+    status = vmi_osc_prepare(&plan, problem);
+    if (status) return status;
+    plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
+    status = vmi_osc_start(&plan);
+    if (!status) *p = plan;
+    return status;
+}
+
+/* -- The mean motion, by the laws -- */
+
+typedef struct VM_TAG(vmi_osc_mean) {
+    vmi_osc_rates now;
+    vm_real y[3];         /* int dt/m, int Om/Om0 dt, int q^2 Om0/Om dt */
+    vm_real ln_A, ratio;  /* ln A/A0, Om/Om0 by the adiabatic law */
+    vm_real kick2, kick3; /* of the points of tables, as above */
+} vmi_osc_mean;
+
+VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+{
+    const vm_osc_problem *o = &p->problem;
+    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0, 0, 0};
+    vm_real ln_Om, ln_m, ln_k;
+    int status = vmi_law_check(&o->mass, t);
+    mean->kick2 = mean->kick3 = 0;
+    if (!status) status = vmi_law_check(&o->stiffness, t);
+    if (!status) status = vmi_osc_rates_at(p, t, t < 0 ? 1 : -1, 1, &mean->now);
+    if (status) return status;
+    if (p->closed) {
+        const vm_real u = t * vmi_log_ratio(p->base * t), damping = o->damping * u / p->m0, Q = p->q;
+        ln_m = p->rate_m * u, ln_k = p->rate_k * u;
+        vmi_osc_adiabatic(p, ln_m, ln_k, damping, &mean->ln_A, &ln_Om);
+        mean->y[0] = u / p->m0;
+        mean->y[1] = u * vmi_exp_ratio(p->base * u + ln_Om);
+        mean->y[2] = Q * Q * u * vmi_exp_ratio(-p->base * u - ln_Om);
+    } else {
+        c.mass = &o->mass, c.stiffness = &o->stiffness, c.plan = p;
+        status = vmi_osc_slow_integrals(&c, 3, t, mean->y);
+        if (status) return status;
+        ln_m = vmi_log(mean->now.m / p->m0).hi, ln_k = vmi_log(mean->now.k / p->k0).hi;
+        vmi_osc_adiabatic(p, ln_m, ln_k, o->damping * mean->y[0], &mean->ln_A, &ln_Om);
+        mean->kick2 = c.kick2, mean->kick3 = c.kick3;
+        mean->ln_A += c.ln_A, ln_Om += (o->alpha - 1) / 2 * c.ln_A;
+    }
+    mean->ratio = vmi_exp(ln_Om, 0);
+    return VM_IS_FINITE(mean->y[1]) && VM_IS_FINITE(mean->ln_A) && VM_IS_FINITE(mean->ratio) ? VM_OK
+                                                                                             : VM_NOT_FINITE;
+}
+
+/* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
+
+/* What roundings of the phase come to */
+VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->y[1]));
+}
+
+/* First order leaves out ln rho and the shift of the start, the ripple of a period, and the second order of the mean
+   phase: the error is these, to first order in q/Om. Of ln rho the phase makes gamma Om t. */
+VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
+    const vm_real c2 = M * n / (2 * (n + 2) * (n + 2)),
+                  ripple = e * n / (2 * (n + 2)) * (M > VM_C(0.5) ? M : 1 - M);
+    const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->y[1]) + VM_FABS(p->shift) + ripple +
+                          VM_FABS(c2 * mean->y[2] / p->Om);
+    const vm_real amplitude = (2 * VM_FABS(p->ln_rho) + e / 2) / (n + 2);
+    return phase + amplitude + vmi_osc_rounding(p, mean);
+}
+
+/* The second-order law leaves out ripples of second order at the start and at t, the third order of ln rho, which the
+   phase multiplies, and the fourth order of the mean phase. */
+VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    const vm_real Om = p->Om * mean->ratio, e = VM_FABS(mean->now.q) / Om, e0 = VM_FABS(p->q) / p->Om;
+    const vm_real d = VM_FABS(mean->now.h) / (Om * Om), d0 = VM_FABS(p->h) / (p->Om * p->Om);
+    const vm_real third = VM_FABS(p->h_rate) / (p->Om * p->Om) / p->Om;
+    const vm_real ripple = (e * e + d) + (e0 * e0 + d0), start = e0 * e0 * e0 + e0 * d0 + d0 * VM_SQRT(d0) + third;
+    const vm_real phase = VM_FABS(p->Om * mean->y[1]), drift = mean->y[2] / p->Om, g = VM_FABS(p->gamma) * phase;
+    const vm_real knots = VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3);
+    return (VM_C(0.02) + VM_C(0.015) * p->problem.alpha) * ripple + VM_C(0.15) * g * start + VM_C(0.2) * knots +
+           (phase > 0 ? VM_C(0.1) * drift * drift / phase : 0) + vmi_osc_rounding(p, mean);
+}
+
+/* How far a wave is from ca and sa: cos at x = 0, where its velocity is wrong; cn in the mean of its square, which is
+   right where cn is exact, times a factor that fits its largest error within 5 % for alpha <= 10 */
+VM_API vm_real vmi_osc_wave_error(const vm_osc_plan *p, const vmi_osc_wave *w)
+{
+    const vm_real alpha = p->problem.alpha;
+    vm_real C2, C4, C6, error;
+    if (w->method == VM_ROUTE_ATEB) return 0;
+    if (w->method == VM_ROUTE_TRIG) error = VM_FABS(w->speed - 1) * (1 + alpha / 100);
+    else {
+        jacobi_cn_means(w->m, &C2, &C4, &C6);
+        error = VM_FABS(C2 - p->mean_ca2) * (VM_C(2.7) + alpha / 2);
+    }
+    return error < 1 ? error : 1;
+}
+
+/* -- The laws -- */
+
+/* x and v of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1) */
+VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
+                             int route, vm_osc_motion *motion)
+{
+    vm_osc_motion r;
+    r.x = A * c, r.v = -w->speed * (2 * A * Om / (w->alpha + 1)) * s;
+    r.amplitude = A, r.error = error, r.route = route, r.evals = 0;
+    if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;
+    *motion = r;
+    return VM_OK;
+}
+
+/* (310), (329), (370): A by the adiabatic law, the phase the integral of Om */
+VM_API int vmi_osc_first_order(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+                               vm_osc_motion *motion)
+{
+    vm_real c, s;
+    vmi_osc_wave_at(w, p->psi + p->Om * mean->y[1], &c, &s);
+    return vmi_osc_motion_of(w, p->A * vmi_exp(mean->ln_A, 0), p->Om * mean->ratio, c, s,
+                             vmi_osc_first_error(p, mean) + vmi_osc_wave_error(p, w), w->method, motion);
+}
+
+/* Om at the exact amplitude is that at the mean one times rho^gamma, rho = A^((alpha+3)/2) by the mean's */
+VM_API int vmi_osc_second_order(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+                                vm_osc_motion *motion)
+{
+    const vm_real n = p->problem.alpha + 1, Om = p->Om * mean->ratio * vmi_exp(-p->gamma * p->ln_rho, 0);
+    const vm_real e = mean->now.q / (2 * Om);
+    vm_real c, s, ln_rho;
+    vmi_osc_phase_from_mean(p, w, vmi_osc_mean_phase(p, mean->y), e * n / (n + 2), &c, &s);
+    ln_rho = e * s * c;
+    ln_rho = ln_rho > -1 ? ln_rho * vmi_log_ratio(ln_rho) : VM_NAN;
+    return vmi_osc_motion_of(w, p->A * vmi_exp(mean->ln_A + 2 / (n + 2) * (ln_rho - p->ln_rho), 0),
+                             Om * vmi_exp(p->gamma * ln_rho, 0), c, s, vmi_osc_second_error(p, mean),
+                             VM_ROUTE_SECOND, motion);
+}
+
+/* -- Averaged equations with a force -- */
+
+/* Means over a period of F s and F c at amplitude A and V = speed vmax: on each quarter 20 points of Gauss' rule as
+   far as the velocity changes its sign like tanh psi, and 20 in the root of the distance from x = 0, where powers
+   of it that are not whole may occur */
+VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
+                          vm_real *Fc)
+{
+    VM_TABLE vm_real node[10] = {VM_C(0.99312859918509492479), VM_C(0.96397192727791379127),
+                                 VM_C(0.91223442825132590587), VM_C(0.83911697182221882339),
+                                 VM_C(0.74633190646015079261), VM_C(0.63605368072651502545),
+                                 VM_C(0.510867001950827098),   VM_C(0.37370608871541956067),
+                                 VM_C(0.22778585114164507808), VM_C(0.076526521133497333755)};
+    VM_TABLE vm_real weight[10] = {VM_C(0.017614007139152118312), VM_C(0.040601429800386941331),
+                                   VM_C(0.06267204833410906357),  VM_C(0.083276741576704748725),
+                                   VM_C(0.10193011981724043504),  VM_C(0.11819453196151841731),
+                                   VM_C(0.1316886384491766269),   VM_C(0.14209610931838205133),
+                                   VM_C(0.14917298647260374679),  VM_C(0.1527533871307258507)};
+    const vm_real half = p->pi / 2, cut = half < 6 ? half / 2 : 3;
+    int i, quarter;
+    *Fs = *Fc = 0;
+    for (i = 0; i < 40; i++) {
+        const int k = i % 20 / 2, far = i >= 20;
+        const vm_real u = (1 + (i % 2 ? node[k] : -node[k])) / 2, length = far ? half - cut : cut;
+        const vm_real share = weight[k] / 8 * length / half * (far ? 2 * u : 1);
+        vm_real c, s;
+        vmi_osc_wave_at(w, far ? half - length * u * u : cut * u, &c, &s);
+        for (quarter = 0; quarter < 4; quarter++) {
+            const vm_real qc = quarter & 1 ? -c : c, qs = quarter & 2 ? -s : s;
+            const vm_real F = p->problem.force(t, A * qc, -V * qs, p->problem.ctx);
+            *Fs += share * F * qs, *Fc += share * F * qc;
+        }
+    }
+}
+
+/* (ln A)', and theta' in the wave's own angle, at amplitude A where Om is the rate of the Ateb phase */
+VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_rates *now, vm_real t,
+                                   vm_real A, vm_real Om, vm_real *ln_A_rate, vm_real *theta_rate)
+{
+    const vm_real V = w->speed * (2 * A * Om / (w->alpha + 1));
+    vm_real Fs = 0, Fc = 0;
+    if (p->problem.force) vmi_osc_means(p, w, t, A, V, &Fs, &Fc);
+    *ln_A_rate = -now->q / (w->alpha + 3) - w->gain_A * Fs / (now->m * V);
+    *theta_rate = -w->gain_theta * Fc / (now->m * V);
+}
+
+/* Om/Om0 at A/A0 = e^a and these m and k */
+VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
+{
+    return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
+}
+
+VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real A, vm_real *A_rate,
+                           vm_real *theta_rate, vm_real *psi_rate)
+{
+    vmi_osc_rates now;
+    vmi_osc_wave w;
+    vm_real Om, rate, theta;
+    int status;
+    if (!p || !A_rate || !theta_rate || !psi_rate || method < 0 || method > VM_ROUTE_ATEB) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(A)) return VM_NOT_FINITE;
+    if (!(A > 0)) return VM_BAD_ARGUMENT;
+    status = vmi_osc_rates_at(p, t, 1, 0, &now);
+    if (status) return status;
+    w = vmi_osc_wave_of(method, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
+    Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w.alpha);
+    vmi_osc_averaged_rates(p, &w, &now, t, A, Om, &rate, &theta);
+    *A_rate = A * rate, *theta_rate = theta, *psi_rate = w.turn * Om + theta;
+    return VM_OK;
+}
+
+/* -- Integration -- */
+
+typedef struct VM_TAG(vmi_osc_run) {
+    const vm_osc_plan *p;
+    vmi_osc_wave wave;
+    int route, direct, high, side, status;
+    vm_real longest, share; /* step at most, in periods and by the way to the next stop */
+    long evals;
+    rk45 s;
+    vm_real work[RK87_WORK(2)];
+} vmi_osc_run;
+
+/* y = ln(A/A0), Ateb phase: averaged */
+VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vmi_osc_run *c = (vmi_osc_run *)ctx;
+    vmi_osc_rates now;
+    vm_real Om, theta;
+    c->status = vmi_osc_rates_at(c->p, t, c->side, 0, &now);
+    if (c->status) return c->status;
+    Om = c->p->Om * vmi_osc_Om_ratio(c->p, &now, y[0]);
+    vmi_osc_averaged_rates(c->p, &c->wave, &now, t, c->p->A * vmi_exp(y[0], 0), Om, dydt, &theta);
+    dydt[1] = Om + theta / c->wave.turn;
+    return 0;
+}
+
+/* The same, exact: (314), (315) with the term of omega' that they lack, for q that holds it and what is linear in
+   x' */
+VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vmi_osc_run *c = (vmi_osc_run *)ctx;
+    const vm_osc_problem *o = &c->p->problem;
+    const vm_real n = o->alpha + 1;
+    vmi_osc_rates now;
+    vm_real Om, sa, ca;
+    c->status = vmi_osc_rates_at(c->p, t, c->side, 0, &now);
+    if (c->status) return c->status;
+    Om = c->p->Om * vmi_osc_Om_ratio(c->p, &now, y[0]);
+    vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
+    dydt[0] = -now.q / n * sa * sa;
+    dydt[1] = Om - now.q / 2 * sa * ca;
+    if (o->force) {
+        const vm_real A = c->p->A * vmi_exp(y[0], 0), V = 2 * A * Om / n;
+        const vm_real F = o->force(t, A * ca, -V * sa, o->ctx) / (now.m * V);
+        dydt[0] -= 2 / n * F * sa, dydt[1] -= F * ca;
+    }
+    return 0;
+}
+
+/* x|x|^(alpha-1) */
+VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
+{
+    if (alpha == 3) return x * x * x;
+    if (alpha == 1) return x;
+    return VM_COPYSIGN(vmi_raised(VM_FABS(x), alpha), x);
+}
+
+/* y = x/A0, (m/m0)^r x'/vmax: what reactive force makes of the velocity is taken out, so that y keeps its size */
+VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    vmi_osc_run *c = (vmi_osc_run *)ctx;
+    const vm_osc_plan *p = c->p;
+    const vm_osc_problem *o = &p->problem;
+    const vm_real speed = 2 * p->Om / (o->alpha + 1);
+    vmi_osc_rates now;
+    vm_real m, weight;
+    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
+    if (c->status) return c->status;
+    m = now.m / p->m0, weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_raised(m, o->reactive);
+    dydt[0] = speed * y[1] / weight;
+    dydt[1] = -p->Om * (now.k / p->k0) * weight / m * vmi_osc_elastic(y[0], o->alpha) - o->damping / now.m * y[1];
+    if (o->force) dydt[1] += o->force(t, p->A * y[0], p->A * dydt[0], o->ctx) * weight / (now.m * p->A * speed);
+    return 0;
+}
+
+/* Period now, as long as the amplitude is that of y, or for the direct routes by the adiabatic law without damping */
+VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
+{
+    const vm_osc_plan *p = c->p;
+    vmi_osc_rates now;
+    vm_real ln_A, ln_Om;
+    if (vmi_osc_rates_at(p, c->s.t, c->side, 0, &now)) return VM_NAN;
+    if (!c->direct) return 2 * p->pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[0]));
+    vmi_osc_adiabatic(p, vmi_log(now.m / p->m0).hi, vmi_log(now.k / p->k0).hi, 0, &ln_A, &ln_Om);
+    return 2 * p->pi / (p->Om * vmi_exp(ln_Om, 0));
+}
+
+/* On to t, stopping at the points of tables, and every 64 periods to take whole ones off the phase and to see that no
+   step is longer than a part of the period (of a bounce, for large alpha): a pair that steps over them does not know
+   its error */
+VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
+{
+    vm_real stop, y[2], period, most, longest;
+    int status = VM_OK;
+    while (status >= 0 && c->s.t != t) {
+        period = vmi_osc_period_now(c);
+        if (!(period > 0)) return c->status ? c->status : VM_NOT_INTEGRATED;
+        stop = vmi_law_next_knot(&c->p->problem.mass, c->s.t, t);
+        stop = vmi_law_next_knot(&c->p->problem.stiffness, c->s.t, stop);
+        if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
+        most = c->share * VM_FABS(stop - c->s.t) + 64 * VM_EPSILON * VM_FABS(t);
+        longest = period * (c->p->pi < 10 ? c->longest : c->longest * 10 / c->p->pi);
+        c->s.options.h_max = most < longest ? most : longest;
+        status = c->high ? rk87_solve(&c->s, stop) : rk45_solve(&c->s, stop);
+        if (status < 0) break;
+        y[0] = c->s.y[0], y[1] = c->s.y[1];
+        if (!c->direct) y[1] -= 2 * c->p->pi * VM_FLOOR(y[1] / (2 * c->p->pi));
+        status = c->high ? rk87_restart(&c->s, c->s.t, y) : rk45_restart(&c->s, c->s.t, y);
+    }
+    return c->status ? c->status : status < 0 ? VM_NOT_INTEGRATED : VM_OK;
+}
+
+/* x and v where the run has come to */
+VM_API int vmi_osc_motion_now(vmi_osc_run *c, vm_osc_motion *motion)
+{
+    const vm_osc_plan *p = c->p;
+    const vm_real *y = c->s.y;
+    vm_real A, Om, ca, sa, weight;
+    vmi_osc_rates now;
+    int status = vmi_osc_rates_at(p, c->s.t, -c->side, 0, &now);
+    if (status) return status;
+    if (!c->direct) {
+        A = p->A * vmi_exp(y[0], 0), Om = p->Om * vmi_osc_Om_ratio(p, &now, y[0]);
+        vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
+        return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
+    }
+    weight = vmi_raised(now.m / p->m0, p->problem.reactive);
+    motion->x = p->A * y[0], motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
+    vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude, &Om);
+    motion->route = c->route;
+    return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* The motion at the times of vmi_osc_check(t, .), by integration with one tolerance */
+enum { VMI_OSC_CHECKS = 8 };
+VM_API vm_real vmi_osc_check(vm_real t, int i)
+{
+    return i == VMI_OSC_CHECKS - 1 ? t : t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
+}
+VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    const vm_osc_plan *p = c->p;
+    rk45_options options = rk45_defaults(NULL);
+    vm_real y[2], ca, sa;
+    ode_rhs f = c->direct                        ? vmi_osc_direct_rhs
+                : c->route == VM_ROUTE_VARIATION ? vmi_osc_variation_rhs
+                                                 : vmi_osc_averaged_rhs;
+    int i, status;
+    c->side = t < 0 ? -1 : 1, c->status = VM_OK;
+    options.rtol = c->direct ? tolerance : -1;
+    options.atol = tolerance, options.max_steps = -1;
+    vmi_osc_wave_at(&c->wave, p->psi, &ca, &sa);
+    y[0] = c->direct ? ca : 0, y[1] = c->direct ? -sa : p->psi;
+    status = c->high ? rk87_init(&c->s, f, c, 2, 0, y, &options, c->work)
+                     : rk45_init(&c->s, f, c, 2, 0, y, &options, c->work);
+    if (status < 0) return c->status ? c->status : VM_NOT_INTEGRATED;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        status = vmi_osc_solve(c, vmi_osc_check(t, i));
+        if (!status) status = vmi_osc_motion_now(c, motion + i);
+        if (status) return status;
+    }
+    c->evals += c->s.evals;
+    return VM_OK;
+}
+
+/* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check: at one time
+   two runs may agree by chance */
+VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
+{
+    vmi_osc_rates now;
+    vm_real d, largest = 0;
+    int i;
+    for (i = 0; i < VMI_OSC_CHECKS; i++, a++, b++) {
+        if (a->amplitude == 0 || vmi_osc_rates_at(p, vmi_osc_check(t, i), t < 0 ? 1 : -1, 0, &now))
+            return VM_INFINITY;
+        d = VM_FABS(a->x - b->x) / a->amplitude;
+        if (d > largest) largest = d;
+        d = VM_FABS(a->v - b->v) / vm_osc_vmax(a->amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
+        if (d > largest) largest = d;
+    }
+    return largest;
+}
+
+/* Two runs, the second so much stricter that the control, which keeps a step while its error is within a factor of 3
+   (rk87: 7.5), makes other steps, with half the longest step; and again stricter until what they differ by is within
+   the tolerance. The factor of the difference leaves room for errors that do not go as the tolerance. */
+VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance,
+                             vm_osc_motion *motion)
+{
+    const vm_real least = VM_EPSILON * (route == VM_ROUTE_RK87 ? 256 : 16),
+                  ratio = route == VM_ROUTE_RK87 ? 60 : 15;
+    const vm_real factor = route == VM_ROUTE_RK87 ? VM_C(0.25) : VM_C(0.5);
+    vm_osc_plan with_ateb;
+    vmi_osc_run c;
+    vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
+    vm_real step_tolerance = tolerance < VM_C(0.008) ? tolerance / 8 : VM_C(1e-3), before = VM_INFINITY;
+    int attempt, status, stalled = 0;
+    c.p = plan, c.route = route, c.evals = 0;
+    c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;
+    if (!plan->has_ateb) {
+        with_ateb = *plan, c.p = &with_ateb;
+        with_ateb.has_ateb = ateb_plan_init(&with_ateb.ateb, plan->problem.alpha) == 0;
+    }
+    c.wave = vmi_osc_wave_of(route <= VM_ROUTE_ATEB ? route : VM_ROUTE_ATEB, plan->problem.alpha, plan->pi,
+                             c.p->has_ateb ? &c.p->ateb : NULL);
+    for (attempt = 0; attempt < 6; attempt++) {
+        if (step_tolerance < least) step_tolerance = least;
+        c.longest = VM_C(0.2), c.share = 1;
+        status = vmi_osc_integrated(&c, t, ratio * step_tolerance, loose);
+        c.longest = VM_C(0.1), c.share = VM_C(0.51);
+        if (!status) status = vmi_osc_integrated(&c, t, step_tolerance, strict);
+        if (status) return status;
+        last->error = factor * vmi_osc_difference(plan, t, strict, loose) +
+                      4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
+        if (last->error > before / 2) stalled++; /* roundings, or chance */
+        if (last->error <= tolerance || step_tolerance == least || stalled == 2) break;
+        before = last->error;
+        step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
+    }
+    last->evals = c.evals;
+    *motion = *last;
+    return last->error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+}
+
+/* -- By a given route, and by the cheapest -- */
+
+VM_API int vmi_osc_arguments(const vm_osc_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
+{
+    if (!p || !motion) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
+    if (*tolerance < 0) return VM_BAD_ARGUMENT;
+    if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    return VM_OK;
+}
+
+/* No motion, and nothing to start one */
+VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motion)
+{
+    if (p->problem.force) return VM_NO_LAW;
+    motion->x = motion->v = motion->amplitude = motion->error = 0;
+    motion->route = route, motion->evals = 0;
+    return VM_OK;
+}
+
+VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vmi_osc_mean mean;
+    vmi_osc_wave w;
+    int status = vmi_osc_arguments(p, t, &tolerance, motion);
+    if (status) return status;
+    if (route < 0 || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
+    if (p->problem.force && route == VM_ROUTE_SECOND) return VM_NO_LAW;
+    status = vmi_law_check(&p->problem.mass, t);
+    if (!status) status = vmi_law_check(&p->problem.stiffness, t);
+    if (status) return status;
+    if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
+    if (route > VM_ROUTE_SECOND || p->problem.force) return vmi_osc_integrate(p, route, t, tolerance, motion);
+    status = vmi_osc_mean_at(p, t, &mean);
+    if (status) return status;
+    w = vmi_osc_wave_of(route == VM_ROUTE_SECOND ? VM_ROUTE_ATEB : route, p->problem.alpha, p->pi,
+                        p->has_ateb ? &p->ateb : NULL);
+    return route == VM_ROUTE_SECOND ? vmi_osc_second_order(p, &w, &mean, motion)
+                                    : vmi_osc_first_order(p, &w, &mean, motion);
+}
+
+VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vmi_osc_mean mean;
+    vmi_osc_wave w;
+    vm_real first;
+    int method, status = vmi_osc_arguments(p, t, &tolerance, motion);
+    if (status) return status;
+    if (p->A == 0) return vmi_osc_at_rest(p, VM_ROUTE_TRIG, motion);
+    if (p->problem.force) return vmi_osc_integrate(p, VM_ROUTE_VARIATION, t, tolerance, motion);
+    status = vmi_osc_mean_at(p, t, &mean);
+    if (status) return status;
+    first = vmi_osc_first_error(p, &mean);
+    for (method = VM_ROUTE_TRIG; method <= VM_ROUTE_ATEB && first <= tolerance; method++) {
+        w = vmi_osc_wave_of(method, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
+        if (first + vmi_osc_wave_error(p, &w) <= tolerance) return vmi_osc_first_order(p, &w, &mean, motion);
+    }
+    if (!(vmi_osc_second_error(p, &mean) <= tolerance))
+        return vmi_osc_integrate(p, VM_ROUTE_VARIATION, t, tolerance, motion);
+    w = vmi_osc_wave_of(VM_ROUTE_ATEB, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
+    return vmi_osc_second_order(p, &w, &mean, motion);
+}
+
+/* The plan of a problem that is asked once, without what only many values repay */
+VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
+{
+    int status = problem ? vmi_osc_prepare(plan, problem) : VM_BAD_ARGUMENT;
+    return status ? status : vmi_osc_start(plan);
+}
+
+VM_API int vm_osc_by(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vm_osc_plan plan;
+    int status = vmi_osc_once(problem, &plan);
+    return status ? status : vm_osc_plan_by(&plan, route, t, tolerance, motion);
+}
+
+VM_API int vm_osc_at(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    vm_osc_plan plan;
+    int status = vmi_osc_once(problem, &plan);
+    return status ? status : vm_osc_plan_at(&plan, t, tolerance, motion);
+}
+
+VM_API int vm_osc_by_trig(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
+{
+    return vm_osc_by(problem, VM_ROUTE_TRIG, t, 0, motion);
+}
+VM_API int vm_osc_by_jacobi(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
+{
+    return vm_osc_by(problem, VM_ROUTE_JACOBI, t, 0, motion);
+}
+VM_API int vm_osc_by_ateb(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
+{
+    return vm_osc_by(problem, VM_ROUTE_ATEB, t, 0, motion);
+}
+VM_API int vm_osc_by_second(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
+{
+    return vm_osc_by(problem, VM_ROUTE_SECOND, t, 0, motion);
+}
+VM_API int vm_osc_by_variation(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    return vm_osc_by(problem, VM_ROUTE_VARIATION, t, tolerance, motion);
+}
+VM_API int vm_osc_by_rk45(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    return vm_osc_by(problem, VM_ROUTE_RK45, t, tolerance, motion);
+}
+VM_API int vm_osc_by_rk87(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+{
+    return vm_osc_by(problem, VM_ROUTE_RK87, t, tolerance, motion);
+}
+
 /* ---- Chapter 7.6: Van der Pol ------------------------------------------------------------------------------- */
+
+VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
+{
+    const vm_linear_mass *m = (const vm_linear_mass *)linear_mass;
+    *rate = m->rate;
+    return m->mass + m->rate * t;
+}
+
+/* The mass at t; VM_BAD_MASS, VM_NOT_FINITE */
+VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
+{
+    *mass = law(t, rate, ctx);
+    if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
+    return *mass > 0 ? VM_OK : VM_BAD_MASS;
+}
+
+/* (e^x - 1)/x, entire: 1 at 0, within 2 eps */
+VM_API vm_real vmi_slow_phi(vm_real x)
+{
+    vm_real p, p_lo;
+    int k;
+    if (x == 0) return 1;
+    if (!(VM_FABS(x) < VM_C(0.34))) return x > VM_MAX ? x : (vmi_exp(x, 0) - 1) / x;
+    p = vmi_exp_core(x, 0, &k, &p_lo);
+    return p / x;
+}
+
+/* ln(m/m0) and the integral of dt/m for the linear mass, smooth through m' = 0; 0 where a mass is not positive */
+VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
+{
+    const vm_real growth = m.rate * t / m.mass;
+    if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth) || !VM_IS_FINITE(t))
+        return 0;
+    *ln_ratio = vmi_two_log(vmi_two_sum(1, growth)).hi;
+    *integral = t / m.mass * (growth == 0 ? 1 : *ln_ratio / growth);
+    return 1;
+}
+
+/* k x|x|^(alpha-1) */
+VM_API vm_real vmi_slow_elastic(vm_real x, vm_real k, vm_real alpha)
+{
+    if (alpha == 1 || x == 0) return k * x;
+    if (alpha == 3) return k * x * x * x;
+    return VM_COPYSIGN(k * vmi_raised(VM_FABS(x), alpha), x);
+}
+
+/* Om = sqrt((alpha+1)/2) sqrt(k/m) A^((alpha-1)/2), the rate of the Ateb phase; 0 at rest, where it may be infinite
+   */
+VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
+{
+    if (A == 0 && alpha < 1) return 0;
+    return VM_SQRT((alpha + 1) / 2 * (k / mass)) * vmi_raised(VM_FABS(A), (alpha - 1) / 2);
+}
+
+/* x = A ca(psi), x' = -sqrt(2k/((alpha+1) m)) A^((alpha+1)/2) sa(psi), and back */
+VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_real alpha, vm_real *x, vm_real *v)
+{
+    vm_real sa, ca;
+    ateb_saca(psi, alpha, &sa, &ca);
+    *x = A * ca;
+    *v = -VM_SQRT(2 / (alpha + 1) * (k / mass)) * vmi_raised(A, (alpha + 1) / 2) * sa;
+}
+
+VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
+{
+    const vm_real scaled = -v * VM_SQRT((alpha + 1) / 2 * (mass / k)); /* A^((alpha+1)/2) sa */
+    const vm_real from_v = vmi_raised(VM_FABS(scaled), 2 / (alpha + 1)), from_x = VM_FABS(x);
+    const vm_real large = from_x > from_v ? from_x : from_v, small = from_x > from_v ? from_v : from_x;
+    *A = large > 0 ? large * vmi_raised(1 + vmi_raised(small / large, alpha + 1), 1 / (alpha + 1)) : large;
+    *psi = ateb_phase(scaled, x, alpha);
+}
+
+VM_API int vm_vdp_init(vm_vdp *v)
+{
+    vm_real C2, C4, C6, m;
+    if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->b) || !VM_IS_FINITE(v->c) ||
+        !VM_IS_FINITE(v->reactive))
+        return VM_NOT_FINITE;
+    if (!(v->alpha >= 0) || !(v->k > 0)) return VM_DOMAIN;
+    v->a1 = 1;
+    v->a2 = 2 / (v->alpha + 3);
+    if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
+    if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
+    if (v->method != VM_VDP_JACOBI) return VM_OK;
+    m = vm_osc_m_jacobi(v->alpha);
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
+    v->a1 = (v->alpha + 3) / 2 * v->a2; /* (411), since (1 - m) + m C4 = 2 a2 */
+    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    return VM_OK;
+}
+
+/* 2b - (2r-1) m', what feeds the vibration */
+VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
+{
+    return 2 * v->b - (2 * v->reactive - 1) * mass_rate;
+}
+
+/* 1/A^2 = e^-F (1/A0^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
+   constant, so that the integral is phi(F) int dt/m. Written with e^-|F| and the larger of the two terms taken out.
+   */
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m)
+{
+    vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
+    if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
+    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
+    e = vmi_exp(-VM_FABS(F), 0);
+    damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_slow_phi(-VM_FABS(F));
+    root = VM_SQRT(VM_FABS(damping));
+    s = VM_FABS(A0) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
+    if (s > 1) denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping), A0 = VM_COPYSIGN(1 / root, A0);
+    else denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
+    return denominator < 0 ? VM_NAN : A0 * VM_SQRT((F > 0 ? 1 : e) / denominator);
+}
+
+VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
+{
+    const vm_real drive = vmi_vdp_drive(v, mass_rate);
+    const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
+    if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
+    if (stable_or_NULL) *stable_or_NULL = exists ? v->c > 0 : drive < 0 || (drive == 0 && v->c > 0);
+    return exists ? VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3))) : 0;
+}
+
+VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
+{
+    const vm_vdp *v = (const vm_vdp *)vdp;
+    vm_real mass, rate;
+    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    if (status) return status;
+    dydt[0] = y[1];
+    dydt[1] = ((v->b - v->c * y[0] * y[0] - v->reactive * rate) * y[1] - vmi_slow_elastic(y[0], v->k, v->alpha)) /
+              mass;
+    return VM_OK;
+}
+
+VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
+{
+    const vm_vdp *v = (const vm_vdp *)vdp;
+    vm_real mass, rate;
+    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    if (status) return status;
+    dydt[0] = y[0] / (v->a1 * mass) * (vmi_vdp_drive(v, rate) * v->a2 / 2 - v->c * y[0] * y[0] * v->a3);
+    dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
+    return VM_OK;
+}
 
 /* ---- Chapter 7.7: Laval's rotor ----------------------------------------------------------------------------- */
 
+VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force)
+{
+    const vm_power_force *p = (const vm_power_force *)power_force;
+    *slope = p->alpha == 1 ? 0 : p->k * (p->alpha - 1) * vmi_raised(rho, p->alpha - 2);
+    return p->k * vmi_raised(rho, p->alpha - 1);
+}
+
+VM_API void vm_laval_polar(vm_complex z, vm_real *rho, vm_real *phi)
+{
+    *rho = vmi_c_modulus(z);
+    *phi = ateb_phase(z.im, z.re, 1);
+}
+
+VM_API vm_real vm_laval_momentum(const vm_laval *r, vm_real mass, vm_complex z, vm_complex v)
+{
+    return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
+}
+
+/* F_z + r m' u */
+VM_API vm_complex vmi_laval_drive(const vm_laval *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
+{
+    const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
+    return r->force ? vmi_c_add(r->force(t, z, v, r->force_ctx), thrust) : thrust;
+}
+
+VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    const vm_laval *r = (const vm_laval *)rotor;
+    const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
+    vm_real mass, rate, stiffness, slope;
+    vm_complex force;
+    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
+    if (status) return status;
+    stiffness = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx);
+    force = vmi_c_add(vmi_laval_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    dydt[0] = v.re, dydt[1] = v.im;
+    dydt[2] = (force.re - r->reactive * rate * v.re - stiffness * z.re) / mass;
+    dydt[3] = (force.im - r->reactive * rate * v.im - stiffness * z.im) / mass;
+    return VM_OK;
+}
+
+typedef struct VM_TAG(vmi_laval_state) {
+    vm_real mass, rate, omega; /* omega of the small vibration */
+} vmi_laval_state;
+
+VM_API int vmi_laval_now(const vm_laval *r, vm_real t, vmi_laval_state *now)
+{
+    vm_real slope;
+    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
+    if (status) return status;
+    now->omega = VM_SQRT(r->stiffness(0, &slope, r->stiffness_ctx) / now->mass);
+    return now->omega > 0 && VM_IS_FINITE(now->omega) ? VM_OK : VM_DOMAIN;
+}
+
+VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
+{
+    const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
+    vmi_laval_state now;
+    vm_complex turned, P, N;
+    const int status = vmi_laval_now(r, t, &now);
+    if (status) return status;
+    turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
+    P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
+    N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
+    y[0] = P.re, y[1] = P.im, y[2] = N.re, y[3] = N.im, y[4] = phi;
+    return VM_OK;
+}
+
+/* z and z' where phi is the angle of turn */
+VM_API void vmi_laval_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
+{
+    const vm_complex P = vmi_c_times(vmi_complex(y[0], y[1]), turn);
+    const vm_complex N = vmi_c_times(vmi_complex(y[2], y[3]), vmi_c_conjugate(turn));
+    *z = vmi_c_add(P, N);
+    *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
+}
+
+VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real *motion)
+{
+    vmi_laval_state now;
+    vm_complex z, v;
+    const int status = vmi_laval_now(r, t, &now);
+    if (status) return status;
+    vmi_laval_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
+    motion[0] = z.re, motion[1] = z.im, motion[2] = v.re, motion[3] = v.im;
+    return VM_OK;
+}
+
+/* P' and N' (470)-(473) at the fast phase phi:
+     P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
+     m f = F + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
+   F with r m' u; the half that is missing from r comes from omega'. */
+VM_API void vmi_laval_rates(const vm_laval *r, vm_real t, const vmi_laval_state *now, const vm_real *y, vm_real phi,
+                            vm_complex *dP, vm_complex *dN)
+{
+    const vm_complex turn = vmi_c_turn(phi);
+    const vm_real push = 1 / (2 * now->omega * now->mass);
+    vm_real slope, extra;
+    vm_complex z, v, f;
+    vmi_laval_motion(y, turn, now->omega, &z, &v);
+    extra = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx) - now->mass * now->omega * now->omega;
+    f = vmi_c_add(vmi_laval_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * now->rate, v)));
+    *dP = vmi_c_times_i(-push, vmi_c_times(f, vmi_c_conjugate(turn)));
+    *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
+}
+
+VM_API int vmi_laval_samples(const vm_laval *r) { return r->samples > 0 ? r->samples : 32; }
+
+/* The mean of so many samples in a period from y[4] on */
+VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int samples)
+{
+    const vm_real share = 1 / (vm_real)samples;
+    vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
+    vmi_laval_state now;
+    const int status = vmi_laval_now(r, t, &now);
+    int j;
+    if (status) return status;
+    for (j = 0; j < samples; j++) {
+        vmi_laval_rates(r, t, &now, y, y[4] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+        P = vmi_c_add(P, dP), N = vmi_c_add(N, dN);
+    }
+    dydt[0] = P.re * share, dydt[1] = P.im * share, dydt[2] = N.re * share, dydt[3] = N.im * share;
+    dydt[4] = now.omega;
+    return VM_OK;
+}
+
+VM_API int vm_laval_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    return vmi_laval_mean(t, y, dydt, (const vm_laval *)rotor, 1);
+}
+
+VM_API int vm_laval_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    const vm_laval *r = (const vm_laval *)rotor;
+    return vmi_laval_mean(t, y, dydt, r, vmi_laval_samples(r));
+}
+
+/* W = (g +- S)/m, S^2 = g^2 + m F_e', without the difference of near numbers */
+VM_API vm_real vmi_laval_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
+{
+    const vm_real forward = sense < 0 ? -1 : 1, g = forward * gyro, S = VM_SQRT(gyro * gyro + mass * stiffness);
+    return forward * (g > 0 ? (g + S) / mass : stiffness / (S - g));
+}
+
+VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, int sense)
+{
+    vm_real slope;
+    if (!(A >= 0) || !VM_IS_FINITE(A) || !(mass > 0) || !VM_IS_FINITE(mass)) return VM_NAN;
+    return vmi_laval_root(r->gyro, mass, r->stiffness(A, &slope, r->stiffness_ctx), sense);
+}
+
+/* (504), (505) averaged. The torque gives (A^2 (m W - g))' = (1 - r) m' A^2 W + A <Im D>, the radial balance
+   psi' - W = -<Re D>/(2 A (m W - g)), D = (F_z + r m' u) e^(-i psi); m W - g = +-S, S^2 = g^2 + m F_e'. */
+VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int sense)
+{
+    const int samples = vmi_laval_samples(r);
+    vm_real mass, rate, stiffness, slope, W, S, growth;
+    vm_complex sum = {0, 0};
+    int j;
+    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
+    if (status) return status;
+    stiffness = r->stiffness(y[0], &slope, r->stiffness_ctx);
+    W = vmi_laval_root(r->gyro, mass, stiffness, sense), S = mass * W - r->gyro;
+    if (!(S * S > 0)) return VM_DOMAIN;
+    for (j = 0; j < samples; j++) {
+        const vm_complex turn = vmi_c_turn(y[1] + 2 * VM_PI * (vm_real)j / (vm_real)samples),
+                         z = vmi_c_scale(y[0], turn);
+        const vm_complex D = vmi_laval_drive(r, t, rate, z, vmi_c_times_i(W, z));
+        sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
+    }
+    sum = vmi_c_scale(1 / (vm_real)samples, sum);
+    growth = ((1 - r->reactive) * rate * W + sum.im / y[0]) / S - rate * stiffness / (2 * S * S);
+    dydt[0] = y[0] * growth / (2 + mass * slope * y[0] / (2 * S * S));
+    dydt[1] = W - sum.re / (2 * y[0] * S);
+    return VM_OK;
+}
+
+VM_API int vm_laval_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, 1);
+}
+
+VM_API int vm_laval_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, -1);
+}
+
+/* The zero of f in [a, b], where it has the values fa, fb of opposite signs: regula falsi whose standing end is
+   halved (Illinois), a bisection wherever that does not halve the interval in three steps; to the resolution of x
+   */
+VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
+                             vm_real fb)
+{
+    vm_real width = VM_FABS(b - a);
+    int i, side = 0;
+    if (fa == 0 || fb == 0) return fa == 0 ? a : b;
+    for (i = 1; i < 3 * VM_MANT_DIG + 60; i++) {
+        vm_real x = a - fa * ((b - a) / (fb - fa)), fx;
+        if (i % 4 == 0) {
+            if (VM_FABS(b - a) > width / 8) x = a + (b - a) / 2, side = 0;
+            width = VM_FABS(b - a);
+        }
+        if (!((x > a) == (x < b)) || x == a || x == b) x = a + (b - a) / 2;
+        if (x == a || x == b) break;
+        fx = f(x, ctx);
+        if (fx == 0) return x;
+        if ((fx > 0) == (fb > 0)) {
+            b = x, fb = fx;
+            if (side == 1) fa /= 2;
+            side = 1;
+        } else {
+            a = x, fa = fx;
+            if (side == -1) fb /= 2;
+            side = -1;
+        }
+    }
+    return VM_FABS(fa) < VM_FABS(fb) ? a : b;
+}
+
+/* ln of the invariant over its first value at the radius A0 e^x */
+typedef struct VM_TAG(vmi_laval_orbit) {
+    const vm_laval *r;
+    vm_real A0, mass, first; /* first: that of g^2 + m F_e' */
+} vmi_laval_orbit;
+
+VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
+{
+    const vmi_laval_orbit *o = (const vmi_laval_orbit *)orbit;
+    vm_real slope;
+    const vm_real stiffness = o->r->stiffness(o->A0 * vmi_exp(x, 0), &slope, o->r->stiffness_ctx);
+    const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
+    return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
+}
+
+VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass)
+{
+    vmi_laval_orbit o;
+    vm_real slope, here, there, step = VM_C(0.0625), x = 0;
+    int bounded = 0;
+    if (!(A0 > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(A0) || !VM_IS_FINITE(mass0) ||
+        !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
+        return VM_NAN;
+    if (r->gyro == 0) mass = vmi_raised(mass / mass0, 2 * r->reactive - 1), mass0 = 1;
+    o.r = r, o.A0 = A0, o.mass = mass;
+    o.first = r->gyro * r->gyro + mass0 * r->stiffness(A0, &slope, r->stiffness_ctx);
+    here = vmi_laval_invariant(0, &o);
+    if (here == 0 || here != here) return here == 0 ? A0 : VM_NAN;
+    for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
+        there = vmi_laval_invariant(x + step, &o);
+        while (there != there) { /* F_e' is no number there */
+            step /= 2, bounded = 1;
+            if (VM_FABS(step) < VM_EPSILON) return VM_NAN;
+            there = vmi_laval_invariant(x + step, &o);
+        }
+        if (there == 0 || (there > 0) != (here > 0)) break;
+        x += step, here = there;
+    }
+    return A0 * vmi_exp(vmi_slow_zero(vmi_laval_invariant, &o, x, x + step, here, there), 0);
+}
+
 /* ---- Chapter 7.8: two bodies with a nonlinear connection ---------------------------------------------------- */
 
+VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
+{
+    const vm_pair *p = (const vm_pair *)pair;
+    const vm_real force = vmi_slow_elastic(y[0] - y[1], p->k, p->alpha);
+    vm_real mass, rate;
+    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    if (status) return status;
+    dydt[0] = y[2], dydt[1] = y[3];
+    dydt[2] = (-force - p->reactive * rate * y[2]) / mass;
+    dydt[3] = (force - p->reactive * rate * y[3]) / mass;
+    return VM_OK;
+}
+
+VM_API int vmi_pair_check(const vm_pair *p, vm_real mass, vm_real rate)
+{
+    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive) || !VM_IS_FINITE(mass) ||
+        !VM_IS_FINITE(rate))
+        return VM_NOT_FINITE;
+    if (!(mass > 0)) return VM_BAD_MASS;
+    return p->alpha >= 0 && p->k > 0 ? VM_OK : VM_DOMAIN;
+}
+
+/* A over its mean at phase psi, (1 + q sa ca/(2 Om))^(2/(alpha+3)), q = (2r-1) m'/m, Om at the mean A */
+VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
+{
+    const vm_real q = (2 * p->reactive - 1) * rate / mass, Om = vmi_slow_rate(A, 2 * p->k, mass, p->alpha);
+    vm_real sa, ca;
+    ateb_saca(psi, p->alpha, &sa, &ca);
+    return vmi_raised(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
+}
+
+VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
+{
+    vm_real exact, A;
+    int i;
+    for (i = 0; i < 4; i++)
+        if (!VM_IS_FINITE(y[i])) return VM_NOT_FINITE;
+    modes[3] = y[2] + y[3], modes[2] = y[0] + y[1];
+    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &modes[1]);
+    A = exact;
+    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, modes[1]);
+    modes[0] = A;
+    return VM_OK;
+}
+
+VM_API void vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
+{
+    const vm_real A = modes[0] > 0 ? modes[0] * vmi_pair_ripple(p, mass, rate, modes[0], modes[1]) : modes[0];
+    const vm_real q = modes[2], dq = modes[3];
+    vm_real x, v;
+    vmi_slow_motion(A, modes[1], 2 * p->k, mass, p->alpha, &x, &v);
+    y[0] = (q - x) / 2, y[1] = (q + x) / 2;
+    y[2] = (dq - v) / 2, y[3] = (dq + v) / 2;
+}
+
+VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
+{
+    vm_real rate, mass = p->mass(t, &rate, p->mass_ctx);
+    const int status = vmi_pair_check(p, mass, rate);
+    return status ? status : vmi_pair_split(p, mass, rate, y, modes);
+}
+
+VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
+{
+    vm_real rate, mass = p->mass(t, &rate, p->mass_ctx);
+    const int status = vmi_pair_check(p, mass, rate);
+    if (!status) vmi_pair_join(p, mass, rate, modes, y);
+    return status;
+}
+
+VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
+{
+    const vm_pair *p = (const vm_pair *)pair;
+    vm_real mass, rate;
+    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    if (status) return status;
+    dmodes[0] = -(2 * p->reactive - 1) * rate / ((p->alpha + 3) * mass) * modes[0];
+    dmodes[1] = vmi_slow_rate(modes[0], 2 * p->k, mass, p->alpha);
+    dmodes[2] = modes[3];
+    dmodes[3] = -p->reactive * rate / mass * modes[3];
+    return VM_OK;
+}
+
+/* Powers of m/m0 integrate to int (m/m0)^e dt = m0 phi((1 + e) ln(m/m0)) int dt/m */
+VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y)
+{
+    const vm_real drift = (2 * p->reactive - 1) / (p->alpha + 3);
+    vm_real modes[4], ln_ratio, integral, rate0, exponent;
+    int status = vmi_pair_check(p, m.mass, m.rate);
+    if (!status) status = vmi_pair_split(p, m.mass, m.rate, y0, modes);
+    if (status) return status;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
+    rate0 = vmi_slow_rate(modes[0], 2 * p->k, m.mass, p->alpha);
+    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * drift;
+    modes[1] += rate0 * m.mass * integral * vmi_slow_phi(exponent * ln_ratio);
+    modes[0] *= vmi_exp(-drift * ln_ratio, 0);
+    modes[2] += modes[3] * m.mass * integral * vmi_slow_phi((1 - p->reactive) * ln_ratio);
+    modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
+    vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
+    return VM_OK;
+}
+
 /* ---- Chapter 8: harmonic excitation ------------------------------------------------------------------------- */
+
+VM_API vm_forced_now vmi_forced_at(const vm_forced *f, vm_real t)
+{
+    vm_forced_now now = f->now;
+    if (f->drift) f->drift(t, &now, f->drift_ctx);
+    return now;
+}
+
+VM_API int vmi_forced_check(const vm_forced_now *n)
+{
+    if (!VM_IS_FINITE(n->mass) || !VM_IS_FINITE(n->mass_rate) || !VM_IS_FINITE(n->k) || !VM_IS_FINITE(n->k_rate) ||
+        !VM_IS_FINITE(n->nu) || !VM_IS_FINITE(n->nu_rate) || !VM_IS_FINITE(n->force))
+        return VM_NOT_FINITE;
+    if (!(n->mass > 0)) return VM_BAD_MASS;
+    return n->k > 0 && n->nu > 0 ? VM_OK : VM_DOMAIN;
+}
+
+/* c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du by the tanh-sinh rule, u = 1/(1 + e^(-pi sinh t)): ca is not
+   analytic at u = 1, and for large alpha bends sharply at u = 0 */
+VM_API void vmi_forced_fourier(vm_forced *f)
+{
+    const int steps = VM_MANT_DIG > 24 ? 16 : 8, n = 13 * steps / 4; /* |t| <= 3.25: the rest is below eps */
+    vm_real sum[5] = {0, 0, 0, 0, 0}, total = 0;
+    int i, j;
+    for (i = -n; i <= n; i++) {
+        const vm_real t = (vm_real)i / (vm_real)steps, e = vmi_exp(t, 0), half_pi = VM_PI / 2;
+        const vm_real g = vmi_exp(-half_pi * (e - 1 / e), 0), u = 1 / (1 + g);
+        const vm_real weight = half_pi * (e + 1 / e) * u * (g * u);
+        vm_real sa, ca, sine, c, before, twice;
+        ateb_saca(f->pi / 2 * u, f->alpha, &sa, &ca);
+        vmi_sincos(half_pi * u, &sine, &c);
+        before = c, twice = 2 * (c - sine) * (c + sine), total += weight;
+        for (j = 0; j < 5; j++) {
+            const vm_real next = twice * c - before;
+            sum[j] += weight * ca * c;
+            before = c, c = next;
+        }
+    }
+    for (j = 0; j < 5; j++) {
+        f->c[j] = 2 * sum[j] / total;
+        f->s[j] = (f->alpha + 1) * (vm_real)(2 * j + 1) * VM_PI / (2 * f->pi) * f->c[j];
+    }
+}
+
+VM_API int vm_forced_init(vm_forced *f)
+{
+    vm_forced_now now;
+    int status;
+    if (!f) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->b) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
+    if (!(f->alpha >= 0)) return VM_DOMAIN;
+    now = vmi_forced_at(f, 0);
+    status = vmi_forced_check(&now);
+    if (status) return status;
+    f->pi = ateb_pi(f->alpha);
+    f->Om1 = VM_PI / f->pi * VM_SQRT((f->alpha + 1) / 2);
+    vmi_forced_fourier(f);
+    f->G = f->Om1 * f->Om1 / 2 * f->c[0];
+    return VM_OK;
+}
+
+/* (ln mu kappa)', the rate at which the action would change */
+VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_now *n)
+{
+    return ((2 * f->reactive - 1) * n->mass_rate + 2 * f->b) / n->mass + n->k_rate / n->k;
+}
+
+VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_now *n, vm_real A) /* w(A) */
+{
+    return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_raised(VM_FABS(A), (f->alpha - 1) / 2);
+}
+
+VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
+{
+    const vm_forced *f = (const vm_forced *)forced;
+    const vm_forced_now n = vmi_forced_at(f, t);
+    vm_real sine, cosine;
+    const int status = vmi_forced_check(&n);
+    if (status) return status;
+    vmi_sincos(y[2], &sine, &cosine);
+    dydt[0] = y[1];
+    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->b) * y[1] -
+               vmi_slow_elastic(y[0], n.k, f->alpha)) /
+              n.mass;
+    dydt[2] = n.nu;
+    return VM_OK;
+}
+
+VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
+{
+    const vm_forced *f = (const vm_forced *)forced;
+    const vm_forced_now n = vmi_forced_at(f, t);
+    const int status = vmi_forced_check(&n);
+    vm_real q, Om, push, sa, ca, sine, cosine;
+    if (status) return status;
+    q = vmi_forced_q(f, &n), Om = vmi_slow_rate(y[0], n.k, n.mass, f->alpha);
+    ateb_saca(y[1], f->alpha, &sa, &ca);
+    vmi_sincos(y[2], &sine, &cosine);
+    push = n.force / (n.mass * Om) * cosine;
+    dydt[0] = -(q * y[0] / (f->alpha + 1) * sa + push) * sa;
+    dydt[1] = Om - (q / 2 * sa + (f->alpha + 1) / (2 * y[0]) * push) * ca;
+    dydt[2] = n.nu;
+    return VM_OK;
+}
+
+VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
+{
+    const vm_forced *f = (const vm_forced *)forced;
+    const vm_forced_now n = vmi_forced_at(f, t);
+    const int status = vmi_forced_check(&n);
+    vm_real w, push, sine, cosine;
+    if (status) return status;
+    w = vmi_forced_natural(f, &n, y[0]), push = n.force * f->G / (n.mass * w);
+    vmi_sincos(y[1], &sine, &cosine);
+    dydt[0] = -vmi_forced_q(f, &n) * y[0] / (f->alpha + 3) - push * sine;
+    dydt[1] = w - n.nu - push / y[0] * cosine;
+    dydt[2] = n.nu;
+    return VM_OK;
+}
+
+/* R, the first ripple of the exact amplitude about its mean A: psi the Ateb phase, phi = pi psi/Pi that in radians */
+VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_real A, vm_real phi, vm_real theta)
+{
+    const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
+    vm_real sa, ca, sum = 0, unused, plus, minus;
+    int j;
+    ateb_saca(phi * (f->pi / VM_PI), f->alpha, &sa, &ca);
+    for (j = 0; j < 5; j++) {
+        const vm_real order = (vm_real)(2 * j + 1);
+        vmi_sincos(order * phi + theta, &unused, &plus);
+        vmi_sincos(order * phi - theta, &unused, &minus);
+        sum += f->s[j] / 2 * (plus / (order + 1) + (j ? minus / (order - 1) : 0));
+    }
+    return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
+}
+
+VM_API int vmi_forced_finite(const vm_real *y)
+{
+    return VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]) && VM_IS_FINITE(y[2]);
+}
+
+VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
+{
+    const vm_forced_now n = vmi_forced_at(f, t);
+    const int status = vmi_forced_check(&n);
+    const vm_real theta = motion[2];
+    vm_real exact, A, phi;
+    int i;
+    if (status) return status;
+    if (!vmi_forced_finite(motion)) return VM_NOT_FINITE;
+    vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
+    phi *= VM_PI / f->pi, A = exact;
+    for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    y[0] = A, y[1] = phi - theta, y[2] = theta;
+    return VM_OK;
+}
+
+VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
+{
+    const vm_forced_now n = vmi_forced_at(f, t);
+    const int status = vmi_forced_check(&n);
+    const vm_real theta = y[2], phi = y[1] + theta;
+    vm_real A;
+    if (status) return status;
+    if (!vmi_forced_finite(y)) return VM_NOT_FINITE;
+    A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
+    if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
+    vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &motion[0], &motion[1]);
+    motion[2] = theta;
+    return VM_OK;
+}
+
+/* The resonance with all quantities frozen, p = q/(alpha+3) */
+typedef struct VM_TAG(vmi_frozen) {
+    vm_real w1, exponent, nu, p, push; /* w = w1 A^exponent; push = force G/m, signed */
+} vmi_frozen;
+
+VM_API vmi_frozen vmi_forced_frozen(const vm_forced *f, const vm_forced_now *n)
+{
+    vmi_frozen z;
+    z.w1 = vmi_forced_natural(f, n, 1), z.exponent = (f->alpha - 1) / 2;
+    z.nu = n->nu, z.p = vmi_forced_q(f, n) / (f->alpha + 3), z.push = n->force * f->G / n->mass;
+    return z;
+}
+
+/* ln of A w sqrt((w - nu)^2 + p^2)/|push|, 0 at a steady amplitude A = e^x */
+VM_API vm_real vmi_forced_excess(vm_real x, void *frozen)
+{
+    const vmi_frozen *z = (const vmi_frozen *)frozen;
+    const vm_real w = z->w1 * vmi_exp(z->exponent * x, 0), detuning = vmi_c_modulus(vmi_complex(w - z->nu, z->p));
+    if (!(detuning > 0)) return -VM_MAX;
+    return (1 + z->exponent) * x + vmi_log(z->w1 / VM_FABS(z->push) * detuning).hi;
+}
+
+VM_API vm_steady vmi_forced_state(const vmi_frozen *z, vm_real alpha, vm_real A)
+{
+    const vm_real w = z->w1 * vmi_raised(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
+    vm_steady s;
+    s.nu = z->nu, s.A = A;
+    s.delta = ateb_phase(-p * A * w / z->push, off * A * w / z->push, 1);
+    s.trace = -(alpha + 3) * p / 2;
+    s.det = p * p * gain + off * (z->exponent * w + gain * off);
+    s.stable = s.det > 0 && s.trace < 0;
+    return s;
+}
+
+/* The values of x = ln A between which the excess is monotonic: w of det = 0, which is 2 alpha w^2 - (3 alpha + 1)
+   nu w + (alpha + 1)(nu^2 + p^2) = 0; their number */
+VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
+{
+    const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
+    const vm_real half = (3 * alpha + 1) * z->nu + (square > 0 ? VM_SQRT(square) : 0);
+    int n = 0;
+    if (!(square > 0) || alpha == 1) return 0;
+    x[n++] = vmi_log(2 * (alpha + 1) * (z->nu * z->nu + z->p * z->p) / (half * z->w1)).hi / z->exponent;
+    if (alpha > 0) x[n++] = vmi_log(half / (4 * alpha * z->w1)).hi / z->exponent;
+    if (n == 2 && x[0] > x[1]) x[2] = x[0], x[0] = x[1], x[1] = x[2];
+    return n;
+}
+
+/* The steady amplitudes of alpha != 1: one at most below, between and above the turns */
+VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
+{
+    const vm_real steep = VM_FABS(z->exponent) > 1 ? VM_FABS(z->exponent) : 1;
+    const vm_real far = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
+    vm_real ends[5], turns[3], left, right;
+    int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
+    ends[0] = -far, ends[n + 1] = far;
+    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -far ? -far : turns[i] > far ? far : turns[i];
+    for (i = 0; i <= n; i++) {
+        left = vmi_forced_excess(ends[i], z), right = vmi_forced_excess(ends[i + 1], z);
+        if (!((left > 0) != (right > 0))) continue;
+        A[found++] = vmi_exp(vmi_slow_zero(vmi_forced_excess, z, ends[i], ends[i + 1], left, right), 0);
+    }
+    return found;
+}
+
+VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
+{
+    const vm_forced_now n = vmi_forced_at(f, t);
+    int i, found = 0;
+    const int status = vmi_forced_check(&n);
+    vm_real A[3];
+    vmi_frozen z;
+    if (status) return status;
+    z = vmi_forced_frozen(f, &n);
+    if (z.push == 0) return 0;
+    if (f->alpha == 1) {
+        A[0] = VM_FABS(z.push) / (z.w1 * vmi_c_modulus(vmi_complex(z.w1 - z.nu, z.p)));
+        found = VM_IS_FINITE(A[0]);
+    } else found = vmi_forced_roots(&z, f->alpha, A);
+    for (i = 0; i < found; i++) steady[i] = vmi_forced_state(&z, f->alpha, A[i]);
+    return found;
+}
+
+VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady curve[2])
+{
+    const vm_forced_now n = vmi_forced_at(f, t);
+    const int status = vmi_forced_check(&n);
+    vmi_frozen z;
+    vm_real w, hold, width, p;
+    int found = 0;
+    if (status) return status;
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
+    z = vmi_forced_frozen(f, &n);
+    w = vmi_forced_natural(f, &n, A), hold = VM_FABS(z.push) / (w * A), p = VM_FABS(z.p);
+    if (!(hold >= p) || z.push == 0) return 0;
+    width = VM_SQRT(hold - p) * VM_SQRT(hold + p);
+    z.nu = w - width;
+    if (z.nu > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    z.nu = w + width;
+    if (width > 0 || !found) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    return found;
+}
+
+VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
+{
+    const vm_forced_now n = vmi_forced_at(f, t);
+    vmi_frozen z;
+    if (vmi_forced_check(&n)) return VM_NAN;
+    z = vmi_forced_frozen(f, &n);
+    return vmi_raised(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
+}
+
+/* delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative
+   drift of w - nu; and for gamma = 0 the same jump */
+VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
+{
+    const vm_forced_now n = vmi_forced_at(f, t);
+    const int status = vmi_forced_check(&n);
+    vmi_frozen z;
+    vm_passage r;
+    vm_real D, sine;
+    if (status) return status;
+    z = vmi_forced_frozen(f, &n);
+    r.A = z.exponent == 0 ? amplitude : vmi_raised(z.nu / z.w1, 1 / z.exponent);
+    if (!(r.A > 0) || !VM_IS_FINITE(r.A) || z.push == 0) return VM_DOMAIN;
+    D = n.mass_rate / (2 * n.mass) - n.k_rate / (2 * n.k) + n.nu_rate / n.nu + z.exponent * z.p;
+    sine = z.exponent == 0 ? VM_INFINITY : -z.nu * D * r.A / (z.exponent * z.push);
+    r.torque = VM_FABS(sine);
+    r.delta = r.torque <= 1
+                  ? ateb_phase(sine, VM_COPYSIGN(VM_SQRT((1 - sine) * (1 + sine)), z.exponent * z.push), 1)
+                  : VM_NAN;
+    r.jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
+    *passage = r;
+    return VM_OK;
+}
+
+/* ---- Diagnostics of slow vibrations ------------------------------------------------------------------------- */
+
+typedef struct VM_TAG(vmi_point_search) {
+    vm_motion motion;
+    void *ctx;
+    int kind;
+    vm_real x, v; /* where it was looked last */
+} vmi_point_search;
+
+/* What vanishes at a point of the kind looked for */
+VM_API vm_real vmi_point_function(vm_real t, void *search)
+{
+    vmi_point_search *s = (vmi_point_search *)search;
+    s->motion(t, &s->x, &s->v, s->ctx);
+    return s->kind == VM_ZERO_CROSSINGS ? s->x : s->v;
+}
+
+VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
+                           vm_point *points)
+{
+    vmi_point_search s;
+    vm_real t = t0, here, there, intervals;
+    long found = 0, i = 0, last;
+    if (!motion || (room > 0 && !points) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
+        return VM_BAD_ARGUMENT;
+    intervals = -VM_FLOOR(-(t1 - t0) / step);
+    if (!(intervals >= 0) || !(intervals < VM_C(2e9))) return VM_NOT_FINITE;
+    last = (long)intervals;
+    s.motion = motion, s.ctx = ctx, s.kind = kind;
+    for (here = vmi_point_function(t0, &s); i < last; here = there) {
+        const vm_real before = t;
+        i++, t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
+        there = vmi_point_function(t, &s);
+        if (!VM_IS_FINITE(there)) return VM_NOT_FINITE;
+        if (here == 0 || !(there == 0 || (there > 0) != (here > 0))) continue;
+        if (found < room) {
+            points[found].t = vmi_slow_zero(vmi_point_function, &s, before, t, here, there);
+            motion(points[found].t, &points[found].x, &points[found].v, ctx);
+        }
+        found++;
+    }
+    if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+    return found;
+}
+
+typedef struct VM_TAG(vmi_step_motion) {
+    rk45 *s;
+    int x, v;
+    vm_real *buffer;
+} vmi_step_motion;
+
+VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
+{
+    const vmi_step_motion *m = (const vmi_step_motion *)step;
+    const int status = m->s->method == VMI_RK45 ? rk45_interpolate(m->s, t, m->buffer)
+                                                : rk87_interpolate(m->s, t, m->buffer);
+    *x = status ? VM_NAN : m->buffer[m->x];
+    *v = status ? VM_NAN : m->buffer[m->v];
+}
+
+VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_point *points)
+{
+    vmi_step_motion m;
+    vm_real length;
+    if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
+    length = s->t - s->t_old;
+    if (length == 0) return 0;
+    m.s = s, m.x = x, m.v = v, m.buffer = buffer;
+    return vm_find_points(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
+}
+
+VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_real (*law)(vm_real t, void *ctx),
+                                 void *ctx)
+{
+    vm_real worst = 0;
+    long i;
+    for (i = 0; i < n; i++) {
+        const vm_real observed = kind == VM_TURNING_POINTS ? points[i].x : points[i].v;
+        const vm_real error = VM_FABS(law(points[i].t, ctx) / VM_FABS(observed) - 1);
+        if (!(error <= worst)) worst = error;
+    }
+    return worst;
+}
+
+VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
+                               vm_real reactive, vm_real alpha)
+{
+    if (!(A > 0) || !(mass > 0) || !(k > 0) || !(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
+    return (((2 * reactive - 1) * mass_rate + 2 * b) / mass + k_rate / k) / vmi_slow_rate(A, k, mass, alpha);
+}
 
 /* ---- Scenes ------------------------------------------------------------------------------------------------- */
 

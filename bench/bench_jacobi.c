@@ -144,14 +144,15 @@ static void print_sncndn(void)
 
 static void print_plans(void)
 {
-    static const vm_real m[3] = {VM_C(0.3), VM_C(0.9), -20};
+    enum { KINDS = 4 };
+    static const vm_real m[KINDS] = {VM_C(0.3), VM_C(0.9), -20, VM_C(0.99)}; /* the last by theta functions */
     char arguments[40];
     int i;
-    for (i = 0; i < 6; i++) {
-        fill(0, 2, m[i % 3], m[i % 3]);
-        jacobi_plan_init(&plan, m[i % 3]);
-        snprintf(arguments, sizeof arguments, "|u| < 2K, m = %g", (double)m[i % 3]);
-        if (i < 3) print_function("jacobi_plan_sncndn", arguments, plan_apart, plan_chain);
+    for (i = 0; i < 2 * KINDS; i++) {
+        fill(0, 2, m[i % KINDS], m[i % KINDS]);
+        jacobi_plan_init(&plan, m[i % KINDS]);
+        snprintf(arguments, sizeof arguments, "|u| < 2K, m = %g", (double)m[i % KINDS]);
+        if (i < KINDS) print_function("jacobi_plan_sncndn", arguments, plan_apart, plan_chain);
         else print_function("jacobi_plan_sncndn_array", arguments, array, NULL);
     }
 }

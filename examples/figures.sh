@@ -23,3 +23,29 @@ gnuplot -e "csv='$folder/dzhanibekov.csv'; svg='$folder/dzhanibekov.svg'" exampl
 echo "  $folder/dzhanibekov.svg   a wing nut that turns over"
 gnuplot -e "csv='$folder/tumbling.csv'; svg='$folder/tumbling.svg'" examples/tumbling.gp || exit 1
 echo "  $folder/tumbling.svg   a tumbling satellite sheds a panel"
+for name in rocket dust; do
+    gnuplot -e "csv='$folder/$name.csv'; svg='$folder/$name.svg'" examples/$name.gp || exit 1
+    echo "  $folder/$name.svg"
+done
+slow() { # slow NUMBER PANELS CASES WAVES LOW HIGH LABEL
+    gnuplot -e "csv='$folder/figure$1.csv'; svg='$folder/figure$1.svg'; panels=$2; cases=$3; waves=$4; low=$5; high=$6" \
+        -e "label='$7'" examples/slow.gp || exit 1
+    echo "  $folder/figure$1.svg   Fig. $1"
+}
+slow 21 3 1 2 -0.2 0.3 x
+slow 26 3 3 0 0 3.4 amplitude
+slow 27 3 1 1 -2.8 4 x
+slow 28 1 3 0 0 5 amplitude
+slow 29 2 1 1 -2.8 4 x
+slow 30 2 1 1 -1.1 1.6 "x, y"
+slow 32 2 1 1 -1.5 5 "x, y"
+gnuplot -e "folder='$folder'" examples/resonance.gp || exit 1
+echo "  $folder/resonance.svg   resonance curve under harmonic force"
+echo "  $folder/passage.svg   passage through the resonance while the mass grows"
+for figure in break transient fig18; do
+    gnuplot -e "prefix='$folder/rotor'; figure='$figure'" examples/rotor.gp 2>"$folder/gnuplot.log" ||
+        { cat "$folder/gnuplot.log"; exit 1; }
+done
+echo "  $folder/rotor_{break,transient,fig18}.svg   Figs 17 and 18, the motion after the break"
+gnuplot -e "prefix='$folder/pendulum'" examples/pendulum.gp || exit 1
+echo "  $folder/pendulum.svg   Fig. 19"

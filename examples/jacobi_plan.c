@@ -30,18 +30,20 @@ static void print_reals(const char *before, const vm_real *x, int n, const char 
 static void print_plan(const jacobi_plan *p, const char *m, const char *name)
 {
     const vmi_theta_form *t = &p->theta;
-    const vm_real kp[2] = {t->kp, t->kp_lo}, phase[3] = {t->q, t->defect, t->defect_lo};
+    const vm_real head[4] = {t->kp, t->kp_lo, t->q, t->defect};
     const int is_float = sizeof(vm_real) == sizeof(float);
     printf("/* sn, cn, dn for m = %s in %s, %d bytes; include jacobi.h %s VM_USE_FLOAT */\n", m,
            is_float ? "float" : "double", (int)sizeof *p, is_float ? "with" : "without");
-    printf("static const jacobi_plan %s = {\n    {%d,\n", name, t->form);
-    print_reals("     ", kp, 2, ",");
-    print_reals("     ", phase, 3, ",");
-    print_reals("     {", t->f, 4, "},");
-    print_reals("     {", t->g, 4, "},");
-    print_reals("     {", t->scale, 3, "}},");
+    printf("static const jacobi_plan %s = {\n    %d,\n", name, p->form);
+    print_reals("    ", &p->m1, 1, ",");
     print_reals("    {", p->K, 4, "},");
-    print_reals("    ", &p->per_K, 1, "};");
+    print_reals("    ", &p->per_K, 1, ",");
+    print_reals("    {", p->a, VMI_TERMS, "},");
+    print_reals("    {", p->b, VMI_TERMS, "},");
+    print_reals("    {", head, 4, ",");
+    print_reals("     {", t->f, 3, "},");
+    print_reals("     {", t->g, 2, "},");
+    print_reals("     {", t->scale, 3, "}}};");
 }
 
 int main(int argc, char **argv)

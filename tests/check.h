@@ -12,7 +12,7 @@ typedef struct check_row {
     long count;
 } check_row;
 
-static check_row check_rows[200];
+static check_row check_rows[500];
 static int check_row_count;
 static long check_passed, check_failed, check_skipped;
 

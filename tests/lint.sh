@@ -33,8 +33,8 @@ for compiler in gcc clang; do
             [ $source = tests/test_gsl.c ] || compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done
-    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c bench/pairs.c \
-        bench/bench_integrators.c bench/bench_rotation.c; do
+    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c \
+        examples/package/consumer/main.c bench/*.c; do
         compile $compiler c99 $source -Wstrict-prototypes
     done
     if echo '#include <gsl/gsl_sf.h>' | $compiler -E - >/dev/null 2>&1; then

@@ -26,12 +26,11 @@ static const jacobi_row jacobi_table[] = {
 #endif
 };
 
-static void check_three(const jacobi_row *row, const char *suffix, vm_real sn, vm_real cn, vm_real dn)
+static void check_three(const jacobi_row *row, int by_plan, vm_real sn, vm_real cn, vm_real dn)
 {
     double m1 = row->complement ? row->m : 1 - row->m, largest_dn = m1 > 1 ? sqrt(m1) : 1;
-    char name[3][16];
-    int i;
-    for (i = 0; i < 3; i++) snprintf(name[i], sizeof name[i], "%cn%s", "scd"[i], suffix);
+    static const char *const names[2][3] = {{"sn", "cn", "dn"}, {"sn by plan", "cn by plan", "dn by plan"}};
+    const char *const *name = names[by_plan];
     check_error(name[0], row->region, "eps", ERROR_EPS(sn, row->sn, row->sn_low, 1), 4, row->u, row->m);
     check_error(name[1], row->region, "eps", ERROR_EPS(cn, row->cn, row->cn_low, 1), 4, row->u, row->m);
     check_error(name[2], row->region, "eps", ERROR_EPS(dn, row->dn, row->dn_low, largest_dn), 4, row->u, row->m);
@@ -53,11 +52,11 @@ static void test_table(void)
         if (fabs(row->u) > row->K * (is_float ? 131072 : 1099511627776.0)) continue; /* K's words run out */
         if (row->complement) jacobi_sncndn_m1(u, m, &sn, &cn, &dn);
         else jacobi_sncndn(u, m, &sn, &cn, &dn);
-        check_three(row, "", sn, cn, dn);
+        check_three(row, 0, sn, cn, dn);
         CHECK(row->complement || (jacobi_sn(u, m) == sn && jacobi_cn(u, m) == cn && jacobi_dn(u, m) == dn));
         CHECK((row->complement ? jacobi_plan_init_m1(&plan, m) : jacobi_plan_init(&plan, m)) == 0);
         jacobi_plan_sncndn(&plan, u, &sn, &cn, &dn);
-        check_three(row, " by plan", sn, cn, dn);
+        check_three(row, 1, sn, cn, dn);
     }
 }
 
@@ -85,7 +84,7 @@ static void test_complete(void)
                     ERROR_ULP(table[i].complement ? jacobi_K_m1(m) : jacobi_K(m), table[i].K, table[i].K_low), 2,
                     table[i].m, 0);
         check_error("E", region, "ulp",
-                    ERROR_ULP(table[i].complement ? jacobi_E_m1(m) : jacobi_E(m), table[i].E, table[i].E_low), 2.5,
+                    ERROR_ULP(table[i].complement ? jacobi_E_m1(m) : jacobi_E(m), table[i].E, table[i].E_low), 2,
                     table[i].m, 0);
         if (table[i].complement || fabs(table[i].m) > 1e30) continue;
         check_error("k'K", region, "ulp", /* 1 - m and its root are rounded here: 2 ulp of the 5 */

@@ -42,17 +42,19 @@ int main(int argc, char **argv)
     const jacobi_plan *p = printed[i].plan;
     jacobi_plan q;
     if (jacobi_plan_init(&q, printed[i].m) != 0) return 1;
-    COMPARE(theta.form);
+    COMPARE(form);
+    COMPARE(m1);
+    COMPARE(K);
+    COMPARE(per_K);
+    COMPARE(a);
+    COMPARE(b);
     COMPARE(theta.kp);
     COMPARE(theta.kp_lo);
     COMPARE(theta.q);
     COMPARE(theta.defect);
-    COMPARE(theta.defect_lo);
     COMPARE(theta.f);
     COMPARE(theta.g);
     COMPARE(theta.scale);
-    COMPARE(K);
-    COMPARE(per_K);
     printf("%d of %d bytes compared\n", (int)compared, (int)sizeof q);
     return differing != 0 || sizeof q - compared >= sizeof(vm_real);
 }

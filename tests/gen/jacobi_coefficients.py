@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Print the polynomial tables of jacobi.h: best approximations by Remez' exchange, weighted as the function is used.
+"""Print the polynomial tables of jacobi.h: best approximations by Remez' exchange, weighted as the function is used, and
+pairs of polynomials in the logarithmic forms near m = 1.
 
 Each line of FUNCTIONS: name, f, interval, weight w (the error printed and levelled is w (p - f)), degrees for double and
-for float.
+for float; of LOGARITHMIC: name, f, power of c, numbers of terms of A and B for double and for float.
 """
-from mpmath import (mp, mpf, agm, atan, cos, ellipe, ellipk, linspace, log, lu_solve, matrix, nstr, pi, polyval, qfrom,
-                    sin, sqrt)
+from mpmath import mp, mpf, atan, cos, ellipe, ellipk, linspace, log, lu_solve, matrix, nstr, pi, polyval, sin, sqrt
 
 mp.dps = 50
 
@@ -59,36 +59,72 @@ def arctangent(t):
     return (atan(sqrt(t)) / sqrt(t) - 1) / t
 
 
-def agm_defect(x):
-    return (1 - agm(1, sqrt(1 - x))) / x
+def k_series(x):
+    """K = pi/(1 + k') (1 + x f(x)) with x = k1^2, k1 = (1 - k')/(1 + k')."""
+    return (2 * ellipk(x) / pi - 1) / x
 
 
-def half_nome(x):
-    """The nome of m from k1 = (1 - k')/(1 + k'), x = k1^2: q = k1/4 (1 + x f(x)), since q^2 is the nome of x."""
-    return (4 * sqrt(qfrom(m=x) / x) - 1) / x
+def e_series(x):
+    """E = pi/4 (1 + k') (1 + x f(x))."""
+    kp = (1 - sqrt(x)) / (1 + sqrt(x))
+    return (4 * ellipe(1 - kp ** 2) / (pi * (1 + kp)) - 1) / x
 
 
-def e_over_k(x):
-    return 4 * (1 - ellipe(x) / ellipk(x)) / x
+def log_fit(f, power, high, terms_a, terms_b):
+    """a and b of f(c) = c^power (l a(c) - b(c)), l = ln(16/c)/2, on (0, high]: least squares with Lawson's weights."""
+    count = 6 * (terms_a + terms_b)
+    points = [high * ((1 - cos(pi * (k + mpf(1) / 2) / count)) / 2) ** 1.5 for k in range(count)]
+    logs, values, weights = [log(16 / c) / 2 for c in points], [f(c) for c in points], [mpf(1)] * count
+    best = None
+    for _ in range(25):
+        m, right = matrix(count, terms_a + terms_b), matrix(count, 1)
+        for i, c in enumerate(points):
+            root = sqrt(weights[i])
+            for j in range(terms_a):
+                m[i, j] = root * logs[i] * c ** (j + power)
+            for j in range(terms_b):
+                m[i, terms_a + j] = -root * c ** (j + power)
+            right[i] = root * values[i]
+        x = list(lu_solve(m, right))
+        e = [abs(c ** power * (logs[i] * polyval(x[:terms_a][::-1], c) - polyval(x[terms_a:][::-1], c)) - values[i])
+             for i, c in enumerate(points)]
+        if best is None or max(e) < best[1]:
+            best = x, max(e)
+        total = sum(w * y for w, y in zip(weights, e))
+        weights = [w * y * count / total for w, y in zip(weights, e)]
+    return best[0][:terms_a], best[0][terms_a:], best[1]
 
 
 T = mpf("0.63")  # (pi/4)^2 and a margin
-Y = mpf("0.0295")  # k1^2 for m from -1 to 1/2
-X = ((1 - mpf("0.3") ** mpf("0.25")) / (1 + mpf("0.3") ** mpf("0.25"))) ** 4  # two steps of the AGM for m = 0.7
 FUNCTIONS = [
     ("(sin z/z - 1)/z^2 of z^2", sine, 0, T, lambda t: t, 5, 3),
     ("(cos z - 1 + z^2/2)/z^4 of z^2", cosine, 0, T, lambda t: t * t, 5, 2),
     ("(atan z/z - 1)/z^2 of z^2", arctangent, 0, mpf("0.1717"), lambda t: t, 9, 4),
-    ("(1 - agm(1, sqrt(1 - x)))/x", agm_defect, 0, Y, lambda x: x, 6, 2),
-    ("(4 q/k1 - 1)/k1^2 of k1^2", half_nome, 0, Y, lambda x: x, 5, 2),
-    ("4 (1 - E(x)/K(x))/x", e_over_k, 0, X, lambda x: x, 3, 1),
+    ("(2 K(x)/pi - 1)/x", k_series, 0, mpf("0.0295"), lambda x: x, 6, 2),  # k1^2 for m from -1 to 1/2
+    ("(4 E/(pi (1 + k')) - 1)/k1^2 of k1^2", e_series, 0, mpf("0.27"), lambda x: x, 10, 4),  # m from -9 to 0.9
 ]
+LOGARITHMIC = [
+    ("K - l - c (l - 1)/4 by c^2 (l A - B)", lambda c: ellipk(1 - c) - log(16 / c) / 2 - c * (log(16 / c) / 2 - 1) / 4,
+     2, (9, 8), (4, 3)),
+    ("E - 1 by c (l A - B)", lambda c: ellipe(1 - c) - 1, 1, (9, 8), (4, 4)),
+]
+
+
+def print_table(c, bits):
+    text = [f"VM_C({nstr(rounded(v, bits), 18 if bits == 53 else 10, min_fixed=-3, max_fixed=9)})" for v in c]
+    for k in range(0, len(text), 4):
+        print("    " + ", ".join(text[k:k + 4]) + ",")
+
 
 if __name__ == "__main__":
     for name, f, low, high, weight, *degrees in FUNCTIONS:
         for bits, degree in zip((53, 24), degrees):
             c, error = remez(f, mpf(low) if low else mpf(10) ** -12, high, degree, weight)
             print(f"/* {name}, degree {degree}, p = {bits}: error 2^{nstr(log(error, 2), 4)} */")
-            text = [f"VM_C({nstr(rounded(v, bits), 18 if bits == 53 else 10, min_fixed=-3, max_fixed=9)})" for v in c]
-            for k in range(0, len(text), 4):
-                print("    " + ", ".join(text[k:k + 4]) + ",")
+            print_table(c, bits)
+    for name, f, power, *terms in LOGARITHMIC:
+        for bits, (terms_a, terms_b) in zip((53, 24), terms):
+            a, b, error = log_fit(f, power, mpf(1) / 2, terms_a, terms_b)
+            print(f"/* {name}, c <= 1/2, p = {bits}: error 2^{nstr(log(error, 2), 4)} */")
+            print_table(a, bits)
+            print_table(b, bits)

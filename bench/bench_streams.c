@@ -1,0 +1,229 @@
+/* Time of a right-hand side of chapter 5 for each level and number of streams, as a ratio to one written by hand
+   for just that: the same states and equations in scalars, streams of relative velocity only, no laws, no stores,
+   no checks but that of mass and pivots. Medians of repeats. For counts of instructions:
+     valgrind --tool=callgrind --toggle-collect='count_*' build/bench/streams count
+   usage: streams [CSV FILE | count] */
+#include "timing.h"
+#include <stdio.h>
+#include <string.h>
+#include "../varmass.h"
+
+enum { COUNT = 256, MOST = 4, STATES = VM_RHS };
+static double state[COUNT][VM_RHS_BALANCED];
+static int sink;
+static vm_stream streams[MOST];
+static vm_stream2 streams2[MOST];
+static vm_stream1 streams1[MOST];
+static vm_flow flow;
+static vm_flow1 flow1;
+static vm_flow2 flow2;
+
+/* ---- By hand ---- */
+
+static int hand1(double t, const double *y, double *dy, void *ctx)
+{
+    const vm_flow1 *f = (const vm_flow1 *)ctx;
+    const double v = y[1] / y[2];
+    double rate = 0, force = f->force;
+    int k;
+    (void)t;
+    if (!(y[2] > 0)) return -1;
+    for (k = 0; k < f->n; k++)
+        rate += f->streams[k].rate, force += f->streams[k].rate * (v + f->streams[k].velocity);
+    dy[0] = v, dy[1] = force, dy[2] = rate;
+    return 0;
+}
+
+static int hand_translation(double t, const double *y, double *dy, void *ctx)
+{
+    const vm_flow *f = (const vm_flow *)ctx;
+    const double inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, vz = y[5] * inverse;
+    double rate = 0, fx = f->force.x, fy = f->force.y, fz = f->force.z;
+    int k;
+    (void)t;
+    if (!(y[6] > 0)) return -1;
+    for (k = 0; k < f->n; k++) {
+        const vm_stream *s = f->streams + k;
+        rate += s->rate;
+        fx += s->rate * (vx + s->velocity.x), fy += s->rate * (vy + s->velocity.y);
+        fz += s->rate * (vz + s->velocity.z);
+    }
+    dy[0] = vx, dy[1] = vy, dy[2] = vz, dy[3] = fx, dy[4] = fy, dy[5] = fz, dy[6] = rate;
+    return 0;
+}
+
+static int hand2(double t, const double *y, double *dy, void *ctx)
+{
+    const vm_flow2 *f = (const vm_flow2 *)ctx;
+    const double inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, w = y[5] / y[9], s = sin(y[2]),
+                 c = cos(y[2]);
+    double rate = 0, px = 0, py = 0, moment = f->moment, sx = 0, sy = 0, inertia = 0;
+    int k;
+    (void)t;
+    if (!(y[6] > 0) || !(y[9] > 0)) return -1;
+    for (k = 0; k < f->n; k++) {
+        const vm_stream2 *p = f->streams + k;
+        const double dx = p->x - y[7], dy_ = p->y - y[8];
+        const double ux = p->rate * (p->vx - w * dy_), uy = p->rate * (p->vy + w * dx);
+        rate += p->rate, px += ux, py += uy;
+        moment += dx * uy - dy_ * ux + p->rate * p->gyration * (w + p->spin);
+        sx += p->rate * dx, sy += p->rate * dy_, inertia += p->rate * (p->gyration + dx * dx + dy_ * dy_);
+    }
+    sx *= inverse, sy *= inverse;
+    dy[0] = vx + c * sx - s * sy, dy[1] = vy + s * sx + c * sy, dy[2] = w;
+    dy[3] = f->fx + rate * vx + c * px - s * py, dy[4] = f->fy + rate * vy + s * px + c * py;
+    dy[5] = moment, dy[6] = rate, dy[7] = sx, dy[8] = sy, dy[9] = inertia;
+    return 0;
+}
+
+static int hand3(double t, const double *y, double *dy, void *ctx)
+{
+    const vm_flow *f = (const vm_flow *)ctx;
+    const double qw = y[3], qx = y[4], qy = y[5], qz = y[6], square = qw * qw + qx * qx + qy * qy + qz * qz;
+    const double s = 2 / square, x = s * qx, yy_ = s * qy, z = s * qz;
+    const double m11 = 1 - (yy_ * qy + z * qz), m22 = 1 - (x * qx + z * qz), m33 = 1 - (x * qx + yy_ * qy);
+    const double m12 = x * qy - z * qw, m21 = x * qy + z * qw, m13 = x * qz + yy_ * qw, m31 = x * qz - yy_ * qw;
+    const double m23 = yy_ * qz - x * qw, m32 = yy_ * qz + x * qw;
+    const double inverse = 1 / y[13], vx = y[7] * inverse, vy = y[8] * inverse, vz = y[9] * inverse;
+    const double h1 = m11 * y[10] + m21 * y[11] + m31 * y[12], h2 = m12 * y[10] + m22 * y[11] + m32 * y[12];
+    const double h3 = m13 * y[10] + m23 * y[11] + m33 * y[12];
+    const double xx = y[17], yy = y[18], zz = y[19], xy = y[20], xz = y[21], yz = y[22];
+    const double d1 = 1 / xx, l21 = xy * d1, l31 = xz * d1, pivot2 = yy - l21 * xy, r = yz - l31 * xy,
+                 d2 = 1 / pivot2;
+    const double l32 = r * d2, pivot3 = zz - l31 * xz - l32 * r, d3 = 1 / pivot3;
+    const double g2 = h2 - l21 * h1, wz = (h3 - l31 * h1 - l32 * g2) * d3, wy = g2 * d2 - l32 * wz;
+    const double wx = h1 * d1 - l21 * wy - l31 * wz, back = sqrt(wx * wx + wy * wy + wz * wz) * (1 - square) / 8;
+    double rate = 0, px = 0, py = 0, pz = 0, mx = 0, my = 0, mz = 0, sx = 0, sy = 0, sz = 0;
+    double ixx = 0, iyy = 0, izz = 0, ixy = 0, ixz = 0, iyz = 0;
+    int k;
+    (void)t;
+    if (!(y[13] > 0) || !(xx > 0) || !(pivot2 > 2e-15 * yy) || !(pivot3 > 2e-15 * zz)) return -1;
+    for (k = 0; k < f->n; k++) {
+        const vm_stream *p = f->streams + k;
+        const double a = p->rate, dx = p->at.x - y[14], dy_ = p->at.y - y[15], dz = p->at.z - y[16];
+        const double ux = a * (p->velocity.x + wy * dz - wz * dy_), uy = a * (p->velocity.y + wz * dx - wx * dz);
+        const double uz = a * (p->velocity.z + wx * dy_ - wy * dx);
+        const double ox = wx + p->spin.x, oy = wy + p->spin.y, oz = wz + p->spin.z;
+        const double kxx = a * p->gyration.xx, kyy = a * p->gyration.yy, kzz = a * p->gyration.zz;
+        const double kxy = a * p->gyration.xy, kxz = a * p->gyration.xz, kyz = a * p->gyration.yz;
+        rate += a, px += ux, py += uy, pz += uz;
+        mx += dy_ * uz - dz * uy + kxx * ox + kxy * oy + kxz * oz;
+        my += dz * ux - dx * uz + kxy * ox + kyy * oy + kyz * oz;
+        mz += dx * uy - dy_ * ux + kxz * ox + kyz * oy + kzz * oz;
+        sx += a * dx, sy += a * dy_, sz += a * dz;
+        ixx += kxx + a * (dy_ * dy_ + dz * dz), iyy += kyy + a * (dx * dx + dz * dz);
+        izz += kzz + a * (dx * dx + dy_ * dy_);
+        ixy += kxy - a * dx * dy_, ixz += kxz - a * dx * dz, iyz += kyz - a * dy_ * dz;
+    }
+    sx *= inverse, sy *= inverse, sz *= inverse;
+    dy[0] = vx + m11 * sx + m12 * sy + m13 * sz, dy[1] = vy + m21 * sx + m22 * sy + m23 * sz;
+    dy[2] = vz + m31 * sx + m32 * sy + m33 * sz;
+    dy[3] = back * qw - (qx * wx + qy * wy + qz * wz) / 2, dy[4] = back * qx + (qw * wx + qy * wz - qz * wy) / 2;
+    dy[5] = back * qy + (qw * wy + qz * wx - qx * wz) / 2, dy[6] = back * qz + (qw * wz + qx * wy - qy * wx) / 2;
+    dy[7] = f->force.x + rate * vx + m11 * px + m12 * py + m13 * pz;
+    dy[8] = f->force.y + rate * vy + m21 * px + m22 * py + m23 * pz;
+    dy[9] = f->force.z + rate * vz + m31 * px + m32 * py + m33 * pz;
+    dy[10] = f->moment.x + m11 * mx + m12 * my + m13 * mz, dy[11] = f->moment.y + m21 * mx + m22 * my + m23 * mz;
+    dy[12] = f->moment.z + m31 * mx + m32 * my + m33 * mz;
+    dy[13] = rate, dy[14] = sx, dy[15] = sy, dy[16] = sz;
+    dy[17] = ixx, dy[18] = iyy, dy[19] = izz, dy[20] = ixy, dy[21] = ixz, dy[22] = iyz;
+    return 0;
+}
+
+/* ---- Runs ---- */
+
+static double derivative[COUNT][VM_RHS_BALANCED]; /* all of it is written */
+static volatile ode_rhs hidden;
+
+/* Called through a pointer, as a caller's own right-hand side would be */
+#define RUN(name, rhs, ctx)                                                          \
+    static void name(void)                                                           \
+    {                                                                                \
+        ode_rhs f;                                                                   \
+        int i, status = 0;                                                           \
+        hidden = rhs, f = hidden;                                                    \
+        for (i = 0; i < COUNT; i++) status += f(0, state[i], derivative[i], &(ctx)); \
+        sink = status;                                                               \
+    }
+RUN(count_1, vm_rhs1, flow1)
+RUN(count_1_hand, hand1, flow1)
+RUN(count_translation, vm_rhs_translation, flow)
+RUN(count_translation_hand, hand_translation, flow)
+RUN(count_2, vm_rhs2, flow2)
+RUN(count_2_hand, hand2, flow2)
+RUN(count_3, vm_rhs, flow)
+RUN(count_3_hand, hand3, flow)
+RUN(count_given, vm_rhs_given, flow)
+RUN(count_carried, vm_rhs_carried, flow)
+RUN(count_balanced, vm_rhs_balanced, flow)
+
+static const struct level {
+    const char *name;
+    void (*kit)(void), (*hand)(void);
+} levels[] = {
+    {"one degree of freedom, fixed axle", count_1, count_1_hand},
+    {"translation", count_translation, count_translation_hand},
+    {"plane", count_2, count_2_hand},
+    {"space", count_3, count_3_hand},
+    {"space, laws given", count_given, count_3_hand},
+    {"space, all carried, laws given", count_carried, count_3_hand},
+};
+
+static double between(double low, double high)
+{
+    static unsigned long random = 1;
+    random = (random * 1664525ul + 1013904223ul) & 0xfffffffful;
+    return low + (high - low) * ((double)(random >> 8) / 16777216);
+}
+
+static void set_up(void)
+{
+    int i, k;
+    for (i = 0; i < COUNT; i++)
+        for (k = 0; k < STATES; k++)
+            state[i][k] = k == 2 || k == 6 || k == 9 || (k > 12 && k < 17) ? between(1, 3) : between(-.2, .2);
+    for (i = 0; i < COUNT; i++)
+        for (k = 17; k < 20; k++) state[i][k] = between(2, 3);
+    for (k = 0; k < MOST; k++) {
+        streams[k].rate = streams1[k].rate = streams2[k].rate = between(-1, 1);
+        streams[k].at = vmi_vec3(between(-1, 1), between(-1, 1), between(-1, 1));
+        streams[k].velocity = streams[k].spin = streams[k].at;
+        streams[k].gyration.xx = streams[k].gyration.yy = streams[k].gyration.zz = between(0, 1);
+        streams1[k].velocity = streams2[k].vx = streams2[k].x = between(-1, 1);
+        streams2[k].vy = streams2[k].y = streams2[k].gyration = between(0, 1);
+    }
+    flow.streams = streams, flow1.streams = streams1, flow2.streams = streams2;
+    flow.mass = 3, flow.inertia.xx = flow.inertia.yy = flow.inertia.zz = 2;
+}
+
+static void set_streams(int n) { flow.n = flow1.n = flow2.n = n; }
+
+int main(int argc, char **argv)
+{
+    static const int numbers[] = {0, 1, 4};
+    timing balanced;
+    FILE *csv;
+    size_t i, k;
+    set_up();
+    if (argc > 1 && strcmp(argv[1], "count") == 0) {
+        set_streams(argc > 2 ? atoi(argv[2]) : 1);
+        for (i = 0; i < sizeof levels / sizeof *levels; i++) levels[i].kit(), levels[i].hand();
+        return 0;
+    }
+    csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    printf("A right-hand side of chapter 5, double, medians of %d\n\n%-34s %8s %9s %12s\n", REPEATS, "level",
+           "streams", "ns", "x by hand");
+    for (i = 0; i < sizeof levels / sizeof *levels; i++)
+        for (k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+            timing t;
+            set_streams(numbers[k]);
+            t = time_beside(levels[i].kit, COUNT, levels[i].hand, COUNT);
+            printf("%-34s %8d %9.1f %12.2f\n", levels[i].name, numbers[k], t.ns, t.ratio);
+            if (csv) fprintf(csv, "%s,%d,%.2f,%.3f\n", levels[i].name, numbers[k], t.ns, t.ratio);
+        }
+    set_streams(1);
+    balanced = time_beside(count_balanced, COUNT, count_3, COUNT);
+    printf("%-34s %8d %9.1f %12.2f of vm_rhs\n", "space with the account", 1, balanced.ns, balanced.ratio);
+    if (csv) fclose(csv);
+    return sink != 0;
+}

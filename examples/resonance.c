@@ -1,0 +1,150 @@
+/* Harmonic excitation, which the dissertation leaves to the future (chapter 8): the cubic oscillator
+     m x'' + x^3 = -(r m' + b) x' + force cos(theta),  theta' = nu.
+   First the amplitude-frequency curve with its unstable part, against sweeps of nu up and down by direct integration,
+   which jump at its folds; then the passage through the resonance while the mass grows: a strong force captures the
+   vibration until it has to let go, a weak one lets it pass.
+
+   usage: resonance [folder]
+   writes folder/resonance.csv, blocks of nu, A, stable (both branches), then of nu, |x| at turning points (up, down);
+   and folder/passage.csv, for each force a block of t, averaged A, backbone, one of t, |x| at turning points. */
+#include <math.h>
+#include <stdio.h>
+#include "../varmass.h"
+
+typedef struct drifts {
+    double nu0, nu_rate, mass_rate;
+} drifts;
+
+static void drift(vm_real t, vm_forced_now *now, void *ctx)
+{
+    const drifts *d = (const drifts *)ctx;
+    now->nu = d->nu0 + d->nu_rate * t, now->nu_rate = d->nu_rate;
+    now->mass = 1 + d->mass_rate * t, now->mass_rate = d->mass_rate;
+}
+
+static vm_forced cubic(double b, double force, drifts *d)
+{
+    vm_forced f = {0};
+    f.alpha = 3, f.b = b, f.reactive = 1;
+    f.now.mass = f.now.k = f.now.nu = 1, f.now.force = force;
+    f.drift = drift, f.drift_ctx = d;
+    vm_forced_init(&f);
+    return f;
+}
+
+/* Direct integration to t_end; its turning points as (nu or t, |x|). Returns the nu at which the amplitude last
+   passed level. */
+static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, double t_end, int by_nu, double level,
+                                   FILE *csv)
+{
+    vm_real work[RK45_WORK(3)], buffer[3];
+    vm_point p;
+    rk45_options options = {0};
+    rk45 s;
+    double last = 0, passed = VM_NAN, nu;
+    int status;
+    options.rtol = options.atol = 1e-8;
+    status = rk45_init(&s, vm_forced_rhs, f, 3, 0, y, &options, work);
+    while (status >= 0 && s.t < t_end) {
+        status = rk45_step(&s);
+        if (vm_find_points_of_step(&s, 0, 1, VM_TURNING_POINTS, buffer, 1, &p) < 1 || p.t > t_end) continue;
+        nu = d->nu0 + d->nu_rate * p.t;
+        if (csv) fprintf(csv, "%.6g,%.6g\n", by_nu ? nu : p.t, fabs(p.x));
+        if (last > 0 && (last > level) != (fabs(p.x) > level)) passed = nu;
+        last = fabs(p.x);
+    }
+    if (csv) fputs("\n\n", csv);
+    return passed;
+}
+
+/* One branch of the curve; fold[0] and fold[1] become the least and largest frequency at which its stability
+   changes */
+static void write_branch(const vm_forced *f, int upper, double fold[2], FILE *csv)
+{
+    const double peak = vm_forced_peak(f, 0);
+    vm_steady curve[2];
+    int i, was_stable = -1;
+    for (i = 1; i <= 2000; i++) {
+        const int found = vm_forced_curve(f, 0, peak * i / 2000, curve);
+        const vm_steady *s = found == 2 ? curve + upper : curve;
+        if (found == 0 || (found == 1 && !upper)) continue;
+        if (was_stable >= 0 && s->stable != was_stable)
+            fold[0] = fmin(fold[0], s->nu), fold[1] = fmax(fold[1], s->nu);
+        was_stable = s->stable;
+        if (csv) fprintf(csv, "%.6g,%.6g,%d\n", s->nu, s->A, s->stable);
+    }
+    if (csv) fputs("\n\n", csv);
+}
+
+static void resonance(FILE *csv)
+{
+    const double Om1 = vm_osc_omega_trig(3), b = 0.04, force = 0.08, rate = 1e-4;
+    drifts d = {Om1, 0, 0};
+    const vm_forced still = cubic(b, force, &d);
+    drifts up = {0.5 * Om1, rate, 0}, down = {1.9 * Om1, -rate, 0};
+    vm_forced f;
+    vm_real y[3] = {0.3, 0, 0};
+    double fold[2] = {VM_INFINITY, 0}, nu;
+    write_branch(&still, 0, fold, csv), write_branch(&still, 1, fold, csv);
+    printf("Resonance curve of m x'' + x^3 = -%g x' + %g cos(nu t): A_peak = %.4f\n", b, force,
+           (double)vm_forced_peak(&still, 0));
+    f = cubic(b, force, &up);
+    nu = write_turning_points(&f, &up, y, 1.4 * Om1 / rate, 1, 0.6, csv);
+    printf("  nu up:   falls off the upper branch at nu = %.3f, its fold is at %.3f\n", nu, fold[1]);
+    y[0] = 0, y[1] = 0, y[2] = 0;
+    f = cubic(b, force, &down);
+    nu = write_turning_points(&f, &down, y, 1.4 * Om1 / rate, 1, 0.6, csv);
+    printf("  nu down: leaves the lower branch at nu = %.3f, its fold is at %.3f\n", nu, fold[0]);
+}
+
+/* From the equilibrium on the backbone at m = 1 (weak force: from its amplitude): averaged and direct */
+static void passage(double force, double t_end, FILE *csv)
+{
+    const double Om1 = vm_osc_omega_trig(3);
+    drifts d = {Om1, 0, 0.003};
+    vm_forced f = cubic(0, force, &d);
+    vm_passage at;
+    vm_real slow[3] = {1, 0, 0}, y[3], work[RK45_WORK(3)];
+    rk45 s;
+    double t;
+    vm_forced_passage(&f, 0, 0, &at);
+    slow[0] = at.A, slow[1] = at.torque <= 1 ? at.delta : 0;
+    if (vm_forced_join(&f, 0, slow, y)) return;
+    rk45_init(&s, vm_forced_averaged_rhs, &f, 3, 0, slow, NULL, work);
+    for (t = 0; t <= t_end; t += t_end / 2000) {
+        vm_passage now;
+        if (rk45_solve(&s, t) < 0 || vm_forced_passage(&f, t, 0, &now)) break;
+        if (csv) fprintf(csv, "%.6g,%.6g,%.6g\n", t, s.y[0], now.A);
+    }
+    if (csv) fputs("\n\n", csv);
+    write_turning_points(&f, &d, y, t_end, 0, 1, csv);
+    printf("  force %.4f: torque at the start %.3f, %s; at m = %.2f the averaged amplitude is %.3f, the backbone "
+           "%.3f\n",
+           force, at.torque, at.torque < 1 ? "captured" : "passes", 1 + d.mass_rate * t_end, s.y[0],
+           sqrt(1 + d.mass_rate * t_end));
+}
+
+static FILE *create(const char *folder, const char *name)
+{
+    char path[500];
+    FILE *file;
+    if (!folder) return NULL;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    file = fopen(path, "w");
+    if (!file) perror(path);
+    return file;
+}
+
+int main(int argc, char **argv)
+{
+    const char *folder = argc > 1 ? argv[1] : NULL;
+    FILE *csv = create(folder, "resonance.csv");
+    resonance(csv);
+    if (csv) fclose(csv);
+    csv = create(folder, "passage.csv");
+    puts("Passage through the resonance, m = 1 + 0.003 t");
+    passage(0.01, 2000, csv);
+    passage(0.002, 2000, csv);
+    if (csv) fclose(csv);
+    return 0;
+}

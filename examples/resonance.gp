@@ -1,0 +1,39 @@
+# The two figures of examples/resonance.c.
+# gnuplot -e "folder='build/figures'" examples/resonance.gp
+set terminal svg size 860,360 font "Helvetica,13" background "white"
+set datafile separator ","
+set style line 1 lc rgb "#888888" pt 7 ps 0.25
+set style line 2 lc rgb "#d62728" lw 2 dt 2
+set style line 3 lc rgb "#1f77b4" lw 2
+set style line 4 lc rgb "#333333" lw 1 dt 3
+set grid lc rgb "#dddddd"
+
+csv = folder."/resonance.csv"
+set output folder."/resonance.svg"
+set key top left reverse Left samplen 2
+set xlabel "frequency of the force"
+set ylabel "amplitude"
+set yrange [0:2]
+set xrange [0.4:1.5]
+set multiplot layout 1,2
+do for [sweep=0:1] {
+    set title sweep ? "sweep down" : "sweep up"
+    plot csv index 2+sweep using 1:2 with points ls 1 title "turning points, rk45", \
+         for [branch=0:1] csv index branch using 1:($3 == 1 ? $2 : NaN) with lines ls 3 title (branch ? "" : "averaged, stable"), \
+         for [branch=0:1] csv index branch using 1:($3 == 0 ? $2 : NaN) with lines ls 2 title (branch ? "" : "unstable")
+}
+unset multiplot
+
+csv = folder."/passage.csv"
+set output folder."/passage.svg"
+set xlabel "t"
+set yrange [0:3.5]
+set xrange [0:2000]
+set multiplot layout 1,2
+do for [weak=0:1] {
+    set title weak ? "a weak force: passage" : "a strong one: capture, release"
+    plot csv index 2*weak+1 using 1:2 with points ls 1 title "turning points, rk45", \
+         csv index 2*weak using 1:2 with lines ls 3 title "averaged", \
+         csv index 2*weak using 1:3 with lines ls 4 title "backbone w(A) = nu"
+}
+unset multiplot

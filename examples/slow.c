@@ -1,0 +1,234 @@
+/* Figs 21, 26-30 and 32: slow vibrations by direct integration, with the curves as printed and as corrected. (Figs
+   22-25 are examples 1 and 2.) One case is one motion with its two curves; a figure is a row of panels of some
+   cases each.
+
+   usage: slow [folder] writes folder/figure21.csv ... For every case two blocks: t, motion, both branches of the
+   printed curve, both of the corrected one (in Fig. 21 they are the motion itself); then t and the turning points
+   of the motion. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "../varmass.h"
+
+typedef struct motion_case motion_case;
+typedef double (*curve)(double t, const motion_case *c);
+struct motion_case {
+    const char *figure, *label;
+    ode_rhs f;
+    int n, x, v; /* size of the state; the components that are drawn, and its velocity */
+    double t_end;
+    curve printed, corrected;
+    int waves;                     /* the curves are the motion itself, not */
+    double printed_centre, centre; /* amplitudes about these */
+    double m0, m1, x0, b;          /* mass m0 + m1 t, first displacement, and Fig. 21's b */
+};
+
+/* ---- Fig. 21, (355): m x'' + x|x|^(1/3) = 0.01 (1 - b) x', m = 1 - 0.01 t ---- */
+
+/* (356): exponent is 0.27273 and rate 0.0909 as printed; both follow from 1/(5 - alpha) in place of 1/(alpha + 3) */
+static double solution_356(double t, double b, double exponent, double rate)
+{
+    const double m = 1 - 0.01 * t, half = 0.5 * (1 - rate * (1 - 2 * b));
+    return 0.1 * pow(m, -exponent * (1 - 2 * b)) * cos(66.02806593723911 / half * (1 - pow(m, half)));
+}
+static double damped_printed(double t, const motion_case *c) { return solution_356(t, c->b, 0.27273, 0.0909); }
+static double damped(double t, const motion_case *c) { return solution_356(t, c->b, 3. / 13, 1. / 13); }
+
+/* ---- Figs 26-29, (440): alpha = 5/3, eps b = eps c = 0.01, m = m0 (1 + 0.01 t) ---- */
+
+/* (424) and case c) as printed, with the means of (383), (384), (408) by their printed series */
+static double vdp_printed(double t, const motion_case *c)
+{
+    const double alpha = 5. / 3, k2 = vm_osc_m_jacobi(alpha);
+    const double C2 = 0.5 + k2 / 16, C4 = 3. / 8 + k2 / 32, C6 = 5. / 16 + 5 * k2 / 256;
+    const double a2 = (1 - k2) - (1 - 2 * k2) * C2 - k2 * C4, a1 = (1 - k2) + k2 * C4 + (alpha - 1) / 2 * a2;
+    const double a3 = (1 - k2) * C2 - (1 - 2 * k2) * C4 - k2 * C6, x2 = c->x0 * c->x0;
+    const double drive = (2 - c->m0) * a2, q = drive / (c->m0 * a1), M = pow(1 + 0.01 * t, q);
+    if (drive > 0) return sqrt(M * x2 * drive / (drive + 2 * a3 * x2 * (M - 1)));
+    return sqrt(M * x2 * -drive / (-drive + 2 * a3 * x2 * (1 - 1 / M)));
+}
+
+static vm_vdp vdp_of(const motion_case *c)
+{
+    vm_vdp v = {0};
+    v.alpha = c->b < 0 ? 5. / 3 : 4. / 3, v.k = 1, v.reactive = 1; /* b < 0 marks (440) */
+    v.b = c->b < 0 ? 0.01 : -0.01 * c->b, v.c = c->b < 0 ? 0.01 : 0;
+    v.mass = vm_slow_mass_linear;
+    vm_vdp_init(&v);
+    return v;
+}
+
+static double vdp_corrected(double t, const motion_case *c)
+{
+    const vm_vdp v = vdp_of(c);
+    const vm_linear_mass m = {c->m0, c->m1};
+    return vm_vdp_amplitude(&v, t, c->x0, m);
+}
+
+/* ---- Fig. 30, (514)-(516), and Fig. 32, (530)-(532): m = 1 + 0.01 t ---- */
+
+static double fifth_root(double t, const motion_case *c) { return (void)c, pow(1 + 0.01 * t, -0.2); } /* (513) */
+static double radius(double t, const motion_case *c)
+{
+    vm_power_force cubic = {1, 3};
+    vm_laval r = {0};
+    r.stiffness = vm_laval_power, r.stiffness_ctx = &cubic, r.reactive = 1;
+    return vm_laval_amplitude(&r, c->x0, c->m0, c->m0 + c->m1 * t);
+}
+
+static double pair_printed(double t, const motion_case *c)
+{
+    return (void)c, -pow(1 + 0.01 * t, -1. / 6);
+} /* (536) */
+static double pair(double t, const motion_case *c) /* half of that of p = y - x, which is 2 at first */
+{
+    return vm_osc_amplitude_law((c->m0 + c->m1 * t) / c->m0, 0, 1, 3);
+}
+
+/* ---- Any case ---- */
+
+enum { MOST_POINTS = 1000 };
+
+typedef struct context {
+    vm_linear_mass mass;
+    vm_vdp vdp;
+    vm_power_force cubic;
+    vm_laval rotor;
+    vm_pair pair;
+} context;
+
+/* The first state, and what f needs */
+static void *start(const motion_case *c, context *x, vm_real *y)
+{
+    const double half = sqrt(0.5);
+    memset(x, 0, sizeof *x);
+    x->mass.mass = c->m0, x->mass.rate = c->m1;
+    x->vdp = vdp_of(c), x->vdp.mass_ctx = &x->mass;
+    x->cubic.k = 1, x->cubic.alpha = 3;
+    x->rotor.mass = x->pair.mass = vm_slow_mass_linear, x->rotor.mass_ctx = x->pair.mass_ctx = &x->mass;
+    x->rotor.stiffness = vm_laval_power, x->rotor.stiffness_ctx = &x->cubic, x->rotor.reactive = 1;
+    x->pair.alpha = 3, x->pair.k = 1, x->pair.reactive = 1;
+    if (c->f == vm_laval_rhs) return y[0] = y[1] = y[3] = half, y[2] = -half, &x->rotor;
+    if (c->f == vm_pair_rhs) return y[0] = 1, y[1] = 3, y[2] = y[3] = 0, &x->pair;
+    return y[0] = c->x0, y[1] = 0, &x->vdp;
+}
+
+/* The two branches of a curve at t: the same where it is the motion itself, and for (536), a negative amplitude */
+typedef struct branches {
+    double upper, lower;
+} branches;
+
+static branches at(const motion_case *c, double t, curve f, double centre)
+{
+    const double value = f(t, c);
+    branches b;
+    b.upper = centre + value, b.lower = c->waves || value < 0 ? b.upper : centre - value;
+    return b;
+}
+
+typedef struct errors {
+    double printed, corrected;
+    long turning_points;
+} errors;
+
+/* x against the nearer branches; a NaN, where a printed root is of a negative number, counts as the largest error */
+static void compare(errors *e, const motion_case *c, double t, double x)
+{
+    const branches p = at(c, t, c->printed, c->printed_centre), k = at(c, t, c->corrected, c->centre);
+    const double printed = fmin(fabs(x - p.upper), fabs(x - p.lower));
+    const double corrected = fmin(fabs(x - k.upper), fabs(x - k.lower));
+    if (!(printed <= e->printed)) e->printed = printed;
+    if (!(corrected <= e->corrected)) e->corrected = corrected;
+}
+
+static void write_row(FILE *csv, const motion_case *c, double t, double x)
+{
+    const branches p = at(c, t, c->printed, c->printed_centre), k = at(c, t, c->corrected, c->centre);
+    fprintf(csv, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", t, x, p.upper, p.lower, k.upper, k.lower);
+}
+
+/* Integrates a case, writes its two blocks, finds the largest errors: of an amplitude at the turning points, of a
+   motion everywhere */
+static int run(const motion_case *c, FILE *csv, errors *e)
+{
+    static vm_point points[MOST_POINTS];
+    vm_real y[4], work[RK45_WORK(4)], sample[4];
+    const double spacing = c->t_end / 1500;
+    rk45_options options = {0};
+    rk45 s;
+    context x;
+    double t_next = 0;
+    void *ctx = start(c, &x, y);
+    long i, n = 0;
+    int status;
+    options.rtol = options.atol = 1e-10;
+    status = rk45_init(&s, c->f, ctx, c->n, 0, y, &options, work);
+    e->printed = e->corrected = 0;
+    if (csv) fprintf(csv, "t,\"%s\"\n", c->label);
+    while (status >= 0 && s.t < c->t_end) {
+        status = rk45_step(&s);
+        n += vm_find_points_of_step(&s, c->x, c->v, VM_TURNING_POINTS, sample, MOST_POINTS - n, points + n);
+        for (; t_next <= s.t && t_next <= c->t_end; t_next += spacing) {
+            rk45_interpolate(&s, t_next, sample);
+            if (c->waves) compare(e, c, t_next, sample[c->x]);
+            if (csv) write_row(csv, c, t_next, sample[c->x]);
+        }
+    }
+    if (csv) fprintf(csv, "\n\nt,\"turning points\"\n");
+    for (i = 0; i < n; i++) {
+        if (points[i].t > c->t_end) continue;
+        if (!c->waves) compare(e, c, points[i].t, points[i].x);
+        if (csv) fprintf(csv, "%.6g,%.6g\n", points[i].t, points[i].x);
+    }
+    if (csv) fprintf(csv, "\n\n");
+    e->turning_points = n;
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+#define DAMPED(label, b)                                                                        \
+    {                                                                                           \
+        "21", label, vm_vdp_rhs, 2, 0, 1, 90, damped_printed, damped, 1, 0, 0, 1, -0.01, 0.1, b \
+    }
+#define VDP(figure, m0, x0)                                                                                   \
+    {                                                                                                         \
+        figure, "m0 = " #m0 "; x0 = " #x0, vm_vdp_rhs, 2, 0, 1, 400, vdp_printed, vdp_corrected, 0, 0, 0, m0, \
+            0.01 * m0, x0, -1                                                                                 \
+    }
+#define ROTOR(label, x)                                                                         \
+    {                                                                                           \
+        "30", label, vm_laval_rhs, 4, x, x + 2, 200, fifth_root, radius, 0, 0, 0, 1, 0.01, 1, 0 \
+    }
+#define PAIR(label, x)                                                                        \
+    {                                                                                         \
+        "32", label, vm_pair_rhs, 4, x, x + 2, 60, pair_printed, pair, 0, 0, 2, 1, 0.01, 1, 0 \
+    }
+    static const motion_case cases[] = {
+        DAMPED("b = 0", 0),     DAMPED("b = 1/2", 0.5), DAMPED("b = 1", 1),    VDP("26", 0.5, 0.5),
+        VDP("26", 0.5, 1.691),  VDP("26", 0.5, 2.5),    VDP("26", 1, 0.5),     VDP("26", 1, 1.381),
+        VDP("26", 1, 2.5),      VDP("26", 1.5, 0.5),    VDP("26", 1.5, 0.976), VDP("26", 1.5, 2.5),
+        VDP("27", 1, 2.5),      VDP("27", 1, 1.381),    VDP("27", 1, 0.5),     VDP("28", 3, 0.5),
+        VDP("28", 3, 1.5),      VDP("28", 3, 2.5),      VDP("29", 3, 2.5),     VDP("29", 3, 0.5),
+        ROTOR("x of (514)", 0), ROTOR("y of (515)", 1), PAIR("x of (530)", 0), PAIR("y of (531)", 1),
+    };
+    const motion_case *const end = cases + sizeof cases / sizeof *cases, *c;
+    const char *open = "";
+    FILE *csv = NULL;
+    puts("Largest error of the curves against direct integration (of amplitudes at the turning points)");
+    printf("  %-6s %-22s %-14s %-12s %s\n", "figure", "", "turning points", "as printed", "corrected");
+    for (c = cases; c < end; c++) {
+        errors e;
+        if (argc > 1 && strcmp(open, c->figure)) {
+            char path[500];
+            if (csv) fclose(csv);
+            snprintf(path, sizeof path, "%s/figure%s.csv", argv[1], open = c->figure);
+            csv = fopen(path, "w");
+            if (!csv) return perror(path), 1;
+        }
+        if (run(c, csv, &e) < 0) return 1;
+        printf("  %-6s %-22s %-14ld %-12.1e %.1e\n", c->figure, c->label, e.turning_points, e.printed, e.corrected);
+    }
+    if (csv) fclose(csv);
+    return 0;
+}
