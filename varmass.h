@@ -1767,13 +1767,7 @@ VM_API vm_real vmi_largest(vm_vec3 a)
     const vm_real c = b.x > b.y ? b.x : b.y;
     return c > b.z ? c : b.z;
 }
-VM_API vm_real vmi_length(vm_vec3 a) /* also where its square is beyond the range of numbers; NaN in, NaN out */
-{
-    const vm_real largest = vmi_largest(a);
-    if (!(largest > 0) || !VM_IS_FINITE(largest)) return vmi_size(a);
-    a = vmi_vec3(a.x / largest, a.y / largest, a.z / largest);
-    return largest * VM_SQRT(vmi_dot(a, a));
-}
+VM_API vm_real vmi_length(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
