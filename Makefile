@@ -21,7 +21,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes
-SCRIPTS = headers plans package scene_cost golden sweep
+SCRIPTS = headers plans package scene_cost golden sweep errata
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) tests/check.h $(wildcard tests/data/*.h examples/*.h examples/scenes/*.h)
@@ -31,7 +31,8 @@ GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
-	@for example in $(EXAMPLES); do echo; ./build/examples/$$example build/figures/$$example.csv || exit 1; done
+	@for example in $(EXAMPLES); do echo; case $$example in rotor|pendulum|slow|resonance) end= ;; *) end=.csv ;; esac; \
+	./build/examples/$$example build/figures/$$example$$end || exit 1; done
 	@sh examples/figures.sh build/figures
 	@sh examples/scenes.sh build/figures
 
@@ -101,10 +102,11 @@ sweep:
 	./build/breakups 4000000 1 build/breakups.blocks
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES:%=build/bench/%)
-	sh bench/measurements.sh build
+	sh bench/measurements.sh build "$(TESTS)" "$(BENCHES)"
 
 figures: run
-	cp build/figures/example1_trigonometric.svg build/figures/dzhanibekov.svg docs/figures/
+	cd build/figures && cp example1_trigonometric.svg dzhanibekov.svg scenes_scoop.svg scenes_regulator.svg drum.svg rotor_fig18.svg \
+	    tumbling.svg rocket.svg resonance.svg ../../docs/figures
 
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath

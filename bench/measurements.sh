@@ -1,6 +1,6 @@
 #!/bin/sh
 # Write docs/measurements.md from what the test and bench programs print, on the machine at hand; some minutes.
-# usage: measurements.sh BUILD_FOLDER, from the top of the project
+# usage: measurements.sh BUILD_FOLDER "TESTS" "BENCHES", from the top of the project
 build=$1
 block() { printf '```\n'; cat; printf '```\n\n'; }
 {
@@ -11,7 +11,7 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
     printf 'eps: of the type, times the function'"'"'s largest value; ulp: of the true value; eps\\*: eps times what an eps\n'
     printf 'in each argument or result makes; tol: the tolerance asked for.\n\n'
     for precision in double float; do
-        for program in jacobi ateb integrators events varmass dissertation rotation; do
+        for program in $2; do
             "$build/tests/$precision/$program" | block
         done
     done
@@ -19,5 +19,5 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
     "$build/tests/scan" 300000 | block
     "$build/tests/scan_float" 300000 | block
     printf '## Time\n\n%s, %s\n\n' "$(awk -F': ' '/model name/ {print $2; exit}' /proc/cpuinfo)" "$(cc --version | head -n 1)"
-    for bench in double float jacobi ateb ateb_float ateb_wide integrators pairs rotation; do "$build/bench/$bench" | block; done
+    for bench in $3; do "$build/bench/$bench" | block; done
 } >docs/measurements.md

@@ -25,10 +25,10 @@ gnuplot -e "csv='$folder/tumbling.csv'; svg='$folder/tumbling.svg'" examples/tum
 echo "  $folder/tumbling.svg   a tumbling satellite sheds a panel"
 for name in rocket dust; do
     gnuplot -e "csv='$folder/$name.csv'; svg='$folder/$name.svg'" examples/$name.gp || exit 1
-    echo "  $folder/$name.svg"
+    echo "  $folder/$name.svg   chapter 5: streams of mass"
 done
 slow() { # slow NUMBER PANELS CASES WAVES LOW HIGH LABEL
-    gnuplot -e "csv='$folder/figure$1.csv'; svg='$folder/figure$1.svg'; panels=$2; cases=$3; waves=$4; low=$5; high=$6" \
+    gnuplot -e "csv='$folder/slow_$1.csv'; svg='$folder/figure$1.svg'; panels=$2; cases=$3; waves=$4; low=$5; high=$6" \
         -e "label='$7'" examples/slow.gp || exit 1
     echo "  $folder/figure$1.svg   Fig. $1"
 }

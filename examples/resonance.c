@@ -4,12 +4,13 @@
    which jump at its folds; then the passage through the resonance while the mass grows: a strong force captures the
    vibration until it has to let go, a weak one lets it pass.
 
-   usage: resonance [folder]
-   writes folder/resonance.csv, blocks of nu, A, stable (both branches), then of nu, |x| at turning points (up, down);
-   and folder/passage.csv, for each force a block of t, averaged A, backbone, one of t, |x| at turning points. */
+   usage: resonance [prefix]
+   writes prefix_curve.csv, blocks of nu, A, stable (both branches), then of nu, |x| at turning points (up, down);
+   and prefix_passage.csv, for each force a block of t, averaged A, backbone, one of t, |x| at turning points. */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"
+#include "csv.h"
 
 typedef struct drifts {
     double nu0, nu_rate, mass_rate;
@@ -124,27 +125,16 @@ static void passage(double force, double t_end, FILE *csv)
            sqrt(1 + d.mass_rate * t_end));
 }
 
-static FILE *create(const char *folder, const char *name)
-{
-    char path[500];
-    FILE *file;
-    if (!folder) return NULL;
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    file = fopen(path, "w");
-    if (!file) perror(path);
-    return file;
-}
-
 int main(int argc, char **argv)
 {
-    const char *folder = argc > 1 ? argv[1] : NULL;
-    FILE *csv = create(folder, "resonance.csv");
+    const char *prefix = argc > 1 ? argv[1] : NULL;
+    FILE *csv = csv_open(prefix, "curve");
     resonance(csv);
-    if (csv) fclose(csv);
-    csv = create(folder, "passage.csv");
+    csv_close(csv);
+    csv = csv_open(prefix, "passage");
     puts("Passage through the resonance, m = 1 + 0.003 t");
     passage(0.01, 2000, csv);
     passage(0.002, 2000, csv);
-    if (csv) fclose(csv);
+    csv_close(csv);
     return 0;
 }

@@ -8,7 +8,7 @@ set style line 3 lc rgb "#1f77b4" lw 2
 set style line 4 lc rgb "#333333" lw 1 dt 3
 set grid lc rgb "#dddddd"
 
-csv = folder."/resonance.csv"
+csv = folder."/resonance_curve.csv"
 set output folder."/resonance.svg"
 set key top left reverse Left samplen 2
 set xlabel "frequency of the force"
@@ -24,7 +24,7 @@ do for [sweep=0:1] {
 }
 unset multiplot
 
-csv = folder."/passage.csv"
+csv = folder."/resonance_passage.csv"
 set output folder."/passage.svg"
 set xlabel "t"
 set yrange [0:3.5]

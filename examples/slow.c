@@ -2,13 +2,14 @@
    22-25 are examples 1 and 2.) One case is one motion with its two curves; a figure is a row of panels of some
    cases each.
 
-   usage: slow [folder] writes folder/figure21.csv ... For every case two blocks: t, motion, both branches of the
+   usage: slow [prefix] writes prefix_21.csv ... For every case two blocks: t, motion, both branches of the
    printed curve, both of the corrected one (in Fig. 21 they are the motion itself); then t and the turning points
    of the motion. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "../varmass.h"
+#include "csv.h"
 
 typedef struct motion_case motion_case;
 typedef double (*curve)(double t, const motion_case *c);
@@ -220,15 +221,12 @@ int main(int argc, char **argv)
     for (c = cases; c < end; c++) {
         errors e;
         if (argc > 1 && strcmp(open, c->figure)) {
-            char path[500];
-            if (csv) fclose(csv);
-            snprintf(path, sizeof path, "%s/figure%s.csv", argv[1], open = c->figure);
-            csv = fopen(path, "w");
-            if (!csv) return perror(path), 1;
+            csv_close(csv);
+            csv = csv_open(argv[1], open = c->figure);
         }
         if (run(c, csv, &e) < 0) return 1;
         printf("  %-6s %-22s %-14ld %-12.1e %.1e\n", c->figure, c->label, e.turning_points, e.printed, e.corrected);
     }
-    if (csv) fclose(csv);
+    csv_close(csv);
     return 0;
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # docs/errata.md from tests/data/errata.txt, each row with the tests that name its equation; as a test, says which
 # items no test names and whether the file is up to date.
-# usage: errata.sh BUILD_FOLDER [write], from the top of the project
+# usage: test_errata.sh BUILD_FOLDER [write], from the top of the project
 build=$1/errata
 . tests/check.sh
 list() { # what each row needs: equations, verdict, printed, true, checked, tests that name one of its equations
@@ -53,7 +53,7 @@ write() {
     cat <<'END'
 # Errata
 
-What [1], L. Cveticanin, *Dynamics of Mass Variable System*, prints, and what is true. Written by `sh tests/errata.sh build
+What [1], L. Cveticanin, *Dynamics of Mass Variable System*, prints, and what is true. Written by `sh tests/test_errata.sh build
 write` from tests/data/errata.txt; the last column names the tests (tests/test_NAME.c) in which the equation is tested.
 
 wrong: a formula or number that gives wrong results where it is used; misprint: a slip that goes no further; ambiguous: right
