@@ -557,6 +557,28 @@ static void test_plane_point(void)
     CHECK(vm_separate_for2(&whole, &part, NULL, NULL, &part.omega, &rest) == VM_NULL_AXIS);
 }
 
+/* Two points, one of which leaves: rounding errors of the inertia must not be taken for that of the other, which would
+   spin anyhow, nor for one that no body has */
+static void test_plane_nothing_left(void)
+{
+    int i, kept = 0;
+    for (i = 0; i < 1000; i++) {
+        vm_body2 a = random_body2(uniform(1, 5)), b = random_body2(uniform(0.5, 3)), whole, part, rest;
+        a.inertia = b.inertia = 0;
+        CHECK(vm_attach2(&a, &b, NULL, &whole) == VM_OK);
+        CHECK(vm_to_relative2(&whole, &b, &part) == VM_OK);
+        part.vx = part.vy = part.omega = 0;
+        CHECK(vm_to_absolute2(&whole, &part, &part) == VM_OK);
+        CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK && rest.inertia == 0);
+        kept += rest.omega == whole.omega;
+        part = whole, part.mass /= 2, part.inertia *= 1 + 8 * VM_EPSILON;
+        CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK && rest.inertia == 0);
+        part.inertia = whole.inertia * (1 + 128 * VM_EPSILON);
+        CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_BAD_INERTIA);
+    }
+    CHECK(kept == 1000);
+}
+
 /* ---- Hard cases: each names what would go wrong ---- */
 
 /* m to 0: the whole goes on, the part's kick goes with m/M; a difference of momenta must not grow by 1/m */
@@ -1191,6 +1213,7 @@ int main(int argc, char **argv)
     test_plane_burst();
     test_plane_inverse();
     test_plane_point();
+    test_plane_nothing_left();
     test_small_part();
     test_small_rest();
     test_lost_inertia();
