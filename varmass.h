@@ -283,7 +283,7 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body);
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y);
 VM_API vm_real vm_kinetic_energy2(const vm_body2 *body);
 
-/* The plane's body as a lamina in the plane z = 0 of space */
+/* The plane's body as a lamina in the plane z = 0 of space, which moves as it does. NaN for a null pointer. */
 VM_API vm_body vm_in_space(const vm_body2 *body);
 
 /* What is left of the balances of momentum and, about any point, of angular momentum between some bodies before and
@@ -319,7 +319,8 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 
    A part that moves on as before leaves the rest's motion as it was, however little of the inertia is left: only
    motions relative to the whole are added up, so that neither its speed nor a place far from the origin costs digits
-   of omega. The rest's inertia is right to 8 eps of the whole's; a moment below that counts as none.
+   of omega. The rest's inertia is right to 8 eps of the whole's, far from the origin to what an eps of the positions
+   changes; a moment below that counts as none.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS (a part as heavy as the whole, for one), VM_BAD_INERTIA (a part that
    cannot have been in the whole, for one). */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
@@ -583,8 +584,8 @@ VM_API int vm_free_init(vm_free_motion *motion, const vm_body *body, vm_real t0)
 VM_API int vm_free_init_principal(vm_free_motion *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega, vm_real t0);
 
 /* The body at time t (s), later than t0 or earlier. q is continuous and keeps the length that it had (1, if all
-   zero). VM_NOT_FINITE: t is not, or what comes out is not, or the turns are beyond 1e290 (float 1e30); the body
-   stays as it was. Beyond 1/eps^2 turns the result is finite and has the right momentum, nothing more. */
+   zero). VM_NOT_FINITE: t is not, or what comes out is not, or t or the turns are beyond 1e290 (float 1e30); the
+   body stays as it was. Beyond 1/eps^2 turns the result is finite and has the right momentum, nothing more. */
 VM_API int vm_free_at(const vm_free_motion *motion, vm_real t, vm_body *body);
 
 /* Attitude and omega alone, the latter along body axes. */
@@ -812,7 +813,8 @@ typedef struct VM_TAG(vm_drum_geometry) {
     vm_real axle_inertia; /* J_S (187), about the axle, kg m^2 */
     vm_real inertia;      /* J_S1 (188), about the mass centre, kg m^2 */
 } vm_drum_geometry;
-/* The drum with its band at the angle phi >= 0; VM_BAD_MASS, VM_BAD_INERTIA where no drum is like that */
+/* The drum with its band at the angle phi >= 0. VM_BAD_MASS, VM_BAD_INERTIA where no drum is like that;
+   VM_BAD_ARGUMENT (phi < 0, too), VM_NOT_FINITE */
 VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g);
 
 /* Right-hand sides for rk45, ctx a vm_drum, of y = {xS, yS, phi, xS', yS', phi'} (VM_DRUM_STATES values). The first
@@ -831,9 +833,10 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum);
 
 /* The rigid shaft (194): angular velocity phi' (196), time t (197) at which the angle phi is reached, phi(t), and the
-   angle J0 Omega_b/|e| that is never reached where e < 0 (else infinity). phi, t >= 0; NaN beyond the stop. Within 4
-   ulp with the drum's fields taken as exact, through e = 0 and k1 = 1 - e/(j Omega_b) = 0, up to the stop, for data
-   whose products in these formulas stay within the range of numbers. With x = e phi/(J0 Omega_b)
+   angle J0 Omega_b/|e| that is never reached where e < 0 (else infinity). phi, t >= 0; NaN beyond the stop, for a
+   null pointer, and for fields without the signs above. Within 4 ulp with the drum's fields taken as exact, through
+   e = 0 and k1 = 1 - e/(j Omega_b) = 0, up to the stop, for data whose products in these formulas stay within the
+   range of numbers. With x = e phi/(J0 Omega_b)
      t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2],
    and phi(t) is solved for by Newton's method: no Lambert W, no branches. */
 VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d);
@@ -853,13 +856,14 @@ typedef struct VM_TAG(vm_drum_shaft) {
     vm_real A;     /* mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), corrected, 1/rad */
     vm_real shift; /* mu v/(M0 Omega_b k^2), m: y oscillates about shift/(1 - A phi) */
 } vm_drum_shaft;
-/* VM_SINGULAR where c = 0 */
+/* VM_SINGULAR where c or Omega_b is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA */
 VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s);
 /* (224), (225) corrected: a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha), plus
-   particular: 0 for x, s->shift for y. NaN where 1 - A phi <= 0. */
+   particular/(1 - A phi): particular = 0 for x, s->shift for y. At phi = 0, to which a (m) and alpha (rad)
+   belong, it is a cos alpha + particular. NaN where 1 - A phi <= 0 and for a null pointer. */
 VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha,
                                   vm_real particular);
-/* (226): is A < 1/(2 pi), so that the frequency stays real for the first layer? */
+/* (226): is A < 1/(2 pi), so that the frequency stays real for the first layer? 0 for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s);
 
 /* Lambert's W, w e^w = x: the branches W_0 >= -1 for x >= -1/e, and W_-1 <= -1 for -1/e <= x < 0. The number next to
@@ -1784,6 +1788,13 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 }
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
 VM_API vm_real vmi_size(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
+VM_API vm_real vmi_largest(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_abs(a);
+    const vm_real c = b.x > b.y ? b.x : b.y;
+    return c > b.z ? c : b.z;
+}
+VM_API vm_real vmi_length(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
@@ -1940,11 +1951,10 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
+VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
+
 /* What rounding may do to an inertia whose entries come from sums of the size of i */
-VM_API vm_real vmi_slack(const vm_inertia *i)
-{
-    return 32 * VM_EPSILON * (VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz));
-}
+VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_trace(i); }
 
 /* ---- Chapter 2: momenta and energy -------------------------------------------------------------------------- */
 
@@ -2014,18 +2024,16 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
     return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
 }
 
-VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
-
 /* Add sign times the body's momenta and energy */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     vm_vec3 momentum = vm_momentum(body);
-    vm_real size = VM_SQRT(vmi_dot(momentum, momentum)), spin = VM_SQRT(vmi_dot(body->omega, body->omega));
-    vm_vec3 arm = vmi_sub(body->r, about);
+    vm_real size = vmi_length(momentum);
     sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
     sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_trace(&body->inertia) * spin + VM_SQRT(vmi_dot(arm, arm)) * size;
+    sum->angular_momentum_scale +=
+        vmi_trace(&body->inertia) * vmi_length(body->omega) + vmi_length(vmi_sub(body->r, about)) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
@@ -2043,7 +2051,7 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
         vm_vec3 moment = vmi_impulse_moment(j, about);
         sum.momentum = vmi_sub(sum.momentum, j->linear);
         sum.angular_momentum = vmi_sub(sum.angular_momentum, moment);
-        sum.momentum_scale += VM_SQRT(vmi_dot(j->linear, j->linear));
+        sum.momentum_scale += vmi_length(j->linear);
         sum.angular_momentum_scale += vmi_size(j->couple) + vmi_size(vmi_sub(j->at, about)) * vmi_size(j->linear);
     }
     if (!VM_IS_FINITE(sum.energy) || !VM_IS_FINITE(sum.momentum_scale) ||
@@ -2626,6 +2634,8 @@ VM_API int vm_separate_for(const vm_body *whole, const vm_body *part, const vm_i
     vm_body b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
+    status = vmi_check_body(part); /* before the division by its mass */
+    if (status) return status;
     b = *part;
     if (rest_v_or_NULL) b.v = vmi_part_velocity(whole, part, external_or_NULL, *rest_v_or_NULL);
     status = vmi_unturned_rest(whole, &b, external_or_NULL, &frame, &rest);
@@ -2667,6 +2677,8 @@ VM_API int vm_separate_for2(const vm_body2 *whole, const vm_body2 *part, const v
     vm_body2 b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
+    status = vmi_check_body2(part);
+    if (status) return status;
     b = *part;
     if (rest_v_or_NULL) {
         const vm_body from = vmi_lifted(whole), leaving = vmi_lifted(part);
@@ -3413,18 +3425,11 @@ VM_API vmi_vec3_two vmi_turn_vector(vm_vec3 a, vm_real power) /* a/power */
 /* x, or 0 where its square would be lost by underflow: for 2^-505 (float 2^-57) of the largest and less */
 VM_API vm_two vmi_turn_squarable(vm_two x) { return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x; }
 
-VM_API vm_real vmi_turn_largest(vm_vec3 a)
-{
-    const vm_vec3 b = vmi_abs(a);
-    const vm_real c = b.x > b.y ? b.x : b.y;
-    return c > b.z ? c : b.z;
-}
-
 /* What the rotation of q turns into a: a + 2 (v x (v x a) - w v x a)/|q|^2, for q = (w, v) of any length but 0 */
 VM_API vmi_vec3_two vmi_turn_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 part = vmi_vec3(q.x, q.y, q.z);
-    const vm_real longest = vmi_turn_largest(part), w = VM_FABS(q.w);
+    const vm_real longest = vmi_largest(part), w = VM_FABS(q.w);
     const vm_real power = vmi_turn_power(longest > w ? longest : w);
     const vmi_vec3_two v = vmi_turn_vector(part, power), b = vmi_turn_cross(&v, a), c = vmi_turn_cross(&v, &b);
     const vm_two real = vmi_two(q.w / power, 0);
@@ -3476,7 +3481,7 @@ VM_API void vmi_turn_annihilate(vm_two a[3][3], vmi_vec3_two *axis, int p, int q
 /* Principal moments over a power of two, and axes, in two words; of a rod or a point exactly */
 VM_API void vmi_turn_principal(const vm_inertia *i, vmi_turn_body *b)
 {
-    const vm_real power = vmi_turn_power(VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz));
+    const vm_real power = vmi_turn_power(vmi_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
     memset(b, 0, sizeof *b);
@@ -3498,7 +3503,7 @@ VM_API void vmi_turn_settle(const vm_inertia *i, vmi_turn_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const vm_inertia sizes = vmi_inertia_sizes(i, &same);
-    const vm_real power = vmi_turn_power(VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz));
+    const vm_real power = vmi_turn_power(vmi_trace(i));
     int k;
     for (k = 0; k < 3; k++) {
         const vm_vec3 size = vmi_abs(vmi_turn_heads(&b->axis[k]));
@@ -3830,9 +3835,9 @@ VM_API int vmi_turn_start(vm_free_motion *motion, const vm_body *body, int along
     memset(&m, 0, sizeof m);
     m.body = *body;
     m.t0 = t0;
-    power = vmi_turn_power(vmi_turn_largest(body->omega));
+    power = vmi_turn_power(vmi_largest(body->omega));
     omega = vmi_turn_vector(body->omega, power);
-    if (!along_body && vmi_turn_largest(vmi_vec3(body->q.x, body->q.y, body->q.z)) > 0)
+    if (!along_body && vmi_largest(vmi_vec3(body->q.x, body->q.y, body->q.z)) > 0)
         omega = vmi_turn_back(body->q, &omega);
     vmi_turn_principal(&body->inertia, &b);
     vmi_turn_settle(&body->inertia, &b);
@@ -4595,10 +4600,10 @@ VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm
 /* M, J_S, and |q|^2/M = M (S S1)^2 at phi; s = sin(phi/2) */
 VM_API int vmi_drum_inertia(vm_real phi, vm_real s, const vm_drum *d, vm_real *M, vm_real *J, vm_real *steiner)
 {
-    const vm_real chord = 2 * d->band * d->radius * s;
+    const vm_real q = 2 * d->band * d->radius * s;
     *M = d->mass + d->band * phi;
     *J = d->inertia + d->band * d->radius * d->radius * phi;
-    *steiner = chord * chord / *M;
+    *steiner = q / *M * q; /* q alone may be too small to be squared */
     if (!VM_IS_FINITE(*M) || !VM_IS_FINITE(*J)) return VM_NOT_FINITE;
     if (!(*M > 0)) return VM_BAD_MASS;
     return *J - *steiner > 0 ? VM_OK : VM_BAD_INERTIA;
@@ -4616,7 +4621,7 @@ VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
     status = vmi_drum_inertia(phi, s, d, &M, &J, &steiner);
     if (status) return status;
     g->mass = M;
-    g->arc_centre = phi > 0 ? d->radius * s / (phi / 2) : d->radius;
+    g->arc_centre = phi > VM_MIN ? d->radius * s / (phi / 2) : d->radius;
     g->offset = 2 * d->band * d->radius * s / M;
     g->axle_inertia = J;
     g->inertia = J - steiner;
@@ -4684,8 +4689,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
-    return d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) && VM_IS_FINITE(d->band) &&
-           VM_IS_FINITE(d->omega) && VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->speed) && VM_IS_FINITE(d->damping);
+    return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
+           VM_IS_FINITE(d->band) && VM_IS_FINITE(d->omega) && VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->speed) &&
+           VM_IS_FINITE(d->damping);
 }
 
 VM_API vm_two vmi_drum_j(const vm_drum *d) /* mu R^2 */
@@ -4784,9 +4790,10 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
 
 VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
 {
-    const vm_real j = vmi_drum_j(d).hi, e = vmi_drum_e(d).hi, k1 = 1 - e / (j * d->omega);
-    vm_real f1, l, w;
-    if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d) || k1 == 0 || e == 0) return VM_NAN;
+    vm_real j, e, k1, f1, l, w;
+    if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
+    j = vmi_drum_j(d).hi, e = vmi_drum_e(d).hi, k1 = 1 - e / (j * d->omega);
+    if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
     if (l > -1 && k1 > 0) l = -1;           /* by rounding */
@@ -4820,7 +4827,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
 /* The phase (2k/3A)(1 - m^3), m^2 = 1 - A phi, is 2k/3 phi (1 + m + m^2)/(1 + m), which A = 0 does not trouble */
 VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha, vm_real particular)
 {
-    const vm_real square = 1 - s->A * phi;
+    const vm_real square = s ? 1 - s->A * phi : VM_NAN;
     vm_real m, sine, cosine;
     if (!(square > 0) || !VM_IS_FINITE(phi)) return VM_NAN;
     m = VM_SQRT(square);
@@ -4828,7 +4835,7 @@ VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
 }
 
-VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s->A < 1 / (2 * VM_PI); }
+VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 /* -- Lambert's W: two steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), of fourth order, from 2 % and less.
    The residual is taken in two words, so that the last step leaves little but its own rounding -- */

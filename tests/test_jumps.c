@@ -305,6 +305,12 @@ static void test_scales(void)
     CHECK(sum.angular_momentum.x == -16 - 7 && sum.angular_momentum.y == 12 && sum.angular_momentum.z == 6);
     CHECK(vm_balance_between(1, &b, 0, NULL, NULL, vector(1, 1, 1), &sum) == VM_OK);
     CHECK(sum.momentum.x == -6 && sum.angular_momentum.y == -12 && sum.energy == -31);
+    b.mass = is_float ? R(1e30) : R(1e200); /* momenta whose squares overflow, and underflow */
+    CHECK(vm_balance_between(0, NULL, 1, &b, NULL, b.r, &sum) == VM_OK);
+    CHECK(fabs((double)(sum.momentum_scale / b.mass) - 5) < 4 * eps);
+    b.mass = 1 / b.mass;
+    CHECK(vm_balance_between(0, NULL, 1, &b, NULL, b.r, &sum) == VM_OK);
+    CHECK(fabs((double)(sum.momentum_scale / b.mass) - 5) < 4 * eps);
 }
 
 /* ---- Several parts at once ---- */
@@ -401,12 +407,12 @@ static void test_inverse(void)
         CHECK(vm_separate(&whole, &moving, j, &rest) == VM_OK);
         check_error("separate_for: v", "space", "eps", size_of(vmi_sub(rest.v, v)) / eps, 30, i, 0);
         check_error("separate_for: w", "space", "eps",
-                    size_of(vmi_sub(rest.omega, omega)) / eps / (1 + size_of(moving.omega)), 60, i, 0);
+                    size_of(vmi_sub(rest.omega, omega)) / eps / (1 + size_of(moving.omega)), 20, i, 0);
         CHECK(vm_separate_for(&whole, &b, j, NULL, &omega, &moving) == VM_OK &&
               size_of(vmi_sub(moving.v, b.v)) == 0);
         CHECK(vm_separate(&whole, &moving, j, &rest) == VM_OK);
         check_error("separate_for: w", "space", "eps",
-                    size_of(vmi_sub(rest.omega, omega)) / eps / (1 + size_of(moving.omega)), 60, i, 1);
+                    size_of(vmi_sub(rest.omega, omega)) / eps / (1 + size_of(moving.omega)), 20, i, 1);
         CHECK(vm_separate_for(&whole, &b, j, &v, NULL, &moving) == VM_OK);
         CHECK(size_of(vmi_sub(moving.omega, b.omega)) == 0);
         CHECK(vm_separate_for(&whole, &b, j, NULL, NULL, &moving) == VM_OK && apart(&moving, &b) == 0);
@@ -440,80 +446,137 @@ static double apart2(const vm_body2 *got, const vm_body *in_space)
     return fmax(apart(&b, in_space), of_inertia);
 }
 
+static vm_impulse2 random_impulse2(void)
+{
+    vm_impulse2 j;
+    j.jx = R(uniform(-3, 3)), j.jy = R(uniform(-3, 3)), j.couple = R(uniform(-3, 3));
+    j.x = R(uniform(-3, 3)), j.y = R(uniform(-3, 3));
+    return j;
+}
+
+static vm_impulse impulse_in_space(const vm_impulse2 *j)
+{
+    vm_impulse blow;
+    blow.linear = vmi_vec3(j->jx, j->jy, 0), blow.couple = vmi_vec3(0, 0, j->couple);
+    blow.at = vmi_vec3(j->x, j->y, 0);
+    return blow;
+}
+
+/* Momenta, energy and jumps, absolute and relative, are those of the laminas in space */
 static void test_plane(void)
 {
     int i;
     for (i = 0; i < 1000; i++) {
-        vm_body2 a = random_body2(uniform(1, 5)), b = random_body2(uniform(0.5, 3)), parts[2], whole, rest, moving;
-        vm_body in_space[2], joined_in_space, rest_in_space;
-        vm_impulse2 impulse, *j = i % 2 ? &impulse : NULL;
-        vm_impulse blow, *blow_or_null = i % 2 ? &blow : NULL;
-        vm_real v[2], omega = R(uniform(-2, 2));
-        double L, T;
-        impulse.jx = R(uniform(-3, 3)), impulse.jy = R(uniform(-3, 3)), impulse.couple = R(uniform(-3, 3));
-        impulse.x = R(uniform(-3, 3)), impulse.y = R(uniform(-3, 3));
-        blow.linear = vmi_vec3(impulse.jx, impulse.jy, 0), blow.couple = vmi_vec3(0, 0, impulse.couple);
-        blow.at = vmi_vec3(impulse.x, impulse.y, 0);
-        in_space[0] = vm_in_space(&a), in_space[1] = vm_in_space(&b);
-        CHECK(vm_to_relative2(&a, &b, &rest) == VM_OK && vm_attach_relative2(&a, &rest, j, &moving) == VM_OK);
-        CHECK(vm_to_absolute2(&a, &moving, &rest) == VM_OK);
-        CHECK(vm_attach(&in_space[0], &in_space[1], blow_or_null, &joined_in_space) == VM_OK);
-        check_error("attach_relative2", "as in space", "eps", apart2(&rest, &joined_in_space), 12, i, 0);
-        CHECK(vm_attach2(&a, &b, j, &whole) == VM_OK);
-        CHECK(vm_attach(&in_space[0], &in_space[1], blow_or_null, &joined_in_space) == VM_OK);
-        check_error("attach2", "as in space", "eps", apart2(&whole, &joined_in_space), 12, i, 0);
-        L = (double)vm_angular_momentum(&in_space[0], vmi_vec3(1, 2, 0)).z,
-        T = (double)vm_kinetic_energy(&in_space[0]);
+        vm_body2 a = random_body2(uniform(1, 5)), b = random_body2(uniform(0.5, 3)), whole, rest, moving;
+        const vm_body a_in_space = vm_in_space(&a);
+        vm_body b_in_space = vm_in_space(&b), joined_in_space, rest_in_space;
+        const vm_impulse2 impulse = random_impulse2(), *j = i % 2 ? &impulse : NULL;
+        const vm_impulse blow = impulse_in_space(&impulse), *blow_or_null = i % 2 ? &blow : NULL;
+        const double L = (double)vm_angular_momentum(&a_in_space, vmi_vec3(1, 2, 0)).z;
+        const double T = (double)vm_kinetic_energy(&a_in_space);
         check_error("L2", "as in space", "eps", fabs((double)vm_angular_momentum2(&a, 1, 2) - L) / eps / 100, 2, i,
                     0);
         check_error("T2", "as in space", "eps", fabs((double)vm_kinetic_energy2(&a) / T - 1) / eps, 4, i, 0);
+        CHECK(vm_attach(&a_in_space, &b_in_space, blow_or_null, &joined_in_space) == VM_OK);
+        CHECK(vm_to_relative2(&a, &b, &rest) == VM_OK && vm_attach_relative2(&a, &rest, j, &moving) == VM_OK);
+        CHECK(vm_to_absolute2(&a, &moving, &rest) == VM_OK);
+        check_error("attach_relative2", "as in space", "eps", apart2(&rest, &joined_in_space), 12, i, 0);
+        CHECK(vm_attach2(&a, &b, j, &whole) == VM_OK);
+        check_error("attach2", "as in space", "eps", apart2(&whole, &joined_in_space), 12, i, 0);
 
         b.vx = R(uniform(-3, 3)), b.vy = R(uniform(-3, 3)), b.omega = R(uniform(-3, 3));
-        in_space[1] = vm_in_space(&b);
+        b_in_space = vm_in_space(&b);
         CHECK(vm_separate2(&whole, &b, j, &rest) == VM_OK && rest.angle == whole.angle);
-        CHECK(vm_separate(&joined_in_space, &in_space[1], blow_or_null, &rest_in_space) == VM_OK);
+        CHECK(vm_separate(&joined_in_space, &b_in_space, blow_or_null, &rest_in_space) == VM_OK);
         check_error("separate2", "as in space", "eps",
                     apart2(&rest, &rest_in_space) * (double)(rest.inertia / whole.inertia), 12, i, 0);
+    }
+}
 
-        parts[0] = b, parts[1] = a; /* joined and parted again, at once */
-        CHECK(vm_attach_all2(&whole, 2, parts, j, &moving) == VM_OK);
-        CHECK(vm_attach2(&whole, &b, j, &rest) == VM_OK && vm_attach2(&rest, &a, NULL, &rest) == VM_OK);
-        in_space[0] = vm_in_space(&rest);
-        check_error("attach_all2", "one by one", "eps", apart2(&moving, &in_space[0]), 24, i, 0);
+/* Joined at once is joined one by one; parted at once undoes it, but for rounding errors of the whole's inertia.
+   These bounds and those of the inverse questions are some 3 times the worst of 15 seeds. */
+static void test_plane_burst(void)
+{
+    int i;
+    for (i = 0; i < 1000; i++) {
+        vm_body2 body = random_body2(uniform(1, 5)), parts[2], whole, one;
+        vm_body in_space;
+        vm_impulse2 impulse = random_impulse2();
+        const vm_impulse2 *j = i % 2 ? &impulse : NULL;
+        parts[0] = random_body2(uniform(0.5, 3)), parts[1] = random_body2(uniform(1, 5));
+        CHECK(vm_attach_all2(&body, 2, parts, j, &whole) == VM_OK);
+        CHECK(vm_attach2(&body, &parts[0], j, &one) == VM_OK && vm_attach2(&one, &parts[1], NULL, &one) == VM_OK);
+        in_space = vm_in_space(&one);
+        check_error("attach_all2", "one by one", "eps", apart2(&whole, &in_space), 10, i, 0);
         impulse.jx = -impulse.jx, impulse.jy = -impulse.jy, impulse.couple = -impulse.couple;
-        CHECK(vm_separate_all2(&moving, 2, parts, j, &rest) == VM_OK);
-        in_space[0] = vm_in_space(&whole);
-        check_error("separate_all2", "undoes it", "eps", apart2(&rest, &in_space[0]), 24, i, 0);
+        CHECK(vm_separate_all2(&whole, 2, parts, j, &one) == VM_OK);
+        in_space = vm_in_space(&body);
+        check_error("separate_all2", "undoes it", "eps",
+                    apart2(&one, &in_space) * (double)(one.inertia / whole.inertia), 15, i, 0);
+    }
+}
 
+/* The rest of what the inverse questions answer moves as asked for. A part that has to be fast brings the rounding
+   errors of its momentum into the rest's: the errors are counted in those of the part's motion. */
+static void test_plane_inverse(void)
+{
+    int i;
+    for (i = 0; i < 1000; i++) {
+        vm_body2 a = random_body2(uniform(1, 5)), b = random_body2(uniform(0.5, 3)), whole, rest, moving;
+        const vm_impulse2 impulse = random_impulse2(), *j = i % 2 ? &impulse : NULL;
+        vm_real v[2], omega = R(uniform(-2, 2));
+        double fast;
         v[0] = R(uniform(-2, 2)), v[1] = R(uniform(-2, 2));
+        CHECK(vm_attach2(&a, &b, j, &whole) == VM_OK);
         CHECK(vm_separate_for2(&whole, &b, j, v, &omega, &moving) == VM_OK);
         CHECK(vm_separate2(&whole, &moving, j, &rest) == VM_OK);
         check_error("separate_for2: v", "plane", "eps",
-                    hypot((double)(rest.vx - v[0]), (double)(rest.vy - v[1])) / eps, 60, i, 0);
+                    hypot((double)(rest.vx - v[0]), (double)(rest.vy - v[1])) / eps, 30, i, 0);
         check_error("separate_for2: w", "plane", "eps",
-                    fabs((double)(rest.omega - omega)) / eps / (1 + fabs((double)moving.omega)), 150, i, 0);
+                    fabs((double)(rest.omega - omega)) / eps / (1 + fabs((double)moving.omega)), 60, i, 0);
         CHECK(vm_separate_for_spin2(&whole, &b, j, omega, &moving) == VM_OK && moving.omega == b.omega);
         CHECK(vm_separate2(&whole, &moving, j, &rest) == VM_OK);
-        check_error("..for_spin2: w", "plane", "eps",
-                    fabs((double)(rest.omega - omega)) / eps / (1 + hypot((double)moving.vx, (double)moving.vy)),
-                    400, i, 0);
-        CHECK(vm_to_relative2(&whole, &moving, &b) == VM_OK); /* orthogonal to SS2 */
+        fast = 1 + hypot((double)moving.vx, (double)moving.vy);
+        check_error("..for_spin2: w", "plane", "eps", fabs((double)(rest.omega - omega)) / eps / fast, 200, i, 0);
+        CHECK(vm_to_relative2(&whole, &moving, &b) == VM_OK);
         check_error("..for_spin2", "orthogonal", "eps",
-                    fabs((double)(b.vx * (b.x - whole.x) + b.vy * (b.y - whole.y))) / eps /
-                        (1 + hypot((double)moving.vx, (double)moving.vy)),
-                    60, i, 0);
+                    fabs((double)(b.vx * (b.x - whole.x) + b.vy * (b.y - whole.y))) / eps / fast, 8, i, 0);
     }
-    { /* a point of the plane keeps the whole's spin */
-        vm_body2 whole = {2, 2, 0, 0, 0, 1, 2, 3}, part = {1, 0, 1, 0, 0, 1, 5, 0}, rest;
-        CHECK(vm_separate2(&whole, &part, NULL, &rest) ==
-              VM_OK); /* at the velocity of its place: v + Omega x SS2 */
-        CHECK(rest.inertia == 0 && rest.omega == 3 && rest.x == -1 && rest.vx == 1 && rest.vy == -1);
-        part.vy = 6;
-        CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_NULL_AXIS && rest.omega == 3);
-        part.x = 0;
-        CHECK(vm_separate_for_spin2(&whole, &part, NULL, 0, &rest) == VM_SINGULAR);
-        CHECK(vm_separate_for2(&whole, &part, NULL, NULL, &part.omega, &rest) == VM_NULL_AXIS);
+}
+
+/* A point of the plane keeps the whole's spin */
+static void test_plane_point(void)
+{
+    vm_body2 whole = {2, 2, 0, 0, 0, 1, 2, 3}, part = {1, 0, 1, 0, 0, 1, 5, 0}, rest; /* at v + Omega x SS2 */
+    CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK);
+    CHECK(rest.inertia == 0 && rest.omega == 3 && rest.x == -1 && rest.vx == 1 && rest.vy == -1);
+    part.vy = 6;
+    CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_NULL_AXIS && rest.omega == 3);
+    part.x = 0;
+    CHECK(vm_separate_for_spin2(&whole, &part, NULL, 0, &rest) == VM_SINGULAR);
+    CHECK(vm_separate_for2(&whole, &part, NULL, NULL, &part.omega, &rest) == VM_NULL_AXIS);
+}
+
+/* Two points, one of which leaves: rounding errors of the inertia must not be taken for that of the other, which would
+   spin anyhow, nor for one that no body has */
+static void test_plane_nothing_left(void)
+{
+    int i, kept = 0;
+    for (i = 0; i < 1000; i++) {
+        vm_body2 a = random_body2(uniform(1, 5)), b = random_body2(uniform(0.5, 3)), whole, part, rest;
+        a.inertia = b.inertia = 0;
+        CHECK(vm_attach2(&a, &b, NULL, &whole) == VM_OK);
+        CHECK(vm_to_relative2(&whole, &b, &part) == VM_OK);
+        part.vx = part.vy = part.omega = 0;
+        CHECK(vm_to_absolute2(&whole, &part, &part) == VM_OK);
+        CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK && rest.inertia == 0);
+        kept += rest.omega == whole.omega;
+        part = whole, part.mass /= 2, part.inertia *= 1 + 8 * VM_EPSILON;
+        CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK && rest.inertia == 0);
+        part.inertia = whole.inertia * (1 + 128 * VM_EPSILON);
+        CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_BAD_INERTIA);
     }
+    CHECK(kept == 1000);
 }
 
 /* ---- Hard cases: each names what would go wrong ---- */
@@ -840,67 +903,78 @@ static void test_quaternion_length(void)
 
 /* ---- Bad input ---- */
 
+/* A body with room for any part, and a part of it */
+static vm_body whole_and_part(vm_body *part)
+{
+    vm_body whole = random_body(5, 1);
+    whole.inertia.xx += 1, whole.inertia.yy += 1, whole.inertia.zz += 1;
+    *part = whole;
+    part->mass = 1;
+    part->inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(0.01),
+                                     vmi_inertia_of_point(vector(1, 1, 1)));
+    part->r = vmi_add(whole.r, vector(0.1, 0, 0));
+    return whole;
+}
+
 static void test_jump_domain(void)
 {
-    vm_body whole = random_body(5, 1), part = whole, rest, before, stick;
-    whole.inertia.xx += 1, whole.inertia.yy += 1, whole.inertia.zz += 1; /* room for any part */
-    part.mass = 1;
-    part.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(0.01),
-                                    vmi_inertia_of_point(vector(1, 1, 1)));
-    part.r = vmi_add(whole.r, vector(0.1, 0, 0));
+    vm_body part, whole = whole_and_part(&part), x = part, rest, before;
     memset(&rest, 7, sizeof rest);
     before = rest;
 #define REFUSED(status, call) CHECK((call) == (status) && memcmp(&rest, &before, sizeof rest) == 0)
-    {
-        vm_body x = part;
-        x.mass = 6;
-        REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
-        x.mass = whole.mass;
-        REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
-        x.mass = -1;
-        REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
-        REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
-        x.mass = 0;
-        REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
-        x = part, x.mass = VM_NAN;
-        REFUSED(VM_NOT_FINITE, vm_attach(&whole, &x, NULL, &rest));
-        x = part, x.omega.y = VM_INFINITY;
-        REFUSED(VM_NOT_FINITE, vm_attach(&x, &whole, NULL, &rest));
-        x = whole, x.v.z = VM_MAX, part.v.z = -VM_MAX; /* the momenta overflow */
-        REFUSED(VM_NOT_FINITE, vm_attach(&x, &part, NULL, &rest));
-        part.v = whole.v;
-        x = part, x.inertia.xx = -1;
-        REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
-        x = part, x.inertia.xx = 1; /* 1 > 0.02 + 0.02 */
-        REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
-        x = part, x.inertia.xy = R(0.5); /* moments 0.02 +- 0.5 */
-        REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
-        x = part, x.r = vmi_add(whole.r, vector(20, 0, 0)); /* never was inside */
-        REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
-        REFUSED(VM_BAD_ARGUMENT, vm_separate(NULL, &part, NULL, &rest));
-        REFUSED(VM_BAD_ARGUMENT, vm_attach(&whole, NULL, NULL, &rest));
-        CHECK(vm_attach(&whole, &part, NULL, NULL) == VM_BAD_ARGUMENT);
-    }
-    { /* an output may be an input */
-        vm_body x = whole, y = part;
-        CHECK(vm_attach(&whole, &part, NULL, &rest) == VM_OK && vm_attach(&x, &part, NULL, &x) == VM_OK);
-        CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_attach(&whole, &y, NULL, &y) == VM_OK);
-        CHECK(memcmp(&y, &rest, sizeof y) == 0);
-        x = whole, y = part;
-        CHECK(vm_to_relative(&whole, &part, &rest) == VM_OK && vm_to_relative(&x, &y, &x) == VM_OK);
-        CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_to_relative(&whole, &y, &y) == VM_OK);
-        CHECK(memcmp(&y, &rest, sizeof y) == 0);
-        x = whole, y = part;
-        CHECK(vm_separate_for(&whole, &part, NULL, &part.v, &part.omega, &rest) >= 0);
-        CHECK(vm_separate_for(&x, &part, NULL, &part.v, &part.omega, &x) >= 0 && memcmp(&x, &rest, sizeof x) == 0);
-        CHECK(vm_separate_for(&whole, &y, NULL, &y.v, &y.omega, &y) >= 0 && memcmp(&y, &rest, sizeof y) == 0);
-        CHECK(vm_separate(&whole, &part, NULL, &whole) == VM_OK && whole.mass == 4);
-    }
+    x.mass = 6;
+    REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
+    x.mass = whole.mass;
+    REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
+    x.mass = -1;
+    REFUSED(VM_BAD_MASS, vm_separate(&whole, &x, NULL, &rest));
+    REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
+    x.mass = 0;
+    REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
+    x = part, x.mass = VM_NAN;
+    REFUSED(VM_NOT_FINITE, vm_attach(&whole, &x, NULL, &rest));
+    x = part, x.omega.y = VM_INFINITY;
+    REFUSED(VM_NOT_FINITE, vm_attach(&x, &whole, NULL, &rest));
+    x = whole, x.v.z = VM_MAX, part.v.z = -VM_MAX; /* the momenta overflow */
+    REFUSED(VM_NOT_FINITE, vm_attach(&x, &part, NULL, &rest));
+    part.v = whole.v;
+    x = part, x.inertia.xx = -1;
+    REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
+    x = part, x.inertia.xx = 1; /* 1 > 0.02 + 0.02 */
+    REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
+    x = part, x.inertia.xy = R(0.5); /* moments 0.02 +- 0.5 */
+    REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
+    x = part, x.r = vmi_add(whole.r, vector(20, 0, 0)); /* never was inside */
+    REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
+    REFUSED(VM_BAD_ARGUMENT, vm_separate(NULL, &part, NULL, &rest));
+    REFUSED(VM_BAD_ARGUMENT, vm_attach(&whole, NULL, NULL, &rest));
+    CHECK(vm_attach(&whole, &part, NULL, NULL) == VM_BAD_ARGUMENT);
+#undef REFUSED
+}
 
-    /* two equal points on the x axis are a rod; one taken away leaves a point, whose spin stays the rod's */
-    stick = part;
-    memset(&stick.q, 0, sizeof stick.q);
-    stick.r = vector(0, 0, 0), stick.mass = 2;
+static void test_outputs_as_inputs(void)
+{
+    vm_body part, whole = whole_and_part(&part), x = whole, y = part, rest;
+    CHECK(vm_attach(&whole, &part, NULL, &rest) == VM_OK && vm_attach(&x, &part, NULL, &x) == VM_OK);
+    CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_attach(&whole, &y, NULL, &y) == VM_OK);
+    CHECK(memcmp(&y, &rest, sizeof y) == 0);
+    x = whole, y = part;
+    CHECK(vm_to_relative(&whole, &part, &rest) == VM_OK && vm_to_relative(&x, &y, &x) == VM_OK);
+    CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_to_relative(&whole, &y, &y) == VM_OK);
+    CHECK(memcmp(&y, &rest, sizeof y) == 0);
+    x = whole, y = part;
+    CHECK(vm_separate_for(&whole, &part, NULL, &part.v, &part.omega, &rest) >= 0);
+    CHECK(vm_separate_for(&x, &part, NULL, &part.v, &part.omega, &x) >= 0 && memcmp(&x, &rest, sizeof x) == 0);
+    CHECK(vm_separate_for(&whole, &y, NULL, &y.v, &y.omega, &y) >= 0 && memcmp(&y, &rest, sizeof y) == 0);
+    CHECK(vm_separate(&whole, &part, NULL, &whole) == VM_OK && whole.mass == 4);
+}
+
+/* Two equal points on the x axis are a rod; one taken away leaves a point, whose spin stays the rod's */
+static void test_rod_to_point(void)
+{
+    vm_body stick, part, rest;
+    memset(&stick, 0, sizeof stick);
+    stick.mass = 2;
     stick.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), 2,
                                      vmi_inertia_of_point(vector(1, 0, 0)));
     stick.omega = vector(3, 0.5, -0.25), stick.v = vector(1, 2, 3);
@@ -913,122 +987,164 @@ static void test_jump_domain(void)
     CHECK(size_of(vmi_sub(rest.v, vmi_add(stick.v, vmi_cross(stick.omega, vector(-1, 0, 0))))) == 0);
 }
 
-/* Every function refuses null pointers, negative counts and any member that is not finite, and leaves its outputs */
-static void test_bad_input(void)
-{
-    const vm_real bad[] = {VM_NAN, VM_INFINITY, -VM_INFINITY};
-    vm_body a = random_body(3, 1), b = random_body(1, 1), out, kept;
-    vm_body2 a2 = random_body2(3), b2 = random_body2(1), out2, kept2;
-    vm_impulse j = random_impulse();
-    vm_impulse2 j2 = {1, 2, 3, 4, 5};
-    vm_balance sum, kept_sum;
-    const vm_inertia good = a.inertia;
-    vm_inertia i = good, i_out, i_kept;
-    vm_vec3 d = vector(1, 0, 0), nowhere = vector(0, 0, 0);
-    const vm_real wanted = 1;
-    size_t k, n;
-    b.r = a.r, b2.x = a2.x + R(0.1), b2.y = a2.y;
-    if (vm_attach(&a, &b, NULL, &a) || vm_attach2(&a2, &b2, NULL, &a2)) FAIL("attach");
-    memset(&out, 7, sizeof out), kept = out;
-    memset(&out2, 7, sizeof out2), kept2 = out2;
-    memset(&sum, 7, sizeof sum), kept_sum = sum;
-    memset(&i_out, 7, sizeof i_out), i_kept = i_out;
-#define UNTOUCHED                                                                       \
-    (memcmp(&out, &kept, sizeof out) == 0 && memcmp(&out2, &kept2, sizeof out2) == 0 && \
-     memcmp(&sum, &kept_sum, sizeof sum) == 0 && memcmp(&i_out, &i_kept, sizeof i_out) == 0)
-#define REFUSES(status, call) CHECK((call) == (status) && UNTOUCHED)
+/* ---- Bad input: refused with the outputs as they were ---- */
+
+static struct {
+    vm_body a, b;
+    vm_body2 a2, b2;
+    vm_impulse j;
+    vm_impulse2 j2;
+    vm_inertia i;
+} in;
+static struct {
+    vm_body body;
+    vm_body2 body2;
+    vm_balance sum;
+    vm_inertia inertia;
+    vm_vec3 centre;
+} out, kept;
+
+#define REFUSES(status, call) CHECK((call) == (status) && memcmp(&out, &kept, sizeof out) == 0)
 #define REFUSES_NULL(call) REFUSES(VM_BAD_ARGUMENT, call)
-    for (n = 0; n < 3; n++) {
-        for (k = 0; k < sizeof(vm_body) / sizeof(vm_real); k++) { /* structs of nothing but numbers */
-            vm_body x = b;
-            ((vm_real *)(void *)&x)[k] = bad[n];
-            REFUSES(VM_NOT_FINITE, vm_separate(&a, &x, NULL, &out));
-            REFUSES(VM_NOT_FINITE, vm_attach(&x, &a, &j, &out));
-            REFUSES(VM_NOT_FINITE, vm_separate_all(&a, 1, &x, NULL, &out));
-            REFUSES(VM_NOT_FINITE, vm_attach_all(&x, 0, NULL, NULL, &out));
-            REFUSES(VM_NOT_FINITE, vm_attach_relative(&a, &x, NULL, &out));
-            REFUSES(VM_NOT_FINITE, vm_separate_for(&a, &x, NULL, NULL, NULL, &out));
-        }
-        for (k = 0; k < sizeof(vm_impulse) / sizeof(vm_real); k++) {
-            vm_impulse x = j;
-            vm_body point = rod(1, d);
-            ((vm_real *)(void *)&x)[k] = bad[n];
-            REFUSES(VM_NOT_FINITE, vm_attach(&a, &b, &x, &out));
-            REFUSES(VM_NOT_FINITE, vm_attach_all(&point, 0, NULL, &x, &out));
-            REFUSES(VM_NOT_FINITE, vm_separate_for(&a, &b, &x, NULL, NULL, &out));
-            REFUSES(VM_NOT_FINITE, vm_balance_between(1, &a, 1, &b, &x, d, &sum));
-        }
-        for (k = 0; k < sizeof(vm_body2) / sizeof(vm_real); k++) {
-            vm_body2 x = b2;
-            ((vm_real *)(void *)&x)[k] = bad[n];
-            REFUSES(VM_NOT_FINITE, vm_separate2(&a2, &x, NULL, &out2));
-            REFUSES(VM_NOT_FINITE, vm_attach2(&x, &a2, NULL, &out2));
-            REFUSES(VM_NOT_FINITE, vm_attach_all2(&a2, 1, &x, NULL, &out2));
-            REFUSES(VM_NOT_FINITE, vm_separate_for2(&a2, &x, NULL, NULL, NULL, &out2));
-            REFUSES(VM_NOT_FINITE, vm_separate_for_spin2(&x, &b2, NULL, 0, &out2));
-        }
-        for (k = 0; k < sizeof(vm_impulse2) / sizeof(vm_real); k++) {
-            vm_impulse2 x = j2;
-            ((vm_real *)(void *)&x)[k] = bad[n];
-            REFUSES(VM_NOT_FINITE, vm_attach2(&a2, &b2, &x, &out2));
-        }
-        nowhere.y = bad[n];
-        REFUSES(VM_NOT_FINITE, vm_separate_for(&a, &b, NULL, &nowhere, NULL, &out));
-        REFUSES(VM_NOT_FINITE, vm_separate_for(&a, &b, NULL, NULL, &nowhere, &out));
-        REFUSES(VM_NOT_FINITE, vm_separate_for_spin2(&a2, &b2, NULL, bad[n], &out2));
-        REFUSES(VM_NOT_FINITE, vm_balance_between(1, &a, 1, &b, NULL, nowhere, &sum));
-        REFUSES(VM_NOT_FINITE, vm_combine_inertia(1, &i, 1, &i, nowhere, &i_out, &d));
-        i.yz = bad[n];
-        CHECK(!vm_inertia_possible(&i));
-        i = good;
+
+static void prepare_refusals(void)
+{
+    const vm_impulse2 j2 = {1, 2, 3, 4, 5};
+    in.a = random_body(3, 1), in.b = random_body(1, 1), in.a2 = random_body2(3), in.b2 = random_body2(1);
+    in.i = in.a.inertia, in.j = random_impulse(), in.j2 = j2;
+    in.b.r = in.a.r, in.b2.x = in.a2.x + R(0.1), in.b2.y = in.a2.y;
+    if (vm_attach(&in.a, &in.b, NULL, &in.a) || vm_attach2(&in.a2, &in.b2, NULL, &in.a2)) FAIL("attach");
+    memset(&out, 7, sizeof out), memset(&kept, 7, sizeof kept);
+}
+
+/* Any member: the structs are nothing but numbers */
+static void test_not_finite_member(vm_real bad)
+{
+    size_t k;
+    for (k = 0; k < sizeof(vm_body) / sizeof(vm_real); k++) {
+        vm_body x = in.b;
+        ((vm_real *)(void *)&x)[k] = bad;
+        REFUSES(VM_NOT_FINITE, vm_separate(&in.a, &x, NULL, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_attach(&x, &in.a, &in.j, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_separate_all(&in.a, 1, &x, NULL, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_attach_all(&x, 0, NULL, NULL, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_attach_relative(&in.a, &x, NULL, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &x, NULL, NULL, NULL, &out.body));
     }
-    REFUSES_NULL(vm_separate_all(&a, -1, &b, NULL, &out));
-    REFUSES_NULL(vm_separate_all(&a, 1, NULL, NULL, &out));
-    REFUSES_NULL(vm_attach_all(NULL, 1, &b, NULL, &out));
-    REFUSES_NULL(vm_attach_relative(NULL, &b, NULL, &out));
-    REFUSES_NULL(vm_separate_relative(&a, NULL, NULL, &out));
-    REFUSES_NULL(vm_separate_for(&a, NULL, NULL, NULL, NULL, &out));
-    REFUSES_NULL(vm_separate_for(NULL, &b, NULL, NULL, NULL, &out));
-    REFUSES_NULL(vm_to_relative(&a, NULL, &out));
-    REFUSES_NULL(vm_to_absolute(NULL, &b, &out));
-    REFUSES_NULL(vm_separate2(NULL, &b2, NULL, &out2));
-    REFUSES_NULL(vm_attach2(&a2, NULL, NULL, &out2));
-    REFUSES_NULL(vm_attach_all2(&a2, -1, &b2, NULL, &out2));
-    REFUSES_NULL(vm_separate_relative2(NULL, &b2, NULL, &out2));
-    REFUSES_NULL(vm_attach_relative2(&a2, NULL, NULL, &out2));
-    REFUSES_NULL(vm_to_relative2(NULL, &b2, &out2));
-    REFUSES_NULL(vm_to_absolute2(&a2, NULL, &out2));
-    REFUSES_NULL(vm_separate_for2(&a2, NULL, NULL, NULL, &wanted, &out2));
-    REFUSES_NULL(vm_separate_for_spin2(NULL, &b2, NULL, 1, &out2));
-    REFUSES_NULL(vm_balance_between(-1, &a, 1, &b, NULL, d, &sum));
-    REFUSES_NULL(vm_balance_between(1, NULL, 1, &b, NULL, d, &sum));
-    REFUSES_NULL(vm_balance_between(1, &a, 1, NULL, NULL, d, &sum));
-    REFUSES_NULL(vm_combine_inertia(1, NULL, 1, &i, d, &i_out, &d));
-    REFUSES_NULL(vm_split_inertia(2, &i, 1, &i, d, &i_out, NULL));
-    CHECK(vm_separate_all(&a, 1, &b, NULL, NULL) == VM_BAD_ARGUMENT &&
-          vm_to_relative(&a, &b, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_separate2(&a2, &b2, NULL, NULL) == VM_BAD_ARGUMENT &&
-          vm_to_absolute2(&a2, &b2, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_balance_between(1, &a, 1, &b, NULL, d, NULL) == VM_BAD_ARGUMENT);
-    REFUSES(VM_BAD_MASS, vm_separate2(&b2, &a2, NULL, &out2));
-    REFUSES(VM_BAD_MASS, vm_separate2(&b2, &b2, NULL, &out2)); /* the part is the whole */
-    REFUSES(VM_BAD_MASS, vm_separate(&b, &b, NULL, &out));
-    REFUSES(VM_BAD_MASS, vm_separate_relative2(&b2, &a2, NULL, &out2));
-    REFUSES(VM_BAD_MASS, vm_split_inertia(1, &i, 1, &i, d, &i_out, &d));
-    b2.x = a2.x + 10;
-    REFUSES(VM_BAD_INERTIA, vm_separate2(&a2, &b2, NULL, &out2)); /* it never was inside */
-    REFUSES(VM_BAD_INERTIA, vm_separate_for2(&a2, &b2, NULL, NULL, NULL, &out2));
-    REFUSES(VM_BAD_INERTIA, vm_separate_for_spin2(&a2, &b2, NULL, 1, &out2));
-    b2.inertia = -1;
-    REFUSES(VM_BAD_INERTIA, vm_attach2(&a2, &b2, NULL, &out2));
-    b2.mass = 0;
-    REFUSES(VM_BAD_MASS, vm_attach2(&a2, &b2, NULL, &out2));
+    for (k = 0; k < sizeof(vm_impulse) / sizeof(vm_real); k++) {
+        vm_impulse x = in.j;
+        vm_body point = rod(1, vector(1, 0, 0));
+        ((vm_real *)(void *)&x)[k] = bad;
+        REFUSES(VM_NOT_FINITE, vm_attach(&in.a, &in.b, &x, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_attach_all(&point, 0, NULL, &x, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &in.b, &x, NULL, NULL, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_balance_between(1, &in.a, 1, &in.b, &x, in.a.r, &out.sum));
+    }
+}
+
+static void test_not_finite_member2(vm_real bad)
+{
+    size_t k;
+    for (k = 0; k < sizeof(vm_body2) / sizeof(vm_real); k++) {
+        vm_body2 x = in.b2;
+        ((vm_real *)(void *)&x)[k] = bad;
+        REFUSES(VM_NOT_FINITE, vm_separate2(&in.a2, &x, NULL, &out.body2));
+        REFUSES(VM_NOT_FINITE, vm_attach2(&x, &in.a2, NULL, &out.body2));
+        REFUSES(VM_NOT_FINITE, vm_attach_all2(&in.a2, 1, &x, NULL, &out.body2));
+        REFUSES(VM_NOT_FINITE, vm_separate_for2(&in.a2, &x, NULL, NULL, NULL, &out.body2));
+        REFUSES(VM_NOT_FINITE, vm_separate_for_spin2(&x, &in.b2, NULL, 0, &out.body2));
+    }
+    for (k = 0; k < sizeof(vm_impulse2) / sizeof(vm_real); k++) {
+        vm_impulse2 x = in.j2;
+        ((vm_real *)(void *)&x)[k] = bad;
+        REFUSES(VM_NOT_FINITE, vm_attach2(&in.a2, &in.b2, &x, &out.body2));
+    }
+}
+
+static void test_not_finite(vm_real bad)
+{
+    const vm_vec3 nowhere = vector(0, (double)bad, 0);
+    vm_inertia i = in.i;
+    test_not_finite_member(bad);
+    test_not_finite_member2(bad);
+    REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &in.b, NULL, &nowhere, NULL, &out.body));
+    REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &in.b, NULL, NULL, &nowhere, &out.body));
+    REFUSES(VM_NOT_FINITE, vm_separate_for_spin2(&in.a2, &in.b2, NULL, bad, &out.body2));
+    REFUSES(VM_NOT_FINITE, vm_balance_between(1, &in.a, 1, &in.b, NULL, nowhere, &out.sum));
+    REFUSES(VM_NOT_FINITE, vm_combine_inertia(1, &i, 1, &i, nowhere, &out.inertia, &out.centre));
+    i.yz = bad;
+    CHECK(!vm_inertia_possible(&i));
+}
+
+static void test_null(void)
+{
+    const vm_real wanted = 1;
+    const vm_vec3 d = vector(1, 0, 0);
+    REFUSES_NULL(vm_separate_all(&in.a, -1, &in.b, NULL, &out.body));
+    REFUSES_NULL(vm_separate_all(&in.a, 1, NULL, NULL, &out.body));
+    REFUSES_NULL(vm_attach_all(NULL, 1, &in.b, NULL, &out.body));
+    REFUSES_NULL(vm_attach_relative(NULL, &in.b, NULL, &out.body));
+    REFUSES_NULL(vm_separate_relative(&in.a, NULL, NULL, &out.body));
+    REFUSES_NULL(vm_separate_for(&in.a, NULL, NULL, NULL, NULL, &out.body));
+    REFUSES_NULL(vm_separate_for(NULL, &in.b, NULL, NULL, NULL, &out.body));
+    REFUSES_NULL(vm_to_relative(&in.a, NULL, &out.body));
+    REFUSES_NULL(vm_to_absolute(NULL, &in.b, &out.body));
+    REFUSES_NULL(vm_separate2(NULL, &in.b2, NULL, &out.body2));
+    REFUSES_NULL(vm_attach2(&in.a2, NULL, NULL, &out.body2));
+    REFUSES_NULL(vm_attach_all2(&in.a2, -1, &in.b2, NULL, &out.body2));
+    REFUSES_NULL(vm_separate_relative2(NULL, &in.b2, NULL, &out.body2));
+    REFUSES_NULL(vm_attach_relative2(&in.a2, NULL, NULL, &out.body2));
+    REFUSES_NULL(vm_to_relative2(NULL, &in.b2, &out.body2));
+    REFUSES_NULL(vm_to_absolute2(&in.a2, NULL, &out.body2));
+    REFUSES_NULL(vm_separate_for2(&in.a2, NULL, NULL, NULL, &wanted, &out.body2));
+    REFUSES_NULL(vm_separate_for_spin2(NULL, &in.b2, NULL, 1, &out.body2));
+    REFUSES_NULL(vm_balance_between(-1, &in.a, 1, &in.b, NULL, d, &out.sum));
+    REFUSES_NULL(vm_balance_between(1, NULL, 1, &in.b, NULL, d, &out.sum));
+    REFUSES_NULL(vm_balance_between(1, &in.a, 1, NULL, NULL, d, &out.sum));
+    REFUSES_NULL(vm_combine_inertia(1, NULL, 1, &in.i, d, &out.inertia, &out.centre));
+    REFUSES_NULL(vm_split_inertia(2, &in.i, 1, &in.i, d, &out.inertia, NULL));
+    CHECK(vm_separate_all(&in.a, 1, &in.b, NULL, NULL) == VM_BAD_ARGUMENT &&
+          vm_to_relative(&in.a, &in.b, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_separate2(&in.a2, &in.b2, NULL, NULL) == VM_BAD_ARGUMENT &&
+          vm_to_absolute2(&in.a2, &in.b2, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_balance_between(1, &in.a, 1, &in.b, NULL, d, NULL) == VM_BAD_ARGUMENT);
     CHECK(isnan(vm_momentum(NULL).y) && isnan(vm_angular_momentum(NULL, d).x) && isnan(vm_kinetic_energy(NULL)));
     CHECK(isnan(vm_angular_momentum2(NULL, 0, 0)) && isnan(vm_kinetic_energy2(NULL)) &&
           isnan(vm_in_space(NULL).mass));
-    CHECK(isnan(vm_energy_gain(&a, -1, &b, NULL, &b)) && isnan(vm_energy_gain(&a, 1, NULL, NULL, &b)) &&
-          isnan(vm_energy_loss(NULL, 0, NULL, NULL, &b)));
+    CHECK(isnan(vm_energy_gain(&in.a, -1, &in.b, NULL, &in.b)) &&
+          isnan(vm_energy_gain(&in.a, 1, NULL, NULL, &in.b)) && isnan(vm_energy_loss(NULL, 0, NULL, NULL, &in.b)));
     CHECK(isnan(vm_parallel_axes(NULL, 1, d).xx) && !vm_inertia_possible(NULL));
+}
+
+static void test_impossible_parts(void)
+{
+    const vm_real wanted[2] = {1, 2};
+    const vm_vec3 d = vector(1, 0, 0);
+    REFUSES(VM_BAD_MASS, vm_separate2(&in.b2, &in.a2, NULL, &out.body2));
+    REFUSES(VM_BAD_MASS, vm_separate2(&in.b2, &in.b2, NULL, &out.body2)); /* the part is the whole */
+    REFUSES(VM_BAD_MASS, vm_separate(&in.b, &in.b, NULL, &out.body));
+    REFUSES(VM_BAD_MASS, vm_separate_relative2(&in.b2, &in.a2, NULL, &out.body2));
+    REFUSES(VM_BAD_MASS, vm_split_inertia(1, &in.i, 1, &in.i, d, &out.inertia, &out.centre));
+    in.b2.x = in.a2.x + 10;
+    REFUSES(VM_BAD_INERTIA, vm_separate2(&in.a2, &in.b2, NULL, &out.body2)); /* it never was inside */
+    REFUSES(VM_BAD_INERTIA, vm_separate_for2(&in.a2, &in.b2, NULL, NULL, NULL, &out.body2));
+    REFUSES(VM_BAD_INERTIA, vm_separate_for_spin2(&in.a2, &in.b2, NULL, 1, &out.body2));
+    in.b2.inertia = -1;
+    REFUSES(VM_BAD_INERTIA, vm_attach2(&in.a2, &in.b2, NULL, &out.body2));
+    in.b.mass = in.b2.mass = 0; /* what the part's velocity would be divided by */
+    REFUSES(VM_BAD_MASS, vm_separate_for(&in.a, &in.b, NULL, &d, NULL, &out.body));
+    REFUSES(VM_BAD_MASS, vm_separate_for2(&in.a2, &in.b2, NULL, wanted, NULL, &out.body2));
+    REFUSES(VM_BAD_MASS, vm_attach2(&in.a2, &in.b2, NULL, &out.body2));
+}
+
+static void test_bad_input(void)
+{
+    prepare_refusals();
+    test_not_finite(VM_NAN);
+    test_not_finite(VM_INFINITY);
+    test_not_finite(-VM_INFINITY);
+    test_null();
+    test_impossible_parts();
 }
 
 /* ---- Inertia ---- */
@@ -1094,6 +1210,10 @@ int main(int argc, char **argv)
     test_relative();
     test_inverse();
     test_plane();
+    test_plane_burst();
+    test_plane_inverse();
+    test_plane_point();
+    test_plane_nothing_left();
     test_small_part();
     test_small_rest();
     test_lost_inertia();
@@ -1107,6 +1227,8 @@ int main(int argc, char **argv)
     test_quaternion_length();
     test_inertia();
     test_jump_domain();
+    test_outputs_as_inputs();
+    test_rod_to_point();
     test_bad_input();
     return check_finish("jumps");
 }
