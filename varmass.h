@@ -480,7 +480,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
    Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
    qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
    mass: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled to 1. */
-#define VM_LAGRANGE_WORK(n) ((n) * ((n) + 1))
+#define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work);
@@ -866,7 +866,8 @@ typedef struct VM_TAG(vm_lagrange) {
     vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers */
 } vm_lagrange;
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
-/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange; VM_SINGULAR stops it */
+/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange. Where A is singular, as in vm_lagrange_separate, or masses have
+   become negative, VM_SINGULAR stops it: stop before, by an event */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange);
 /* y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE */
 VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y);
@@ -1538,6 +1539,28 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     for (k = n - 1; k >= 0; k--) {
         for (j = k + 1; j < n; j++) b[k] -= a[k * n + j] * b[j];
         b[k] /= a[k * n + k];
+    }
+    return VM_OK;
+}
+
+/* a x = b for a mass matrix a, scaled to unit diagonal, which makes units and sizes of the coordinates nothing and the
+   condition number nearly the least that scaling can (van der Sluis 1969): x replaces b, a is destroyed, scale is n
+   numbers of work. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
+VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
+{
+    int i, j;
+    for (i = 0; i < n; i++) {
+        if (!(a[i * n + i] > 0)) return VM_SINGULAR;
+        scale[i] = VM_SQRT(a[i * n + i]);
+    }
+    for (i = 0; i < n; i++) {
+        for (j = 0; j < n; j++) a[i * n + j] = a[i * n + j] / scale[i] / scale[j];
+        b[i] /= scale[i];
+    }
+    if (vmi_solve_linear(n, a, b)) return VM_SINGULAR;
+    for (i = 0; i < n; i++) {
+        if (!(VM_FABS(a[i * n + i]) > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
+        b[i] /= scale[i];
     }
     return VM_OK;
 }
@@ -3213,37 +3236,25 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, cons
 
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
 {
-    const vm_vec3 linear = vm_momentum(body), spin = vmi_spin_momentum(body);
-    int i;
-    for (i = 0; i < n; i++) p[i] += vmi_dot(linear, dr[i]) + vmi_dot(spin, turn[i]);
+    vm_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
 }
 
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
                                 vm_real *p)
 {
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
-    int i;
-    for (i = 0; i < n; i++) p[i] += vmi_dot(impulse->linear, dr[i]) + vmi_dot(moment, turn[i]);
+    vm_add_force(n, impulse->linear, dr, moment, turn, p);
 }
 
-/* matrix (qdot_after - qdot) = b, b at the end of work. Scaled to unit diagonal, which makes units and sizes of the
-   coordinates nothing and the condition number nearly the least that scaling can (van der Sluis 1969). */
+/* matrix (qdot_after - qdot) = b, of which work has b behind room for the matrix */
 VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after, vm_real *work)
 {
-    vm_real *a = work, *b = work + n * n;
-    int i, j;
+    vm_real *a = work, *b = a + n * n, *scale = b + n;
+    int i;
     if (!vmi_all_finite(n * n, matrix) || !vmi_all_finite(n, qdot) || !vmi_all_finite(n, b)) return VM_NOT_FINITE;
-    for (i = 0; i < n; i++)
-        if (!(matrix[i * n + i] > 0)) return VM_SINGULAR;
-    for (i = 0; i < n; i++) {
-        const vm_real scale = VM_SQRT(matrix[i * n + i]);
-        for (j = 0; j < n; j++) a[i * n + j] = matrix[i * n + j] / scale / VM_SQRT(matrix[j * n + j]);
-        b[i] /= scale;
-    }
-    if (vmi_solve_linear(n, a, b)) return VM_SINGULAR;
-    for (i = 0; i < n; i++) /* the pivots, left on the diagonal */
-        if (!(VM_FABS(a[i * n + i]) > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
-    for (i = 0; i < n; i++) b[i] = qdot[i] + b[i] / VM_SQRT(matrix[i * n + i]);
+    memcpy(a, matrix, (size_t)(n * n) * sizeof *a);
+    if (vmi_solve_mass(n, a, b, scale)) return VM_SINGULAR;
+    for (i = 0; i < n; i++) b[i] += qdot[i];
     return vmi_deliver(n, b, qdot_after);
 }
 
@@ -4974,7 +4985,7 @@ VM_API int vmi_frozen_solve(const vm_lagrange *l, vm_real t, const vm_real *y)
     vmi_frozen_freeze(l, t, y);
     vmi_frozen_quadratic(l, t, y);
     for (k = 0; k < l->n; k++) w.rates[k] = y[l->n + k] - w.b[k];
-    return vmi_solve_linear(l->n, w.A, w.rates);
+    return vmi_solve_mass(l->n, w.A, w.rates, w.trial);
 }
 
 /* h^6/140 of the seventh derivative against eps/h: h = 2^-7 for eps = 2^-52, 2^-3 for 2^-23 */
@@ -5024,23 +5035,17 @@ VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const 
     vmi_frozen_quadratic(l, t, q);
     for (i = 0; i < l->n; i++)
         for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
-    for (i = 0; i < l->n; i++)
-        if (!VM_IS_FINITE(w.b[i]) || !VM_IS_FINITE(q[i])) return VM_NOT_FINITE;
+    if (!vmi_all_finite(l->n, w.b) || !vmi_all_finite(l->n, q)) return VM_NOT_FINITE;
     for (i = 0; i < l->n; i++) y[i] = q[i], y[l->n + i] = w.b[i];
     return VM_OK;
 }
 
 VM_API int vm_lagrange_rates(vm_lagrange *l, vm_real t, const vm_real *y, vm_real *rates)
 {
-    int k, status;
-    vmi_frozen_parts w;
+    int status;
     if (!vmi_frozen_good(l) || !y || !rates) return VM_BAD_ARGUMENT;
-    w = vmi_frozen_work(l);
     status = vmi_frozen_solve(l, t, y);
-    for (k = 0; !status && k < l->n; k++)
-        if (!VM_IS_FINITE(w.rates[k])) status = VM_NOT_FINITE;
-    for (k = 0; !status && k < l->n; k++) rates[k] = w.rates[k];
-    return status;
+    return status ? status : vmi_deliver(l->n, vmi_frozen_work(l).rates, rates);
 }
 
 VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
@@ -5053,10 +5058,8 @@ VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q,
 VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
 {
     int k;
-    for (k = 0; k < n; k++) {
-        if (dr) Q[k] += vmi_dot(force, dr[k]);
-        if (domega) Q[k] += vmi_dot(moment, domega[k]);
-    }
+    for (k = 0; k < n; k++)
+        Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
 }
 
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
