@@ -587,9 +587,9 @@ typedef struct VM_TAG(vm_stream) {
     vm_vec3 velocity;    /* m/s */
     vm_vec3 spin;        /* rad/s */
     vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what crosses, about its own mass centre */
-    const vm_store
-        *from; /* where the mass is taken from or put; null: where it crosses. Between the two it flows in
-                             a straight line, with what it has of momentum on the way */
+    /* where the mass is taken from or put; null: where it crosses. Between the two it flows in a straight line, with
+       what it has of momentum on the way */
+    const vm_store *from;
 } vm_stream;
 
 /* Reactive loads at an instant, inertial axes but for inertia_rate. With d = SS2 from the mass centre to the crossing
@@ -736,7 +736,7 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *flow2);
 /* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity. v when the mass has
    come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
    (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
-   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive. */
+   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse);
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w);
 /* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
@@ -881,7 +881,7 @@ VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment
 
 /* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
    inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
-   axes, VM_SINGULAR where sin(theta) = 0. Within 4 eps; angles of any size. */
+   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps; angles of any size. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi);
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3]);
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3]);
@@ -1608,7 +1608,7 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
     vm_real P = 0;
     int n;
     if (!(VM_FABS(x.hi) < VM_C(0.25)))
-        return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_two(-y.hi, -y.lo)), x), x);
+        return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
     for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
     return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
 }
@@ -1792,18 +1792,25 @@ VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
 }
 
-/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
-VM_API vmi_mat3 vmi_rotation(vm_quat q)
+/* With 1 as the size of the largest part, so that squares neither over- nor underflow; the identity for all zero */
+VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
-    vm_real largest = VM_FABS(q.w), s = 0;
-    vmi_mat3 m;
+    vm_real largest = VM_FABS(q.w);
     if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
     if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
     if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
-    if (largest > 0) {
-        q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
-        s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    }
+    if (largest == 0) q.w = largest = 1;
+    q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
+    return q;
+}
+
+/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+VM_API vmi_mat3 vmi_rotation(vm_quat q)
+{
+    vm_real s;
+    vmi_mat3 m;
+    q = vmi_quat_scaled(q);
+    s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
     m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
     m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
@@ -3336,6 +3343,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after less before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!VM_IS_FINITE(c.rest.rate) || !VM_IS_FINITE(c.vx) || !VM_IS_FINITE(c.vy) || !VM_IS_FINITE(c.T1) ||
+        !VM_IS_FINITE(c.L1) || !VM_IS_FINITE(c.L2) ||
         !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) || !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
         return VM_NOT_FINITE;
     *cut = c;
@@ -3921,6 +3929,8 @@ VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
     return m;
 }
 
+VM_INLINE int vmi_stream_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
+
 /* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
 typedef struct VM_TAG(vmi_stream_ldl) {
     vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
@@ -4051,15 +4061,14 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
    motion */
 VM_API int vmi_stream_gyration_good(const vm_inertia *i)
 {
-    if (!vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)))
-        return VM_NOT_FINITE;
+    if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
     return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
 VM_API int vmi_stream_good(const vm_stream *s)
 {
     int status;
-    if (s->motion < VM_RELATIVE || s->motion > VM_AT_REST) return VM_BAD_ARGUMENT;
+    if (!vmi_stream_known(s->motion)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
@@ -4081,6 +4090,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     vmi_mat3 turn;
     vmi_stream_sum sum;
     vmi_stream_seen seen;
+    vm_reactive r;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
@@ -4093,13 +4103,17 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.turn = &turn, seen.v = body->v, seen.slip = vmi_vec3(0, 0, 0), seen.centre = centre, seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    result->force = vmi_add(vmi_times(&turn, sum.pushed),
-                            vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
-    result->moment = vmi_times(&turn, sum.moment);
-    result->torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
-    result->drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
-    result->mass_rate = sum.rate;
-    result->inertia_rate = sum.inertia;
+    r.force = vmi_add(vmi_times(&turn, sum.pushed),
+                      vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    r.moment = vmi_times(&turn, sum.moment);
+    r.torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    r.mass_rate = sum.rate;
+    r.inertia_rate = sum.inertia;
+    if (!vmi_vec3_finite(r.force) || !vmi_vec3_finite(r.moment) || !vmi_vec3_finite(r.torque) ||
+        !vmi_vec3_finite(r.drift) || !VM_IS_FINITE(r.mass_rate) || !vmi_inertia_finite(&r.inertia_rate))
+        return VM_NOT_FINITE;
+    *result = r;
     return VM_OK;
 }
 
@@ -4115,18 +4129,19 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 {
     vmi_mat3 turn;
     vmi_stream_ldl factors;
+    vm_vec3 straight, turning;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status && !(vmi_vec3_finite(force) && vmi_vec3_finite(moment))) status = VM_NOT_FINITE;
     if (!status && !vmi_stream_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
     moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    *acceleration = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
-    *angular_acceleration = vmi_times(&turn, vmi_stream_euler(&body->inertia, &factors,
-                                                              vmi_times_transposed(&turn, body->omega),
-                                                              vmi_times_transposed(&turn, moment)));
+    straight = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    turning = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
+                               vmi_times_transposed(&turn, moment));
+    if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
+    *acceleration = straight, *angular_acceleration = vmi_times(&turn, turning);
     return VM_OK;
 }
 
@@ -4265,12 +4280,8 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* Of length 1; the identity for all zero */
 VM_API vm_quat vmi_stream_unit(vm_quat q)
 {
-    vm_real largest = VM_FABS(q.w), length;
-    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
-    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
-    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
-    if (largest == 0) q.w = largest = 1;
-    q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
+    vm_real length;
+    q = vmi_quat_scaled(q);
     length = VM_SQRT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     q.w /= length, q.x /= length, q.y /= length, q.z /= length;
     return q;
@@ -4282,6 +4293,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     vm_quat q;
     vmi_stream_ldl factors;
     vmi_mat3 turn;
+    vm_real start[VM_RHS];
     int status;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
@@ -4294,13 +4306,15 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     q = vmi_stream_unit(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
-    y[VM_Y_Q] = q.w, y[VM_Y_Q + 1] = q.x, y[VM_Y_Q + 2] = q.y, y[VM_Y_Q + 3] = q.z;
-    vmi_store3(y + VM_Y_R, body->r);
-    vmi_store3(y + VM_Y_P, vm_momentum(body));
-    vmi_store3(y + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
-    y[VM_Y_MASS] = body->mass;
-    vmi_store3(y + VM_Y_CENTRE, flow->centre);
-    vmi_stream_store_inertia(y + VM_Y_INERTIA, &body->inertia);
+    start[VM_Y_Q] = q.w, start[VM_Y_Q + 1] = q.x, start[VM_Y_Q + 2] = q.y, start[VM_Y_Q + 3] = q.z;
+    vmi_store3(start + VM_Y_R, body->r);
+    vmi_store3(start + VM_Y_P, vm_momentum(body));
+    vmi_store3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    start[VM_Y_MASS] = body->mass;
+    vmi_store3(start + VM_Y_CENTRE, flow->centre);
+    vmi_stream_store_inertia(start + VM_Y_INERTIA, &body->inertia);
+    status = vmi_deliver(VM_RHS, start, y);
+    if (status) return status;
     flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
     return VM_OK;
 }
@@ -4357,6 +4371,7 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
         vm_vec3 u = vmi_add(v, s->velocity);
+        if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE)
             u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
         rate += s->rate, force = vmi_add(force, vmi_scale(s->rate, u));
@@ -4375,6 +4390,7 @@ VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
         vm_real u = v + s->velocity;
+        if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
         rate += s->rate, force += s->rate * u;
     }
@@ -4476,9 +4492,11 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (flow->n) vmi_stream_sincos(y[2], &sine, &cosine);
     inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, omega = y[5] / y[9];
     sum.fx = flow->fx, sum.fy = flow->fy, sum.moment = flow->moment;
-    for (k = 0; k < flow->n; k++)
+    for (k = 0; k < flow->n; k++) {
+        if (!vmi_stream_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
         vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
                         cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
+    }
     sx = sum.sx * inverse, sy = sum.sy * inverse;
     dydt[0] = vx + cosine * sx - sine * sy, dydt[1] = vy + sine * sx + cosine * sy, dydt[2] = omega;
     dydt[3] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
@@ -4489,26 +4507,18 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* Closed forms */
 
-/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp: the logarithm has 2^-64 (float 2^-31) of itself, so
-   that the difference loses nothing down to 2^-8, where seven terms of its series are enough */
+/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
-    if (VM_FABS(x) < VM_C(0.00390625)) {
-        *second =
-            VM_C(0.5) -
-            x * (VM_C(1.0) / 3 -
-                 x * (VM_C(0.25) - x * (VM_C(0.2) - x * (VM_C(1.0) / 6 - x * (VM_C(1.0) / 7 - x * VM_C(0.125))))));
-        *first = 1 - x * *second;
-    } else {
-        const vm_two l = vmi_two_log(vmi_two_sum(1, x));
-        *first = l.hi / x;
-        *second = ((x - l.hi) - l.lo) / x / x;
-    }
+    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
+    *second = vmi_log1p_rest(whole, l).hi;
+    *first = VM_FABS(x) < VM_EPSILON ? 1 - x / 2 : l.hi / x;
 }
 
 VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
     return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
 }
 
@@ -4516,6 +4526,7 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
     if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
     if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
@@ -4528,24 +4539,25 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v)
 {
-    vm_real tau, first, second, pull;
-    if (!stream || !x || !v) return VM_BAD_ARGUMENT;
-    if (stream->motion < VM_RELATIVE || stream->motion > VM_AT_REST) return VM_BAD_ARGUMENT;
+    vm_real tau, first, second, pull, result[2];
+    if (!stream || !x || !v || !vmi_stream_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(x0 + v0 + force + stream->velocity)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
     pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
     if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
         pull = (force + stream->rate * pull) / m0;
-        *v = v0 + pull * t * first;
-        *x = x0 + t * (v0 + pull * t * (first - second));
+        result[1] = v0 + pull * t * first;
+        result[0] = x0 + t * (v0 + pull * t * (first - second));
     } else {
         pull = (force + stream->rate * (pull - v0)) / m0;
-        *v = v0 + pull * t / (1 + tau);
-        *x = x0 + t * (v0 + pull * t * second);
+        result[1] = v0 + pull * t / (1 + tau);
+        result[0] = x0 + t * (v0 + pull * t * second);
     }
+    if (!vmi_all_finite(2, result)) return VM_NOT_FINITE;
+    *x = result[0], *v = result[1];
     return VM_OK;
 }
 
@@ -4554,18 +4566,22 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
 VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, decay, sine, cosine;
+    vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse, tau = change * jet->gyration_transverse;
     decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau + decay + jet->axial) || !vmi_vec3_finite(omega0)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(decay) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
+        return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     decay = vmi_exp(decay * first, 0);
     vmi_sincos(omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second),
                &sine, &cosine);
-    *omega = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
-                      omega0.z);
+    later = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
+                     omega0.z);
+    if (!vmi_vec3_finite(later)) return VM_NOT_FINITE;
+    *omega = later;
     return VM_OK;
 }
 
@@ -4668,7 +4684,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
-    return d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) && VM_IS_FINITE(d->band) &&
+    return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) && VM_IS_FINITE(d->band) &&
            VM_IS_FINITE(d->omega) && VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->speed) && VM_IS_FINITE(d->damping);
 }
 
@@ -4707,7 +4723,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
     if (!vmi_drum_turns(d)) return VM_NAN;
     e = vmi_drum_e(d);
     if (!(e.hi < 0)) return VM_INFINITY;
-    return vmi_two_over(vmi_two_product(d->inertia, d->omega), vmi_two(-e.hi, -e.lo)).hi;
+    return vmi_two_over(vmi_two_product(d->inertia, d->omega), vmi_minus(e)).hi;
 }
 
 VM_API vm_real vm_drum_time(vm_real phi, const vm_drum *d)
@@ -4757,7 +4773,7 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
         x = vmi_expm1(y);
         f = VM_FABS(y.hi) > VM_EPSILON / 4 ? vmi_two_times(p, vmi_two_over(x, y)) : p;
         rest = vmi_two_times(vmi_two_times(vmi_two_times(b, f), f), vmi_log1p_rest(x, y));
-        rest = vmi_two_plus(vmi_two_plus(vmi_two(1, 0), vmi_two(-p.hi, -p.lo)), vmi_two(-rest.hi, -rest.lo));
+        rest = vmi_two_plus(vmi_two_plus(vmi_two(1, 0), vmi_minus(p)), vmi_minus(rest));
         step = rest.hi / (1 + b.hi * f.hi);
         left = step / f.hi * (step / f.hi) * (1 + x.hi) * (x.hi > 0 ? 1 + x.hi : 1);
         p = vmi_two_plus(p, vmi_two(step, 0));
@@ -4768,9 +4784,10 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
 
 VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
 {
-    const vm_real j = vmi_drum_j(d).hi, e = vmi_drum_e(d).hi, k1 = 1 - e / (j * d->omega);
-    vm_real f1, l, w;
-    if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d) || k1 == 0 || e == 0) return VM_NAN;
+    vm_real j, e, k1, f1, l, w;
+    if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
+    j = vmi_drum_j(d).hi, e = vmi_drum_e(d).hi, k1 = 1 - e / (j * d->omega);
+    if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
     if (l > -1 && k1 > 0) l = -1;           /* by rounding */
@@ -4804,7 +4821,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
 /* The phase (2k/3A)(1 - m^3), m^2 = 1 - A phi, is 2k/3 phi (1 + m + m^2)/(1 + m), which A = 0 does not trouble */
 VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha, vm_real particular)
 {
-    const vm_real square = 1 - s->A * phi;
+    const vm_real square = s ? 1 - s->A * phi : VM_NAN;
     vm_real m, sine, cosine;
     if (!(square > 0) || !VM_IS_FINITE(phi)) return VM_NAN;
     m = VM_SQRT(square);
@@ -4812,7 +4829,7 @@ VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
 }
 
-VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s->A < 1 / (2 * VM_PI); }
+VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 /* -- Lambert's W: two steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), of fourth order, from 2 % and less.
    The residual is taken in two words, so that the last step leaves little but its own rounding -- */
@@ -4830,7 +4847,7 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     int i;
     for (i = 0; i < 2; i++) {
         const vm_two ln = vmi_log(VM_FABS(w));
-        const vm_two z = vmi_two_plus(vmi_two_plus(l, vmi_two(-ln.hi, -ln.lo)), vmi_two(-w, 0));
+        const vm_two z = vmi_two_plus(vmi_two_plus(l, vmi_minus(ln)), vmi_two(-w, 0));
         w += w * vmi_lambert_correction(1 + w, z.hi);
     }
     return w;
@@ -4854,8 +4871,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
         x = vmi_two(v, 0);
         ln = vmi_log1p(x);
         z = VM_FABS(v) < VM_C(0.25) ? vmi_two_times(vmi_log1p_rest(x, ln), vmi_two_product(v, v))
-                                    : vmi_two_plus(x, vmi_two(-ln.hi, -ln.lo));
-        z = vmi_two_plus(z, vmi_two(-s.hi, -s.lo));
+                                    : vmi_two_plus(x, vmi_minus(ln));
+        z = vmi_two_plus(z, vmi_minus(s));
         dv = (1 + v) * vmi_lambert_correction(-v, z.hi);
     }
     sum = vmi_two_sum(1, v);
@@ -4871,8 +4888,8 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     const vm_two e = vmi_two(VM_C(2.71828174591064453125), VM_C(8.2548400704e-8));
 #endif
     const vm_two q = vmi_two_plus(vmi_two(1, 0), vmi_two_times(vmi_two(x, 0), e));
-    const vm_two ln = vmi_log1p(vmi_two(-q.hi, -q.lo));
-    return vmi_two(-ln.hi, -ln.lo);
+    const vm_two ln = vmi_log1p(vmi_minus(q));
+    return vmi_minus(ln);
 }
 
 /* Start of W_0 for -1/4 <= x < 1: within 0.02 */
@@ -4897,7 +4914,7 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     if (x == 0) return -VM_INFINITY;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 1);
     ln = vmi_log(-x);
-    return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_two(-ln.hi, -ln.lo)), 1);
+    return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* W_0(x) = x for ln|x| below */
@@ -5088,14 +5105,14 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine;
+    vm_real s, c, sine, cosine, result[3];
+    if (!rates) return VM_BAD_ARGUMENT;
     vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
     if (sine == 0) return VM_SINGULAR;
-    if (!VM_IS_FINITE(sine + s) || !vmi_vec3_finite(omega)) return VM_NOT_FINITE;
-    rates[2] = (s * omega.x - c * omega.y) / sine;
-    rates[1] = c * omega.x + s * omega.y;
-    rates[0] = omega.z - rates[2] * cosine;
-    return VM_OK;
+    result[2] = (s * omega.x - c * omega.y) / sine;
+    result[1] = c * omega.x + s * omega.y;
+    result[0] = omega.z - result[2] * cosine;
+    return vmi_deliver(3, result, rates);
 }
 
 /* ---- Chapter 7.2-7.3: the oscillator of constant mass ------------------------------------------------------- */
