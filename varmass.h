@@ -600,7 +600,8 @@ typedef struct VM_TAG(vm_stream) {
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
-   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). */
+   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160): v' is the rate of
+   momentum/mass, which v is. */
 typedef struct VM_TAG(vm_reactive) {
     vm_vec3 force, moment, torque, drift; /* N, N m, N m, m/s */
     vm_real mass_rate;                    /* kg/s */
@@ -616,10 +617,14 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration);
 
 /* The free body in space. A vm_flow is the ctx of the right-hand sides below:
-     vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle;
-     vm_flow_start(&flow, &body, y);
-     if (rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, NULL, work) >= 0 && rk45_solve(&s, 3) >= 0)
+     vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle, flow.least_mass = dry;
+     ode_event empty = {vm_flow_mass_left, &flow, -1, ODE_STOP};
+     rk45_options o = rk45_defaults(NULL);  o.events = &empty, o.n_events = 1;
+     if (vm_flow_start(&flow, &body, y) == VM_OK &&
+         rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &o, work) >= 0 && rk45_solve(&s, 3) >= 0)
          vm_flow_body(&flow, VM_RHS, s.y, &body);
+   What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
+   and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
    The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
    here, and rates may jump. States, in inertial axes but for the last two:
      y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
@@ -666,7 +671,8 @@ typedef struct VM_TAG(vm_flow) {
 /* y: the VM_RHS first states for body, streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
    unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
-/* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y */
+/* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y.
+   The states of vm_rhs_carried are other ones: not for them. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body);
 VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
 /* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
@@ -684,7 +690,7 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow
      w = u - v - omega x d, omega_r = omega2 - omega:
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* Event functions of vm_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia, 0 where I is
+/* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia, 0 where I is
    singular */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow);
@@ -852,6 +858,8 @@ VM_API vm_real vm_lambert_wm1_mexp(vm_real l);
    A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
    are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
+   Q has what streams bring: a pendulum l long that leaks at its bob has -m g l sin q + m' l^2 q', where a leak that
+   moves on with the bob takes its momentum along; without the last term it would leave at rest.
    A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
    central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
 typedef struct VM_TAG(vm_lagrange) {
@@ -1585,7 +1593,7 @@ VM_API vm_two vmi_expm1(vm_two y)
     return VM_IS_FINITE(power.hi) ? vmi_fast_two_sum(sum.hi, sum.lo + power.lo) : vmi_two(power.hi, 0);
 }
 
-/* ln(1 + x) in two words, for finite x > -1: relative error below 2^-(p+7), p the type's digits.
+/* ln(1 + x) in two words, for -1 < x < 1e299 (float 1e34; NaN beyond): relative error below 2^-(p+7), p the type's digits.
    1 + x = y (1 + t) with y one word: ln y has it, and t is below an ulp of 1 */
 VM_API vm_two vmi_log1p(vm_two x)
 {
@@ -4507,7 +4515,7 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* Closed forms */
 
-/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp */
+/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34; NaN beyond), within 2 ulp */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
