@@ -7,7 +7,8 @@
        #include "varmass.h"
        int main(void)
        {
-           vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}}, part = whole, rest;
+           vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
+           vm_body part = whole, rest;
            part.mass = 1;
            part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
            part.r.x = 0.4; // it sat 0.4 m from the mass centre and leaves at 2 m/s aside
@@ -690,8 +691,8 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow
      w = u - v - omega x d, omega_r = omega2 - omega:
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia, 0 where I is
-   singular */
+/* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
+   0 where I is singular */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow);
 
@@ -1023,8 +1024,8 @@ typedef struct VM_TAG(vm_osc_plan) {
    there is no second-order law, and vm_osc_at takes the variation of constants.
    Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
    3 times error in 99 %, never above 10, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
-   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its errors
-   do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
+   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its
+   errors do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
@@ -1551,9 +1552,9 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* a x = b for a mass matrix a, scaled to unit diagonal, which makes units and sizes of the coordinates nothing and the
-   condition number nearly the least that scaling can (van der Sluis 1969): x replaces b, a is destroyed, scale is n
-   numbers of work. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
+/* a x = b for a mass matrix a, scaled to unit diagonal, which makes units and sizes of the coordinates nothing and
+   the condition number nearly the least that scaling can (van der Sluis 1969): x replaces b, a is destroyed, scale
+   is n numbers of work. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -1593,8 +1594,8 @@ VM_API vm_two vmi_expm1(vm_two y)
     return VM_IS_FINITE(power.hi) ? vmi_fast_two_sum(sum.hi, sum.lo + power.lo) : vmi_two(power.hi, 0);
 }
 
-/* ln(1 + x) in two words, for -1 < x < 1e299 (float 1e34; NaN beyond): relative error below 2^-(p+7), p the type's digits.
-   1 + x = y (1 + t) with y one word: ln y has it, and t is below an ulp of 1 */
+/* ln(1 + x) in two words, for -1 < x < 1e299 (float 1e34; NaN beyond): relative error below 2^-(p+7), p the type's
+   digits. 1 + x = y (1 + t) with y one word: ln y has it, and t is below an ulp of 1 */
 VM_API vm_two vmi_log1p(vm_two x)
 {
     const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
@@ -1615,8 +1616,7 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
     const vm_real u = x.hi / (2 + x.hi);
     vm_real P = 0;
     int n;
-    if (!(VM_FABS(x.hi) < VM_C(0.25)))
-        return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
+    if (!(VM_FABS(x.hi) < VM_C(0.25))) return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
     for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
     return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
 }
@@ -3351,8 +3351,8 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after less before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!VM_IS_FINITE(c.rest.rate) || !VM_IS_FINITE(c.vx) || !VM_IS_FINITE(c.vy) || !VM_IS_FINITE(c.T1) ||
-        !VM_IS_FINITE(c.L1) || !VM_IS_FINITE(c.L2) ||
-        !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) || !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
+        !VM_IS_FINITE(c.L1) || !VM_IS_FINITE(c.L2) || !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) ||
+        !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
         return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
@@ -4692,8 +4692,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
-    return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) && VM_IS_FINITE(d->band) &&
-           VM_IS_FINITE(d->omega) && VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->speed) && VM_IS_FINITE(d->damping);
+    return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
+           VM_IS_FINITE(d->band) && VM_IS_FINITE(d->omega) && VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->speed) &&
+           VM_IS_FINITE(d->damping);
 }
 
 VM_API vm_two vmi_drum_j(const vm_drum *d) /* mu R^2 */
@@ -5083,8 +5084,7 @@ VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q,
 VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
 {
     int k;
-    for (k = 0; k < n; k++)
-        Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
+    for (k = 0; k < n; k++) Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
 }
 
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
