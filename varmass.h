@@ -508,7 +508,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
    Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
    qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
    mass: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled to 1. */
-#define VM_LAGRANGE_WORK(n) ((n) * ((n) + 1))
+#define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work);
@@ -615,9 +615,9 @@ typedef struct VM_TAG(vm_stream) {
     vm_vec3 velocity;    /* m/s */
     vm_vec3 spin;        /* rad/s */
     vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what crosses, about its own mass centre */
-    const vm_store
-        *from; /* where the mass is taken from or put; null: where it crosses. Between the two it flows in
-                             a straight line, with what it has of momentum on the way */
+    /* where the mass is taken from or put; null: where it crosses. Between the two it flows in a straight line, with
+       what it has of momentum on the way */
+    const vm_store *from;
 } vm_stream;
 
 /* Reactive loads at an instant, inertial axes but for inertia_rate. With d = SS2 from the mass centre to the crossing
@@ -628,7 +628,8 @@ typedef struct VM_TAG(vm_stream) {
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
-   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). */
+   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160): v' is the rate of
+   momentum/mass, which v is. */
 typedef struct VM_TAG(vm_reactive) {
     vm_vec3 force, moment, torque, drift; /* N, N m, N m, m/s */
     vm_real mass_rate;                    /* kg/s */
@@ -644,10 +645,14 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration);
 
 /* The free body in space. A vm_flow is the ctx of the right-hand sides below:
-     vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle;
-     vm_flow_start(&flow, &body, y);
-     if (rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, NULL, work) >= 0 && rk45_solve(&s, 3) >= 0)
+     vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle, flow.least_mass = dry;
+     ode_event empty = {vm_flow_mass_left, &flow, -1, ODE_STOP};
+     rk45_options o = rk45_defaults(NULL);  o.events = &empty, o.n_events = 1;
+     if (vm_flow_start(&flow, &body, y) == VM_OK &&
+         rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &o, work) >= 0 && rk45_solve(&s, 3) >= 0)
          vm_flow_body(&flow, VM_RHS, s.y, &body);
+   What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
+   and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
    The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
    here, and rates may jump. States, in inertial axes but for the last two:
      y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
@@ -694,7 +699,8 @@ typedef struct VM_TAG(vm_flow) {
 /* y: the VM_RHS first states for body, streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
    unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
-/* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y */
+/* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y.
+   The states of vm_rhs_carried are other ones: not for them. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body);
 VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
 /* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
@@ -712,8 +718,8 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow
      w = u - v - omega x d, omega_r = omega2 - omega:
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
-/* Event functions of vm_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia, 0 where I is
-   singular */
+/* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
+   0 where I is singular */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow);
 
@@ -764,7 +770,7 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *flow2);
 /* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity. v when the mass has
    come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
    (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
-   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive. */
+   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse);
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w);
 /* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
@@ -883,6 +889,8 @@ VM_API vm_real vm_lambert_wm1_mexp(vm_real l);
    A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
    are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
+   Q has what streams bring: a pendulum l long that leaks at its bob has -m g l sin q + m' l^2 q', where a leak that
+   moves on with the bob takes its momentum along; without the last term it would leave at rest.
    A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
    central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
 typedef struct VM_TAG(vm_lagrange) {
@@ -897,7 +905,8 @@ typedef struct VM_TAG(vm_lagrange) {
     vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers */
 } vm_lagrange;
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
-/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange; VM_SINGULAR stops it */
+/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange. Where A is singular, as in vm_lagrange_separate, or masses have
+   become negative, VM_SINGULAR stops it: stop before, by an event */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange);
 /* y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE */
 VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y);
@@ -911,7 +920,7 @@ VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment
 
 /* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
    inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
-   axes, VM_SINGULAR where sin(theta) = 0. Within 4 eps; angles of any size. */
+   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps; angles of any size. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi);
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3]);
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3]);
@@ -1045,8 +1054,8 @@ typedef struct VM_TAG(vm_osc_plan) {
    there is no second-order law, and vm_osc_at takes the variation of constants.
    Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
    3 times error in 99 %, never above 10, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
-   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its errors
-   do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
+   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its
+   errors do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
@@ -1573,6 +1582,28 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
+/* a x = b for a mass matrix a, scaled to unit diagonal, which makes units and sizes of the coordinates nothing and
+   the condition number nearly the least that scaling can (van der Sluis 1969): x replaces b, a is destroyed, scale
+   is n numbers of work. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
+VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
+{
+    int i, j;
+    for (i = 0; i < n; i++) {
+        if (!(a[i * n + i] > 0)) return VM_SINGULAR;
+        scale[i] = VM_SQRT(a[i * n + i]);
+    }
+    for (i = 0; i < n; i++) {
+        for (j = 0; j < n; j++) a[i * n + j] = a[i * n + j] / scale[i] / scale[j];
+        b[i] /= scale[i];
+    }
+    if (vmi_solve_linear(n, a, b)) return VM_SINGULAR;
+    for (i = 0; i < n; i++) {
+        if (!(VM_FABS(a[i * n + i]) > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
+        b[i] /= scale[i];
+    }
+    return VM_OK;
+}
+
 /* e^y - 1 in two words: within 2^-(p+4) (1 + e^y), p the type's digits; relative to the result below 2^-p for small
    y. Infinity where it overflows */
 VM_API vm_two vmi_expm1(vm_two y)
@@ -1593,8 +1624,8 @@ VM_API vm_two vmi_expm1(vm_two y)
     return VM_IS_FINITE(power.hi) ? vmi_fast_two_sum(sum.hi, sum.lo + power.lo) : vmi_two(power.hi, 0);
 }
 
-/* ln(1 + x) in two words, for finite x > -1: relative error below 2^-(p+7), p the type's digits.
-   1 + x = y (1 + t) with y one word: ln y has it, and t is below an ulp of 1 */
+/* ln(1 + x) in two words, for -1 < x < 1e299 (float 1e34; NaN beyond): relative error below 2^-(p+7), p the type's
+   digits. 1 + x = y (1 + t) with y one word: ln y has it, and t is below an ulp of 1 */
 VM_API vm_two vmi_log1p(vm_two x)
 {
     const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
@@ -1615,8 +1646,7 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
     const vm_real u = x.hi / (2 + x.hi);
     vm_real P = 0;
     int n;
-    if (!(VM_FABS(x.hi) < VM_C(0.25)))
-        return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_two(-y.hi, -y.lo)), x), x);
+    if (!(VM_FABS(x.hi) < VM_C(0.25))) return vmi_two_over(vmi_two_over(vmi_two_plus(x, vmi_minus(y)), x), x);
     for (n = degree; n >= 0; n--) P = P * (u * u) + 1 / (vm_real)(2 * n + 3);
     return vmi_two((1 - u) / 2 * (1 - u * (1 - u) * P), 0);
 }
@@ -1807,18 +1837,25 @@ VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
 }
 
-/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
-VM_API vmi_mat3 vmi_rotation(vm_quat q)
+/* With 1 as the size of the largest part, so that squares neither over- nor underflow; the identity for all zero */
+VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
-    vm_real largest = VM_FABS(q.w), s = 0;
-    vmi_mat3 m;
+    vm_real largest = VM_FABS(q.w);
     if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
     if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
     if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
-    if (largest > 0) {
-        q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
-        s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    }
+    if (largest == 0) q.w = largest = 1;
+    q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
+    return q;
+}
+
+/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+VM_API vmi_mat3 vmi_rotation(vm_quat q)
+{
+    vm_real s;
+    vmi_mat3 m;
+    q = vmi_quat_scaled(q);
+    s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
     m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
     m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
@@ -3252,37 +3289,25 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, cons
 
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
 {
-    const vm_vec3 linear = vm_momentum(body), spin = vmi_spin_momentum(body);
-    int i;
-    for (i = 0; i < n; i++) p[i] += vmi_dot(linear, dr[i]) + vmi_dot(spin, turn[i]);
+    vm_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
 }
 
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
                                 vm_real *p)
 {
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
-    int i;
-    for (i = 0; i < n; i++) p[i] += vmi_dot(impulse->linear, dr[i]) + vmi_dot(moment, turn[i]);
+    vm_add_force(n, impulse->linear, dr, moment, turn, p);
 }
 
-/* matrix (qdot_after - qdot) = b, b at the end of work. Scaled to unit diagonal, which makes units and sizes of the
-   coordinates nothing and the condition number nearly the least that scaling can (van der Sluis 1969). */
+/* matrix (qdot_after - qdot) = b, of which work has b behind room for the matrix */
 VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after, vm_real *work)
 {
-    vm_real *a = work, *b = work + n * n;
-    int i, j;
+    vm_real *a = work, *b = a + n * n, *scale = b + n;
+    int i;
     if (!vmi_all_finite(n * n, matrix) || !vmi_all_finite(n, qdot) || !vmi_all_finite(n, b)) return VM_NOT_FINITE;
-    for (i = 0; i < n; i++)
-        if (!(matrix[i * n + i] > 0)) return VM_SINGULAR;
-    for (i = 0; i < n; i++) {
-        const vm_real scale = VM_SQRT(matrix[i * n + i]);
-        for (j = 0; j < n; j++) a[i * n + j] = matrix[i * n + j] / scale / VM_SQRT(matrix[j * n + j]);
-        b[i] /= scale;
-    }
-    if (vmi_solve_linear(n, a, b)) return VM_SINGULAR;
-    for (i = 0; i < n; i++) /* the pivots, left on the diagonal */
-        if (!(VM_FABS(a[i * n + i]) > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
-    for (i = 0; i < n; i++) b[i] = qdot[i] + b[i] / VM_SQRT(matrix[i * n + i]);
+    memcpy(a, matrix, (size_t)(n * n) * sizeof *a);
+    if (vmi_solve_mass(n, a, b, scale)) return VM_SINGULAR;
+    for (i = 0; i < n; i++) b[i] += qdot[i];
     return vmi_deliver(n, b, qdot_after);
 }
 
@@ -3364,7 +3389,8 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after less before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!VM_IS_FINITE(c.rest.rate) || !VM_IS_FINITE(c.vx) || !VM_IS_FINITE(c.vy) || !VM_IS_FINITE(c.T1) ||
-        !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) || !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
+        !VM_IS_FINITE(c.L1) || !VM_IS_FINITE(c.L2) || !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) ||
+        !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
         return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
@@ -3942,6 +3968,8 @@ VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
     return m;
 }
 
+VM_INLINE int vmi_stream_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
+
 /* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
 typedef struct VM_TAG(vmi_stream_ldl) {
     vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
@@ -4072,15 +4100,14 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
    motion */
 VM_API int vmi_stream_gyration_good(const vm_inertia *i)
 {
-    if (!vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) || !vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz)))
-        return VM_NOT_FINITE;
+    if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
     return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
 VM_API int vmi_stream_good(const vm_stream *s)
 {
     int status;
-    if (s->motion < VM_RELATIVE || s->motion > VM_AT_REST) return VM_BAD_ARGUMENT;
+    if (!vmi_stream_known(s->motion)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
@@ -4102,6 +4129,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     vmi_mat3 turn;
     vmi_stream_sum sum;
     vmi_stream_seen seen;
+    vm_reactive r;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
@@ -4114,13 +4142,17 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.turn = &turn, seen.v = body->v, seen.slip = vmi_vec3(0, 0, 0), seen.centre = centre, seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    result->force = vmi_add(vmi_times(&turn, sum.pushed),
-                            vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
-    result->moment = vmi_times(&turn, sum.moment);
-    result->torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
-    result->drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
-    result->mass_rate = sum.rate;
-    result->inertia_rate = sum.inertia;
+    r.force = vmi_add(vmi_times(&turn, sum.pushed),
+                      vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    r.moment = vmi_times(&turn, sum.moment);
+    r.torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    r.mass_rate = sum.rate;
+    r.inertia_rate = sum.inertia;
+    if (!vmi_vec3_finite(r.force) || !vmi_vec3_finite(r.moment) || !vmi_vec3_finite(r.torque) ||
+        !vmi_vec3_finite(r.drift) || !VM_IS_FINITE(r.mass_rate) || !vmi_inertia_finite(&r.inertia_rate))
+        return VM_NOT_FINITE;
+    *result = r;
     return VM_OK;
 }
 
@@ -4136,18 +4168,19 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 {
     vmi_mat3 turn;
     vmi_stream_ldl factors;
+    vm_vec3 straight, turning;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status && !(vmi_vec3_finite(force) && vmi_vec3_finite(moment))) status = VM_NOT_FINITE;
     if (!status && !vmi_stream_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
     moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    *acceleration = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
-    *angular_acceleration = vmi_times(&turn, vmi_stream_euler(&body->inertia, &factors,
-                                                              vmi_times_transposed(&turn, body->omega),
-                                                              vmi_times_transposed(&turn, moment)));
+    straight = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    turning = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
+                               vmi_times_transposed(&turn, moment));
+    if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
+    *acceleration = straight, *angular_acceleration = vmi_times(&turn, turning);
     return VM_OK;
 }
 
@@ -4286,12 +4319,8 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* Of length 1; the identity for all zero */
 VM_API vm_quat vmi_stream_unit(vm_quat q)
 {
-    vm_real largest = VM_FABS(q.w), length;
-    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
-    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
-    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
-    if (largest == 0) q.w = largest = 1;
-    q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
+    vm_real length;
+    q = vmi_quat_scaled(q);
     length = VM_SQRT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     q.w /= length, q.x /= length, q.y /= length, q.z /= length;
     return q;
@@ -4303,6 +4332,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     vm_quat q;
     vmi_stream_ldl factors;
     vmi_mat3 turn;
+    vm_real start[VM_RHS];
     int status;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
@@ -4315,13 +4345,15 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     q = vmi_stream_unit(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
-    y[VM_Y_Q] = q.w, y[VM_Y_Q + 1] = q.x, y[VM_Y_Q + 2] = q.y, y[VM_Y_Q + 3] = q.z;
-    vmi_store3(y + VM_Y_R, body->r);
-    vmi_store3(y + VM_Y_P, vm_momentum(body));
-    vmi_store3(y + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
-    y[VM_Y_MASS] = body->mass;
-    vmi_store3(y + VM_Y_CENTRE, flow->centre);
-    vmi_stream_store_inertia(y + VM_Y_INERTIA, &body->inertia);
+    start[VM_Y_Q] = q.w, start[VM_Y_Q + 1] = q.x, start[VM_Y_Q + 2] = q.y, start[VM_Y_Q + 3] = q.z;
+    vmi_store3(start + VM_Y_R, body->r);
+    vmi_store3(start + VM_Y_P, vm_momentum(body));
+    vmi_store3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    start[VM_Y_MASS] = body->mass;
+    vmi_store3(start + VM_Y_CENTRE, flow->centre);
+    vmi_stream_store_inertia(start + VM_Y_INERTIA, &body->inertia);
+    status = vmi_deliver(VM_RHS, start, y);
+    if (status) return status;
     flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
     return VM_OK;
 }
@@ -4378,6 +4410,7 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
         vm_vec3 u = vmi_add(v, s->velocity);
+        if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE)
             u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
         rate += s->rate, force = vmi_add(force, vmi_scale(s->rate, u));
@@ -4396,6 +4429,7 @@ VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
         vm_real u = v + s->velocity;
+        if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
         rate += s->rate, force += s->rate * u;
     }
@@ -4497,9 +4531,11 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (flow->n) vmi_stream_sincos(y[2], &sine, &cosine);
     inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, omega = y[5] / y[9];
     sum.fx = flow->fx, sum.fy = flow->fy, sum.moment = flow->moment;
-    for (k = 0; k < flow->n; k++)
+    for (k = 0; k < flow->n; k++) {
+        if (!vmi_stream_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
         vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
                         cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
+    }
     sx = sum.sx * inverse, sy = sum.sy * inverse;
     dydt[0] = vx + cosine * sx - sine * sy, dydt[1] = vy + sine * sx + cosine * sy, dydt[2] = omega;
     dydt[3] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
@@ -4510,26 +4546,18 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* Closed forms */
 
-/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for x > -1, within 2 ulp: the logarithm has 2^-64 (float 2^-31) of itself, so
-   that the difference loses nothing down to 2^-8, where seven terms of its series are enough */
+/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34; NaN beyond), within 2 ulp */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
-    if (VM_FABS(x) < VM_C(0.00390625)) {
-        *second =
-            VM_C(0.5) -
-            x * (VM_C(1.0) / 3 -
-                 x * (VM_C(0.25) - x * (VM_C(0.2) - x * (VM_C(1.0) / 6 - x * (VM_C(1.0) / 7 - x * VM_C(0.125))))));
-        *first = 1 - x * *second;
-    } else {
-        const vm_two l = vmi_two_log(vmi_two_sum(1, x));
-        *first = l.hi / x;
-        *second = ((x - l.hi) - l.lo) / x / x;
-    }
+    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
+    *second = vmi_log1p_rest(whole, l).hi;
+    *first = VM_FABS(x) < VM_EPSILON ? 1 - x / 2 : l.hi / x;
 }
 
 VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
     return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
 }
 
@@ -4537,6 +4565,7 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
     if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
     if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
@@ -4549,24 +4578,25 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v)
 {
-    vm_real tau, first, second, pull;
-    if (!stream || !x || !v) return VM_BAD_ARGUMENT;
-    if (stream->motion < VM_RELATIVE || stream->motion > VM_AT_REST) return VM_BAD_ARGUMENT;
+    vm_real tau, first, second, pull, result[2];
+    if (!stream || !x || !v || !vmi_stream_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(x0 + v0 + force + stream->velocity)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
     pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
     if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
         pull = (force + stream->rate * pull) / m0;
-        *v = v0 + pull * t * first;
-        *x = x0 + t * (v0 + pull * t * (first - second));
+        result[1] = v0 + pull * t * first;
+        result[0] = x0 + t * (v0 + pull * t * (first - second));
     } else {
         pull = (force + stream->rate * (pull - v0)) / m0;
-        *v = v0 + pull * t / (1 + tau);
-        *x = x0 + t * (v0 + pull * t * second);
+        result[1] = v0 + pull * t / (1 + tau);
+        result[0] = x0 + t * (v0 + pull * t * second);
     }
+    if (!vmi_all_finite(2, result)) return VM_NOT_FINITE;
+    *x = result[0], *v = result[1];
     return VM_OK;
 }
 
@@ -4575,18 +4605,22 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
 VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, decay, sine, cosine;
+    vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse, tau = change * jet->gyration_transverse;
     decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau + decay + jet->axial) || !vmi_vec3_finite(omega0)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(decay) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
+        return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     decay = vmi_exp(decay * first, 0);
     vmi_sincos(omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second),
                &sine, &cosine);
-    *omega = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
-                      omega0.z);
+    later = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
+                     omega0.z);
+    if (!vmi_vec3_finite(later)) return VM_NOT_FINITE;
+    *omega = later;
     return VM_OK;
 }
 
@@ -4729,7 +4763,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
     if (!vmi_drum_turns(d)) return VM_NAN;
     e = vmi_drum_e(d);
     if (!(e.hi < 0)) return VM_INFINITY;
-    return vmi_two_over(vmi_two_product(d->inertia, d->omega), vmi_two(-e.hi, -e.lo)).hi;
+    return vmi_two_over(vmi_two_product(d->inertia, d->omega), vmi_minus(e)).hi;
 }
 
 VM_API vm_real vm_drum_time(vm_real phi, const vm_drum *d)
@@ -4779,7 +4813,7 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
         x = vmi_expm1(y);
         f = VM_FABS(y.hi) > VM_EPSILON / 4 ? vmi_two_times(p, vmi_two_over(x, y)) : p;
         rest = vmi_two_times(vmi_two_times(vmi_two_times(b, f), f), vmi_log1p_rest(x, y));
-        rest = vmi_two_plus(vmi_two_plus(vmi_two(1, 0), vmi_two(-p.hi, -p.lo)), vmi_two(-rest.hi, -rest.lo));
+        rest = vmi_two_plus(vmi_two_plus(vmi_two(1, 0), vmi_minus(p)), vmi_minus(rest));
         step = rest.hi / (1 + b.hi * f.hi);
         left = step / f.hi * (step / f.hi) * (1 + x.hi) * (x.hi > 0 ? 1 + x.hi : 1);
         p = vmi_two_plus(p, vmi_two(step, 0));
@@ -4853,7 +4887,7 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     int i;
     for (i = 0; i < 2; i++) {
         const vm_two ln = vmi_log(VM_FABS(w));
-        const vm_two z = vmi_two_plus(vmi_two_plus(l, vmi_two(-ln.hi, -ln.lo)), vmi_two(-w, 0));
+        const vm_two z = vmi_two_plus(vmi_two_plus(l, vmi_minus(ln)), vmi_two(-w, 0));
         w += w * vmi_lambert_correction(1 + w, z.hi);
     }
     return w;
@@ -4877,8 +4911,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
         x = vmi_two(v, 0);
         ln = vmi_log1p(x);
         z = VM_FABS(v) < VM_C(0.25) ? vmi_two_times(vmi_log1p_rest(x, ln), vmi_two_product(v, v))
-                                    : vmi_two_plus(x, vmi_two(-ln.hi, -ln.lo));
-        z = vmi_two_plus(z, vmi_two(-s.hi, -s.lo));
+                                    : vmi_two_plus(x, vmi_minus(ln));
+        z = vmi_two_plus(z, vmi_minus(s));
         dv = (1 + v) * vmi_lambert_correction(-v, z.hi);
     }
     sum = vmi_two_sum(1, v);
@@ -4894,8 +4928,8 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     const vm_two e = vmi_two(VM_C(2.71828174591064453125), VM_C(8.2548400704e-8));
 #endif
     const vm_two q = vmi_two_plus(vmi_two(1, 0), vmi_two_times(vmi_two(x, 0), e));
-    const vm_two ln = vmi_log1p(vmi_two(-q.hi, -q.lo));
-    return vmi_two(-ln.hi, -ln.lo);
+    const vm_two ln = vmi_log1p(vmi_minus(q));
+    return vmi_minus(ln);
 }
 
 /* Start of W_0 for -1/4 <= x < 1: within 0.02 */
@@ -4920,7 +4954,7 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     if (x == 0) return -VM_INFINITY;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 1);
     ln = vmi_log(-x);
-    return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_two(-ln.hi, -ln.lo)), 1);
+    return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
 #define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* W_0(x) = x for ln|x| below */
@@ -5008,7 +5042,7 @@ VM_API int vmi_frozen_solve(const vm_lagrange *l, vm_real t, const vm_real *y)
     vmi_frozen_freeze(l, t, y);
     vmi_frozen_quadratic(l, t, y);
     for (k = 0; k < l->n; k++) w.rates[k] = y[l->n + k] - w.b[k];
-    return vmi_solve_linear(l->n, w.A, w.rates);
+    return vmi_solve_mass(l->n, w.A, w.rates, w.trial);
 }
 
 /* h^6/140 of the seventh derivative against eps/h: h = 2^-7 for eps = 2^-52, 2^-3 for 2^-23 */
@@ -5058,23 +5092,17 @@ VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const 
     vmi_frozen_quadratic(l, t, q);
     for (i = 0; i < l->n; i++)
         for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
-    for (i = 0; i < l->n; i++)
-        if (!VM_IS_FINITE(w.b[i]) || !VM_IS_FINITE(q[i])) return VM_NOT_FINITE;
+    if (!vmi_all_finite(l->n, w.b) || !vmi_all_finite(l->n, q)) return VM_NOT_FINITE;
     for (i = 0; i < l->n; i++) y[i] = q[i], y[l->n + i] = w.b[i];
     return VM_OK;
 }
 
 VM_API int vm_lagrange_rates(vm_lagrange *l, vm_real t, const vm_real *y, vm_real *rates)
 {
-    int k, status;
-    vmi_frozen_parts w;
+    int status;
     if (!vmi_frozen_good(l) || !y || !rates) return VM_BAD_ARGUMENT;
-    w = vmi_frozen_work(l);
     status = vmi_frozen_solve(l, t, y);
-    for (k = 0; !status && k < l->n; k++)
-        if (!VM_IS_FINITE(w.rates[k])) status = VM_NOT_FINITE;
-    for (k = 0; !status && k < l->n; k++) rates[k] = w.rates[k];
-    return status;
+    return status ? status : vmi_deliver(l->n, vmi_frozen_work(l).rates, rates);
 }
 
 VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
@@ -5087,10 +5115,7 @@ VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q,
 VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
 {
     int k;
-    for (k = 0; k < n; k++) {
-        if (dr) Q[k] += vmi_dot(force, dr[k]);
-        if (domega) Q[k] += vmi_dot(moment, domega[k]);
-    }
+    for (k = 0; k < n; k++) Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
 }
 
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
@@ -5119,14 +5144,14 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine;
+    vm_real s, c, sine, cosine, result[3];
+    if (!rates) return VM_BAD_ARGUMENT;
     vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
     if (sine == 0) return VM_SINGULAR;
-    if (!VM_IS_FINITE(sine + s) || !vmi_vec3_finite(omega)) return VM_NOT_FINITE;
-    rates[2] = (s * omega.x - c * omega.y) / sine;
-    rates[1] = c * omega.x + s * omega.y;
-    rates[0] = omega.z - rates[2] * cosine;
-    return VM_OK;
+    result[2] = (s * omega.x - c * omega.y) / sine;
+    result[1] = c * omega.x + s * omega.y;
+    result[0] = omega.z - result[2] * cosine;
+    return vmi_deliver(3, result, rates);
 }
 
 /* ---- Chapter 7.2-7.3: the oscillator of constant mass ------------------------------------------------------- */

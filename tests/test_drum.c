@@ -837,6 +837,9 @@ static void test_refusals(void)
     before = s;
     bad = d, bad.stiffness = 0, CHECK(vm_drum_shaft_init(&bad, &s) == VM_SINGULAR);
     bad = d, bad.omega = 0, CHECK(vm_drum_shaft_init(&bad, &s) == VM_SINGULAR);
+    CHECK(isnan(vm_drum_rate(1, NULL)) && isnan(vm_drum_time(1, NULL)) && isnan(vm_drum_angle(1, NULL)));
+    CHECK(isnan(vm_drum_stop(NULL)) && isnan(vm_drum_angle_lambert(1, NULL)));
+    CHECK(isnan(vm_drum_deflection(1, NULL, 1, 0, 0)) && !vm_drum_shaft_valid(NULL));
     bad = d, bad.mass = 0, CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_MASS);
     bad = d, bad.band = -1, CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_MASS);
     bad = d, bad.inertia = -1, CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_INERTIA);

@@ -1270,7 +1270,54 @@ static void test_bad_input(void)
         CHECK(vm_linear_flow(2, 0, 0, 1, 0, &s, &x, &v) == VM_BAD_MASS && x == 3 && v == 4);
         CHECK(vm_linear_flow(R(INFINITY), 0, 0, 1, 0, &s, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
         CHECK(vm_linear_flow(1, 0, 0, 1, 0, NULL, &x, &v) == VM_BAD_ARGUMENT && x == 3 && v == 4);
+        CHECK(vm_linear_flow(1, 0, 0, R(INFINITY), 0, &s, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
+        CHECK(vm_linear_flow(4, 0, 0, 8, VM_MAX, &s, &x, &v) == VM_NOT_FINITE && x == 3 && v == 4);
+        CHECK(!vm_linear_flow(R(.5), VM_MAX, -VM_MAX, 1, VM_MAX, &s, &x, &v) && x < VM_MAX);
+        jet.nozzle = 30;
+        CHECK(vm_jet_damping(R(-1.9), &jet, a, &c) == VM_NOT_FINITE && (double)c.x == 1); /* grows too large */
+        jet.nozzle = 1, jet.transverse = R(INFINITY);
+        CHECK(vm_jet_damping(1, &jet, a, &c) == VM_NOT_FINITE && (double)c.x == 1);
+        CHECK(isnan(vm_levi_civita(0, 1, 2, R(INFINITY), 0)) && isnan(vm_tsiolkovsky(R(INFINITY), 2, 1, 1)));
     }
+}
+
+/* What overflows is not delivered */
+static void test_overflow(void)
+{
+    vm_body b = case_e1();
+    vm_stream s = case_e1_stream();
+    vm_reactive loads;
+    vm_flow flow;
+    vm_vec3 dv = vector(1, 2, 3), domega = dv;
+    vm_real y[VM_RHS] = {7};
+    memset(&flow, 0, sizeof flow), memset(&loads, 0, sizeof loads);
+    loads.mass_rate = 7;
+    s.rate = VM_MAX, s.velocity.x = 2;
+    CHECK(vm_reactive_loads(&b, dv, 1, &s, &loads) == VM_NOT_FINITE && loads.mass_rate == 7);
+    b.v.y = VM_MAX;
+    CHECK(vm_flow_start(&flow, &b, y) == VM_NOT_FINITE && y[0] == 7 && flow.mass == 0);
+    b = case_e1();
+    loads.torque.z = VM_MAX;
+    b.inertia.zz = R(.5), b.inertia.xx = b.inertia.yy = R(.4), b.inertia.xy = b.inertia.xz = b.inertia.yz = 0;
+    CHECK(vm_accelerations(&b, &loads, dv, dv, &dv, &domega) == VM_NOT_FINITE && dv.x == 1 && domega.x == 1);
+}
+
+/* A stream without a known motion stops every run */
+static void test_unknown_motion(void)
+{
+    vm_stream s = case_e1_stream();
+    vm_stream1 s1 = {1, 1, 4};
+    vm_stream2 s2 = {1, -1, 0, 0, 0, 0, 0, 0};
+    vm_flow flow;
+    vm_flow1 flow1 = {1, NULL, 0, NULL, NULL, 0};
+    vm_flow2 flow2 = {1, NULL, 0, 0, 0, NULL, NULL, 0};
+    vm_real y[VM_RHS2] = {0, 1, 1, 1, 1, 1, 1, 0, 0, 1};
+    memset(&flow, 0, sizeof flow);
+    s.motion = 4, flow.n = 1, flow.streams = &s, flow1.streams = &s1, flow2.streams = &s2;
+    CHECK(solve(vm_rhs_translation, &flow, VM_RHS_TRANSLATION, y, 0, 1) == ODE_RHS_STOPPED);
+    CHECK(solve(vm_rhs1, &flow1, VM_RHS1, y, 0, 1) == ODE_RHS_STOPPED);
+    CHECK(solve(vm_rhs2, &flow2, VM_RHS2, y, 0, 1) == ODE_RHS_STOPPED);
+    CHECK(flow.status == VM_BAD_ARGUMENT && flow1.status == VM_BAD_ARGUMENT && flow2.status == VM_BAD_ARGUMENT);
 }
 
 /* The shorter right-hand sides refuse by NaN: no step is taken, the state stays, and of a mass flow.status tells */
@@ -1561,6 +1608,8 @@ static void test_euler(void)
         vm_real rates[3] = {1, 2, 3};
         CHECK(vm_euler_313_rates(1, 0, vector(1, 0, 0), rates) == VM_SINGULAR && rates[0] == 1);
         CHECK(vm_euler_313_rates(1, R(NAN), vector(1, 0, 0), rates) == VM_NOT_FINITE && rates[0] == 1);
+        CHECK(vm_euler_313_rates(1, R(.1), vector(VM_MAX, 0, 0), rates) == VM_NOT_FINITE && rates[0] == 1);
+        CHECK(vm_euler_313_rates(1, 1, vector(1, 0, 0), NULL) == VM_BAD_ARGUMENT);
     }
 }
 
@@ -1633,6 +1682,38 @@ static void test_lagrange_refusals(void)
     CHECK(vm_frozen_derivative(&l, 0, q, rates, 2) != vm_frozen_derivative(&l, 0, q, rates, 2));
 }
 
+/* A leaking point on an arm: its mass reaches 0 at t = 2, and no run goes on from there; and two coordinates that are
+   one. Both were integrated on when a pivot had only to differ from 0. */
+static void leaking_mass(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
+{
+    (void)q, (void)ctx;
+    masses[0] = 2 - t;
+}
+static vm_real leaking_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+{
+    (void)t, (void)q, (void)ctx;
+    return masses[0] * rates[0] * rates[0] / 2;
+}
+static vm_real one_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+{
+    const vm_real v = rates[0] / 3 + rates[1] / 7;
+    (void)t, (void)q, (void)masses, (void)ctx;
+    return v * v / 2;
+}
+static void test_mass_matrices(void)
+{
+    vm_real work[VM_LAGRANGE_RHS_WORK(2, 1)], y[4] = {1, 2, 3, 4}, q = 1, rates[2] = {1, 1};
+    vm_lagrange l = {1, 1, leaking_mass, leaking_energy, NULL, NULL, NULL, NULL};
+    double stopped;
+    l.work = work;
+    CHECK(!vm_lagrange_start(&l, 0, &q, rates, y));
+    y[1] = 0; /* at rest: q' = 0 on either side of t = 2 */
+    CHECK(solve_events(vm_lagrange_rhs, &l, 2, y, 0, 3, NULL, 0, &stopped) == ODE_RHS_STOPPED && stopped <= 2);
+    CHECK(vm_lagrange_rates(&l, 3, y, rates) == VM_SINGULAR && rates[0] == 1);
+    l.n = 2, l.n_masses = 0, l.masses = NULL, l.energy = one_energy;
+    CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_SINGULAR && rates[0] == 1);
+}
+
 int main(void)
 {
     test_e1();
@@ -1665,6 +1746,8 @@ int main(void)
     test_precession();
     test_switching();
     test_bad_input();
+    test_overflow();
+    test_unknown_motion();
     test_bad_states();
     test_pendulum();
     test_drum();
@@ -1673,5 +1756,6 @@ int main(void)
     test_frozen_derivative();
     test_moving_frame();
     test_lagrange_refusals();
+    test_mass_matrices();
     return check_finish("streams");
 }
