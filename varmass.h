@@ -5579,9 +5579,10 @@ VM_API int vmi_osc_knot(vmi_osc_slow *c, vm_real t, const vm_real *y, vm_real ra
     const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
     vmi_osc_rates before, after;
     vm_real ca, sa, jump;
-    c->status = vmi_osc_rates_at(p, t, -c->side, 1, &before);
-    if (!c->status) c->status = vmi_osc_rates_at(p, t, c->side, 1, &after);
-    if (c->status || before.h == after.h) return c->status;
+    int status = vmi_osc_rates_at(p, t, -c->side, 1, &before);
+    if (!status) status = vmi_osc_rates_at(p, t, c->side, 1, &after);
+    c->status = status;
+    if (status || before.h == after.h) return status;
     vmi_osc_phase_from_mean(p, &w, vmi_osc_mean_phase(p, y), after.q * n / (2 * (n + 2) * Om), &ca, &sa);
     jump = (before.h - after.h) / (Om * Om);
     c->ln_A += n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
@@ -6041,7 +6042,8 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
         period = vmi_osc_period_now(c);
-        if (!(period > 0)) return c->status ? c->status : VM_NOT_INTEGRATED;
+        if (!(period > VM_EPSILON * VM_FABS(t))) /* nor would the phase at t mean anything */
+            return c->status ? c->status : VM_NOT_INTEGRATED;
         stop = vmi_law_next_knot(&c->p->problem.mass, c->s.t, t);
         stop = vmi_law_next_knot(&c->p->problem.stiffness, c->s.t, stop);
         if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
@@ -6147,20 +6149,21 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     if (!plan->has_ateb) {
         with_ateb = *plan, c.p = &with_ateb;
         with_ateb.has_ateb = ateb_plan_init(&with_ateb.ateb, plan->problem.alpha) == 0;
+    vm_real longest = VM_C(0.2);
     }
     c.wave = vmi_osc_wave_of(route <= VM_ROUTE_ATEB ? route : VM_ROUTE_ATEB, plan->problem.alpha, plan->pi,
                              c.p->has_ateb ? &c.p->ateb : NULL);
     for (attempt = 0; attempt < 6; attempt++) {
         if (step_tolerance < least) step_tolerance = least;
-        c.longest = VM_C(0.2), c.share = 1;
+        c.longest = longest, c.share = 1;
         status = vmi_osc_integrated(&c, t, ratio * step_tolerance, loose);
-        c.longest = VM_C(0.1), c.share = VM_C(0.51);
+        c.longest = longest / 2, c.share = VM_C(0.51);
         if (!status) status = vmi_osc_integrated(&c, t, step_tolerance, strict);
         if (status) return status;
         last->error = factor * vmi_osc_difference(plan, t, strict, loose) +
                       4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
-        if (last->error > before / 2) stalled++; /* roundings, or chance */
-        if (last->error <= tolerance || step_tolerance == least || stalled == 2) break;
+        if (last->error > before / 2) stalled++, longest /= 2; /* roundings, chance, or longest is what counts */
+        if (last->error <= tolerance || step_tolerance == least || stalled == 3) break;
         before = last->error;
         step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
     }
