@@ -5138,7 +5138,8 @@ VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 
 VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha)
 {
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(omega0))
+        return VM_NAN;
     return v * v / 2 + omega0 * omega0 * vmi_raised(VM_FABS(x), alpha + 1) / (alpha + 1);
 }
 
@@ -6294,7 +6295,7 @@ VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
     return m->mass + m->rate * t;
 }
 
-/* The mass at t; VM_BAD_MASS, VM_NOT_FINITE */
+/* The mass at t; VM_BAD_ARGUMENT where there is no law, VM_BAD_MASS, VM_NOT_FINITE */
 VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
 {
     *mass = law(t, rate, ctx);
@@ -6302,6 +6303,7 @@ VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, 
     return *mass > 0 ? VM_OK : VM_BAD_MASS;
 }
 
+    if (!law) return VM_BAD_ARGUMENT;
 /* (e^x - 1)/x, entire: 1 at 0, within 2 eps */
 VM_API vm_real vmi_slow_phi(vm_real x)
 {
@@ -6432,6 +6434,13 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     dydt[0] = y[0] / (v->a1 * mass) * (vmi_vdp_drive(v, rate) * v->a2 / 2 - v->c * y[0] * y[0] * v->a3);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
     return VM_OK;
+/* F_e(rho)/rho, NaN where there is none */
+VM_API vm_real vmi_laval_stiffness(const vm_laval *r, vm_real rho, vm_real *slope)
+{
+    *slope = VM_NAN;
+    return r->stiffness ? r->stiffness(rho, slope, r->stiffness_ctx) : VM_NAN;
+}
+
 }
 
 /* ---- Chapter 7.7: Laval's rotor ----------------------------------------------------------------------------- */
@@ -6469,7 +6478,7 @@ VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
     vm_complex force;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
-    stiffness = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx);
+    stiffness = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_c_add(vmi_laval_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     dydt[0] = v.re, dydt[1] = v.im;
     dydt[2] = (force.re - r->reactive * rate * v.re - stiffness * z.re) / mass;
@@ -6486,7 +6495,7 @@ VM_API int vmi_laval_now(const vm_laval *r, vm_real t, vmi_laval_state *now)
     vm_real slope;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
     if (status) return status;
-    now->omega = VM_SQRT(r->stiffness(0, &slope, r->stiffness_ctx) / now->mass);
+    now->omega = VM_SQRT(vmi_laval_stiffness(r, 0, &slope) / now->mass);
     return now->omega > 0 && VM_IS_FINITE(now->omega) ? VM_OK : VM_DOMAIN;
 }
 
@@ -6536,7 +6545,7 @@ VM_API void vmi_laval_rates(const vm_laval *r, vm_real t, const vmi_laval_state 
     vm_real slope, extra;
     vm_complex z, v, f;
     vmi_laval_motion(y, turn, now->omega, &z, &v);
-    extra = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx) - now->mass * now->omega * now->omega;
+    extra = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope) - now->mass * now->omega * now->omega;
     f = vmi_c_add(vmi_laval_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * now->rate, v)));
     *dP = vmi_c_times_i(-push, vmi_c_times(f, vmi_c_conjugate(turn)));
@@ -6585,7 +6594,7 @@ VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, in
 {
     vm_real slope;
     if (!(A >= 0) || !VM_IS_FINITE(A) || !(mass > 0) || !VM_IS_FINITE(mass)) return VM_NAN;
-    return vmi_laval_root(r->gyro, mass, r->stiffness(A, &slope, r->stiffness_ctx), sense);
+    return vmi_laval_root(r->gyro, mass, vmi_laval_stiffness(r, A, &slope), sense);
 }
 
 /* (504), (505) averaged. The torque gives (A^2 (m W - g))' = (1 - r) m' A^2 W + A <Im D>, the radial balance
@@ -6598,7 +6607,7 @@ VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const 
     int j;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
-    stiffness = r->stiffness(y[0], &slope, r->stiffness_ctx);
+    stiffness = vmi_laval_stiffness(r, y[0], &slope);
     W = vmi_laval_root(r->gyro, mass, stiffness, sense), S = mass * W - r->gyro;
     if (!(S * S > 0)) return VM_DOMAIN;
     for (j = 0; j < samples; j++) {
@@ -6666,7 +6675,7 @@ VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
 {
     const vmi_laval_orbit *o = (const vmi_laval_orbit *)orbit;
     vm_real slope;
-    const vm_real stiffness = o->r->stiffness(o->A0 * vmi_exp(x, 0), &slope, o->r->stiffness_ctx);
+    const vm_real stiffness = vmi_laval_stiffness(o->r, o->A0 * vmi_exp(x, 0), &slope);
     const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
     return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
 }
@@ -6681,7 +6690,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
         return VM_NAN;
     if (r->gyro == 0) mass = vmi_raised(mass / mass0, 2 * r->reactive - 1), mass0 = 1;
     o.r = r, o.A0 = A0, o.mass = mass;
-    o.first = r->gyro * r->gyro + mass0 * r->stiffness(A0, &slope, r->stiffness_ctx);
+    o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, A0, &slope);
     here = vmi_laval_invariant(0, &o);
     if (here == 0 || here != here) return here == 0 ? A0 : VM_NAN;
     for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
@@ -6756,15 +6765,17 @@ VM_API void vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm
 
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
-    vm_real rate, mass = p->mass(t, &rate, p->mass_ctx);
-    const int status = vmi_pair_check(p, mass, rate);
+    vm_real mass, rate;
+    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    if (!status) status = vmi_pair_check(p, mass, rate);
     return status ? status : vmi_pair_split(p, mass, rate, y, modes);
 }
 
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
-    vm_real rate, mass = p->mass(t, &rate, p->mass_ctx);
-    const int status = vmi_pair_check(p, mass, rate);
+    vm_real mass, rate;
+    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    if (!status) status = vmi_pair_check(p, mass, rate);
     if (!status) vmi_pair_join(p, mass, rate, modes, y);
     return status;
 }
@@ -7199,8 +7210,10 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_re
 VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
                                vm_real reactive, vm_real alpha)
 {
-    if (!(A > 0) || !(mass > 0) || !(k > 0) || !(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
-    return (((2 * reactive - 1) * mass_rate + 2 * b) / mass + k_rate / k) / vmi_slow_rate(A, k, mass, alpha);
+    const vm_real q = ((2 * reactive - 1) * mass_rate + 2 * b) / mass + k_rate / k;
+    if (!(A > 0) || !(mass > 0) || !(k > 0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(k) || !VM_IS_FINITE(q))
+        return VM_NAN;
+    return q / vmi_slow_rate(A, k, mass, alpha);
 }
 
 /* ---- Scenes ------------------------------------------------------------------------------------------------- */
