@@ -924,7 +924,7 @@ VM_API vm_osc_comparison vm_osc_compare(vm_real alpha);
 
 /* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
    damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
-   reactive force; r = 0 where it has the body's. To first order in m' and b:
+   reactive force; r = 0 where it has the body's, as what leaks out. To first order in m' and b:
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 damping/(alpha+3))      [(325), (344), (367), (389) corrected]
    All three averaging methods give it, once (335)'s sign is mended. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
@@ -967,7 +967,7 @@ typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
 typedef struct VM_TAG(vm_osc_problem) {
     vm_real alpha;          /* >= 0 */
     vm_law mass, stiffness; /* kg; N/m^alpha */
-    vm_real reactive;       /* r: 1 with reactive force, 0 without */
+    vm_real reactive;       /* r: 1 with reactive force, 0 without (a leak) */
     vm_real damping;        /* b, kg/s (the dissertation's eps b); negative ones drive */
     vm_real x, v;           /* at t = 0, m and m/s */
     vm_osc_force force;     /* F or null */
@@ -1008,18 +1008,21 @@ typedef struct VM_TAG(vm_osc_plan) {
 } vm_osc_plan;
 
 /* x(t), x'(t) at any t of either sign, by the route that is asked for, or by the cheapest whose error is estimated
-   to be within the tolerance. The laws cost one or two sa, ca and the integrals of the mass law, and disregard the
-   tolerance. The integrators work to it (0 means 1e-6, float 1e-3): each runs twice, the second time stricter, and
-   error comes from what the two differ by. With F the averaged equations are integrated instead of closed forms;
-   there is no second-order law, and vm_osc_at takes the variation of constants.
-   Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
-   3 times error in 99 %, never above 10, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
-   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its errors
-   do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
+   to be within the tolerance. Like error that is relative: for x within d metres ask for d/A. The laws cost one or
+   two sa, ca and the integrals of the mass law, and disregard the tolerance. The integrators work to it (0 means
+   1e-6, float 1e-3): each runs twice, the second time stricter, and error comes from what the two differ by; by the
+   default tolerance that takes 400 (variation), 700 (rk87), 2200 (rk45) evaluations a period, alpha = 3. With F the
+   averaged equations are integrated instead of closed forms, and error is that of their integration alone, not of
+   averaging nor of cos and cn; there is no second-order law, and vm_osc_at takes the variation of constants.
+   Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below 3
+   times error in 99 %, never above 10, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
+   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its
+   errors do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
-   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up). */
+   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would have 1/eps of the
+   present periods to go). */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem);
 VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
 VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion);
@@ -1165,7 +1168,8 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
 
 /* m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + force cos theta, theta' = nu, where m, k, nu, force may drift slowly:
    now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
-   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first. */
+   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first, and again
+   when alpha is another. now, b and reactive may change without. */
 typedef struct VM_TAG(vm_forced_now) {
     vm_real mass, mass_rate; /* kg, kg/s */
     vm_real k, k_rate;       /* N/m^alpha, per s */
@@ -1195,8 +1199,9 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
 VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion);
 
 /* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of
-   them, or a negative status. Those far from w(A) = nu are labels only: the averaged equations hold near the
-   resonance. */
+   them, or a negative status. A is the mean amplitude; the waveform, with its ripple, is vm_forced_join's. For the
+   response at each frequency let now.nu run. Those far from w(A) = nu are labels only: the averaged equations hold
+   near the resonance. */
 typedef struct VM_TAG(vm_steady) {
     vm_real nu, A, delta;
     vm_real trace, det; /* of the averaged equations there: rates lambda^2 - trace lambda + det = 0 */
