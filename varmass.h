@@ -1577,6 +1577,19 @@ VM_API vm_two vmi_log1p(vm_two x)
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
 }
 
+/* (e^x - 1)/x and ln(1 + x)/x, 1 at x = 0, within 2 eps */
+VM_API vm_real vmi_exp_ratio(vm_real x)
+{
+    if (x > VM_MAX) return x;
+    return x == 0 ? 1 : vmi_expm1(vmi_two(x, 0)).hi / x;
+}
+
+VM_API vm_real vmi_log_ratio(vm_real x)
+{
+    if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
+    return x == 0 ? 1 : vmi_log1p(vmi_two(x, 0)).hi / x;
+}
+
 /* (x - y)/x^2 with y = ln(1 + x), both given: in two words for |x| >= 1/4, but for what the words of x and y lose in
    the difference; below that within 2 ulp, by x = 2u/(1 - u), ln(1 + x) = 2 u + 2 u^3 P(u^2), |u| <= 1/7 */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
@@ -5122,13 +5135,28 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha + 1) / 2);
 }
 
+/* x|x|^(alpha-1) */
+VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
+{
+    if (alpha == 1 || x == 0) return x;
+    if (alpha == 3) return x * x * x;
+    return VM_COPYSIGN(vmi_raised(VM_FABS(x), alpha), x);
+}
+
+/* x and v at amplitude A, of either sign, and Ateb phase psi */
+VM_API void vmi_osc_at_phase(vm_real A, vm_real psi, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
+{
+    vm_real sa, ca;
+    ateb_saca(psi, alpha, &sa, &ca);
+    *x = A * ca;
+    *v = -VM_COPYSIGN(vm_osc_vmax(A, omega0, alpha), A) * sa;
+}
+
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
-    vm_real rate = vmi_osc_rate(x0, omega0, alpha), sa, ca;
+    vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (x0 == 0 && rate == rate) rate = 0; /* at rest, where the rate may be infinite */
-    ateb_saca(rate * t, alpha, &sa, &ca);
-    *x = x0 * ca;
-    *v = -VM_COPYSIGN(vm_osc_vmax(x0, omega0, alpha), x0) * sa;
+    vmi_osc_at_phase(x0, rate * t, omega0, alpha, x, v);
 }
 
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
@@ -5166,12 +5194,10 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
 VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0, vm_real alpha, vm_real *x,
                               vm_real *v)
 {
-    vm_real A, psi, rate, sa, ca;
+    vm_real A, psi, rate;
     vm_osc_amplitude_phase(x0, v0, omega0, alpha, &A, &psi);
     rate = A == 0 ? 0 : vmi_osc_rate(A, omega0, alpha);
-    ateb_saca(psi + rate * t, alpha, &sa, &ca);
-    *x = A * ca;
-    *v = -vm_osc_vmax(A, omega0, alpha) * sa;
+    vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
 /* A periodic function that stands for the motion, x = A c, x' = -speed vmax(A) s, as a function of the Ateb phase
@@ -5293,19 +5319,6 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 }
 
 /* -- Laws of mass and stiffness -- */
-
-/* ln(1 + x)/x and (e^x - 1)/x, 1 at x = 0: quotients of differences from 1 with the same rounding (Kahan) */
-VM_API vm_real vmi_log_ratio(vm_real x)
-{
-    const vm_real y = vmi_rounded(1 + x);
-    return y == 1 ? 1 : vmi_log(y).hi / (y - 1);
-}
-VM_API vm_real vmi_exp_ratio(vm_real x)
-{
-    const vm_real y = vmi_rounded(vmi_exp(x, 0));
-    if (y == 1) return 1;
-    return x > 1 || x < -1 ? (y - 1) / x : (y - 1) / vmi_log(y).hi;
-}
 
 VM_API vm_law vmi_law_of(int kind, vm_real f0, vm_real f1, vm_real f2)
 {
@@ -6001,14 +6014,6 @@ VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     return 0;
 }
 
-/* x|x|^(alpha-1) */
-VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
-{
-    if (alpha == 3) return x * x * x;
-    if (alpha == 1) return x;
-    return VM_COPYSIGN(vmi_raised(VM_FABS(x), alpha), x);
-}
-
 /* y = x/A0, (m/m0)^r x'/vmax: what reactive force makes of the velocity is taken out, so that y keeps its size */
 VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -6149,13 +6154,13 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vmi_osc_run c;
     vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
     vm_real step_tolerance = tolerance < VM_C(0.008) ? tolerance / 8 : VM_C(1e-3), before = VM_INFINITY;
+    vm_real longest = VM_C(0.2);
     int attempt, status, stalled = 0;
     c.p = plan, c.route = route, c.evals = 0;
     c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;
     if (!plan->has_ateb) {
         with_ateb = *plan, c.p = &with_ateb;
         with_ateb.has_ateb = ateb_plan_init(&with_ateb.ateb, plan->problem.alpha) == 0;
-    vm_real longest = VM_C(0.2);
     }
     c.wave = vmi_osc_wave_of(route <= VM_ROUTE_ATEB ? route : VM_ROUTE_ATEB, plan->problem.alpha, plan->pi,
                              c.p->has_ateb ? &c.p->ateb : NULL);
@@ -6303,66 +6308,39 @@ VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
 /* The mass at t; VM_BAD_ARGUMENT where there is no law, VM_BAD_MASS, VM_NOT_FINITE */
 VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
 {
+    if (!law) return VM_BAD_ARGUMENT;
     *mass = law(t, rate, ctx);
     if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
     return *mass > 0 ? VM_OK : VM_BAD_MASS;
-}
-
-    if (!law) return VM_BAD_ARGUMENT;
-/* (e^x - 1)/x, entire: 1 at 0, within 2 eps */
-VM_API vm_real vmi_slow_phi(vm_real x)
-{
-    vm_real p, p_lo;
-    int k;
-    if (x == 0) return 1;
-    if (!(VM_FABS(x) < VM_C(0.34))) return x > VM_MAX ? x : (vmi_exp(x, 0) - 1) / x;
-    p = vmi_exp_core(x, 0, &k, &p_lo);
-    return p / x;
 }
 
 /* ln(m/m0) and the integral of dt/m for the linear mass, smooth through m' = 0; 0 where a mass is not positive */
 VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
 {
     const vm_real growth = m.rate * t / m.mass;
+    vm_real mean;
     if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth) || !VM_IS_FINITE(t))
         return 0;
-    *ln_ratio = vmi_two_log(vmi_two_sum(1, growth)).hi;
-    *integral = t / m.mass * (growth == 0 ? 1 : *ln_ratio / growth);
+    mean = vmi_log_ratio(growth); /* of m0/m */
+    *ln_ratio = growth * mean, *integral = t / m.mass * mean;
     return 1;
 }
 
-/* k x|x|^(alpha-1) */
-VM_API vm_real vmi_slow_elastic(vm_real x, vm_real k, vm_real alpha)
-{
-    if (alpha == 1 || x == 0) return k * x;
-    if (alpha == 3) return k * x * x * x;
-    return VM_COPYSIGN(k * vmi_raised(VM_FABS(x), alpha), x);
-}
-
-/* Om = sqrt((alpha+1)/2) sqrt(k/m) A^((alpha-1)/2), the rate of the Ateb phase; 0 at rest, where it may be infinite
-   */
+/* Om, the rate of the Ateb phase; 0 at rest, where it may be infinite */
 VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
 {
-    if (A == 0 && alpha < 1) return 0;
-    return VM_SQRT((alpha + 1) / 2 * (k / mass)) * vmi_raised(VM_FABS(A), (alpha - 1) / 2);
+    return A == 0 && alpha < 1 ? 0 : vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
 }
 
-/* x = A ca(psi), x' = -sqrt(2k/((alpha+1) m)) A^((alpha+1)/2) sa(psi), and back */
+/* x = A ca(psi), x' = -vmax(A) sa(psi), and back */
 VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_real alpha, vm_real *x, vm_real *v)
 {
-    vm_real sa, ca;
-    ateb_saca(psi, alpha, &sa, &ca);
-    *x = A * ca;
-    *v = -VM_SQRT(2 / (alpha + 1) * (k / mass)) * vmi_raised(A, (alpha + 1) / 2) * sa;
+    vmi_osc_at_phase(A, psi, VM_SQRT(k / mass), alpha, x, v);
 }
 
 VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
 {
-    const vm_real scaled = -v * VM_SQRT((alpha + 1) / 2 * (mass / k)); /* A^((alpha+1)/2) sa */
-    const vm_real from_v = vmi_raised(VM_FABS(scaled), 2 / (alpha + 1)), from_x = VM_FABS(x);
-    const vm_real large = from_x > from_v ? from_x : from_v, small = from_x > from_v ? from_v : from_x;
-    *A = large > 0 ? large * vmi_raised(1 + vmi_raised(small / large, alpha + 1), 1 / (alpha + 1)) : large;
-    *psi = ateb_phase(scaled, x, alpha);
+    vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
 }
 
 VM_API int vm_vdp_init(vm_vdp *v)
@@ -6401,7 +6379,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linea
     if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
-    damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_slow_phi(-VM_FABS(F));
+    damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(damping));
     s = VM_FABS(A0) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
     if (s > 1) denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping), A0 = VM_COPYSIGN(1 / root, A0);
@@ -6425,7 +6403,7 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
     if (status) return status;
     dydt[0] = y[1];
-    dydt[1] = ((v->b - v->c * y[0] * y[0] - v->reactive * rate) * y[1] - vmi_slow_elastic(y[0], v->k, v->alpha)) /
+    dydt[1] = ((v->b - v->c * y[0] * y[0] - v->reactive * rate) * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) /
               mass;
     return VM_OK;
 }
@@ -6439,13 +6417,6 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     dydt[0] = y[0] / (v->a1 * mass) * (vmi_vdp_drive(v, rate) * v->a2 / 2 - v->c * y[0] * y[0] * v->a3);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
     return VM_OK;
-/* F_e(rho)/rho, NaN where there is none */
-VM_API vm_real vmi_laval_stiffness(const vm_laval *r, vm_real rho, vm_real *slope)
-{
-    *slope = VM_NAN;
-    return r->stiffness ? r->stiffness(rho, slope, r->stiffness_ctx) : VM_NAN;
-}
-
 }
 
 /* ---- Chapter 7.7: Laval's rotor ----------------------------------------------------------------------------- */
@@ -6466,6 +6437,13 @@ VM_API void vm_laval_polar(vm_complex z, vm_real *rho, vm_real *phi)
 VM_API vm_real vm_laval_momentum(const vm_laval *r, vm_real mass, vm_complex z, vm_complex v)
 {
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
+}
+
+/* F_e(rho)/rho, NaN where there is none */
+VM_API vm_real vmi_laval_stiffness(const vm_laval *r, vm_real rho, vm_real *slope)
+{
+    *slope = VM_NAN;
+    return r->stiffness ? r->stiffness(rho, slope, r->stiffness_ctx) : VM_NAN;
 }
 
 /* F_z + r m' u */
@@ -6716,7 +6694,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     const vm_pair *p = (const vm_pair *)pair;
-    const vm_real force = vmi_slow_elastic(y[0] - y[1], p->k, p->alpha);
+    const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     vm_real mass, rate;
     const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (status) return status;
@@ -6810,9 +6788,9 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
     if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
     rate0 = vmi_slow_rate(modes[0], 2 * p->k, m.mass, p->alpha);
     exponent = VM_C(0.5) - (p->alpha - 1) / 2 * drift;
-    modes[1] += rate0 * m.mass * integral * vmi_slow_phi(exponent * ln_ratio);
+    modes[1] += rate0 * m.mass * integral * vmi_exp_ratio(exponent * ln_ratio);
     modes[0] *= vmi_exp(-drift * ln_ratio, 0);
-    modes[2] += modes[3] * m.mass * integral * vmi_slow_phi((1 - p->reactive) * ln_ratio);
+    modes[2] += modes[3] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
     modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
     vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
     return VM_OK;
@@ -6901,7 +6879,7 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     vmi_sincos(y[2], &sine, &cosine);
     dydt[0] = y[1];
     dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->b) * y[1] -
-               vmi_slow_elastic(y[0], n.k, f->alpha)) /
+               n.k * vmi_osc_elastic(y[0], f->alpha)) /
               n.mass;
     dydt[2] = n.nu;
     return VM_OK;
