@@ -964,7 +964,7 @@ VM_API vm_osc_comparison vm_osc_compare(vm_real alpha);
 
 /* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
    damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
-   reactive force; r = 0 where it has the body's. To first order in m' and b:
+   reactive force; r = 0 where it has the body's, as what leaks out. To first order in m' and b:
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 damping/(alpha+3))      [(325), (344), (367), (389) corrected]
    All three averaging methods give it, once (335)'s sign is mended. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha);
@@ -1007,7 +1007,7 @@ typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
 typedef struct VM_TAG(vm_osc_problem) {
     vm_real alpha;          /* >= 0 */
     vm_law mass, stiffness; /* kg; N/m^alpha */
-    vm_real reactive;       /* r: 1 with reactive force, 0 without */
+    vm_real reactive;       /* r: 1 with reactive force, 0 without (a leak) */
     vm_real damping;        /* b, kg/s (the dissertation's eps b); negative ones drive */
     vm_real x, v;           /* at t = 0, m and m/s */
     vm_osc_force force;     /* F or null */
@@ -1048,18 +1048,21 @@ typedef struct VM_TAG(vm_osc_plan) {
 } vm_osc_plan;
 
 /* x(t), x'(t) at any t of either sign, by the route that is asked for, or by the cheapest whose error is estimated
-   to be within the tolerance. The laws cost one or two sa, ca and the integrals of the mass law, and disregard the
-   tolerance. The integrators work to it (0 means 1e-6, float 1e-3): each runs twice, the second time stricter, and
-   error comes from what the two differ by. With F the averaged equations are integrated instead of closed forms;
-   there is no second-order law, and vm_osc_at takes the variation of constants.
-   Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
-   3 times error in 99 %, never above 10, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
+   to be within the tolerance. Like error that is relative: for x within d metres ask for d/A. The laws cost one or
+   two sa, ca and the integrals of the mass law, and disregard the tolerance. The integrators work to it (0 means
+   1e-6, float 1e-3): each runs twice, the second time stricter, and error comes from what the two differ by; by the
+   default tolerance that takes 400 (variation), 700 (rk87), 2200 (rk45) evaluations a period, alpha = 3. With F the
+   averaged equations are integrated instead of closed forms, and error is that of their integration alone, not of
+   averaging nor of cos and cn; there is no second-order law, and vm_osc_at takes the variation of constants.
+   Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below 3
+   times error in 99 %, never above 10, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
    (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its
    errors do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
-   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up). */
+   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would have 1/eps of the
+   present periods to go). */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem);
 VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
 VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion);
@@ -1205,7 +1208,8 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
 
 /* m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + force cos theta, theta' = nu, where m, k, nu, force may drift slowly:
    now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
-   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first. */
+   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first, and again
+   when alpha is another. now, b and reactive may change without. */
 typedef struct VM_TAG(vm_forced_now) {
     vm_real mass, mass_rate; /* kg, kg/s */
     vm_real k, k_rate;       /* N/m^alpha, per s */
@@ -1235,8 +1239,9 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
 VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion);
 
 /* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of
-   them, or a negative status. Those far from w(A) = nu are labels only: the averaged equations hold near the
-   resonance. */
+   them, or a negative status. A is the mean amplitude; the waveform, with its ripple, is vm_forced_join's. For the
+   response at each frequency let now.nu run. Those far from w(A) = nu are labels only: the averaged equations hold
+   near the resonance. */
 typedef struct VM_TAG(vm_steady) {
     vm_real nu, A, delta;
     vm_real trace, det; /* of the averaged equations there: rates lambda^2 - trace lambda + det = 0 */
@@ -1632,6 +1637,19 @@ VM_API vm_two vmi_log1p(vm_two x)
     const vm_two y = vmi_two_sum(sum.hi, low.hi);
     const vm_two t = vmi_two_over(vmi_two_sum(y.lo, low.lo), vmi_two(y.hi, 0));
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
+}
+
+/* (e^x - 1)/x and ln(1 + x)/x, 1 at x = 0, within 2 eps */
+VM_API vm_real vmi_exp_ratio(vm_real x)
+{
+    if (x > VM_MAX) return x;
+    return x == 0 ? 1 : vmi_expm1(vmi_two(x, 0)).hi / x;
+}
+
+VM_API vm_real vmi_log_ratio(vm_real x)
+{
+    if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
+    return x == 0 ? 1 : vmi_log1p(vmi_two(x, 0)).hi / x;
 }
 
 /* (x - y)/x^2 with y = ln(1 + x), both given: in two words for |x| >= 1/4, but for what the words of x and y lose in
@@ -5176,13 +5194,28 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha + 1) / 2);
 }
 
+/* x|x|^(alpha-1) */
+VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
+{
+    if (alpha == 1 || x == 0) return x;
+    if (alpha == 3) return x * x * x;
+    return VM_COPYSIGN(vmi_raised(VM_FABS(x), alpha), x);
+}
+
+/* x and v at amplitude A, of either sign, and Ateb phase psi */
+VM_API void vmi_osc_at_phase(vm_real A, vm_real psi, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
+{
+    vm_real sa, ca;
+    ateb_saca(psi, alpha, &sa, &ca);
+    *x = A * ca;
+    *v = -VM_COPYSIGN(vm_osc_vmax(A, omega0, alpha), A) * sa;
+}
+
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
-    vm_real rate = vmi_osc_rate(x0, omega0, alpha), sa, ca;
+    vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (x0 == 0 && rate == rate) rate = 0; /* at rest, where the rate may be infinite */
-    ateb_saca(rate * t, alpha, &sa, &ca);
-    *x = x0 * ca;
-    *v = -VM_COPYSIGN(vm_osc_vmax(x0, omega0, alpha), x0) * sa;
+    vmi_osc_at_phase(x0, rate * t, omega0, alpha, x, v);
 }
 
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
@@ -5197,7 +5230,8 @@ VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 
 VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha)
 {
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(omega0))
+        return VM_NAN;
     return v * v / 2 + omega0 * omega0 * vmi_raised(VM_FABS(x), alpha + 1) / (alpha + 1);
 }
 
@@ -5219,12 +5253,10 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
 VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0, vm_real alpha, vm_real *x,
                               vm_real *v)
 {
-    vm_real A, psi, rate, sa, ca;
+    vm_real A, psi, rate;
     vm_osc_amplitude_phase(x0, v0, omega0, alpha, &A, &psi);
     rate = A == 0 ? 0 : vmi_osc_rate(A, omega0, alpha);
-    ateb_saca(psi + rate * t, alpha, &sa, &ca);
-    *x = A * ca;
-    *v = -vm_osc_vmax(A, omega0, alpha) * sa;
+    vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
 /* A periodic function that stands for the motion, x = A c, x' = -speed vmax(A) s, as a function of the Ateb phase
@@ -5346,19 +5378,6 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 }
 
 /* -- Laws of mass and stiffness -- */
-
-/* ln(1 + x)/x and (e^x - 1)/x, 1 at x = 0: quotients of differences from 1 with the same rounding (Kahan) */
-VM_API vm_real vmi_log_ratio(vm_real x)
-{
-    const vm_real y = vmi_rounded(1 + x);
-    return y == 1 ? 1 : vmi_log(y).hi / (y - 1);
-}
-VM_API vm_real vmi_exp_ratio(vm_real x)
-{
-    const vm_real y = vmi_rounded(vmi_exp(x, 0));
-    if (y == 1) return 1;
-    return x > 1 || x < -1 ? (y - 1) / x : (y - 1) / vmi_log(y).hi;
-}
 
 VM_API vm_law vmi_law_of(int kind, vm_real f0, vm_real f1, vm_real f2)
 {
@@ -5638,9 +5657,10 @@ VM_API int vmi_osc_knot(vmi_osc_slow *c, vm_real t, const vm_real *y, vm_real ra
     const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
     vmi_osc_rates before, after;
     vm_real ca, sa, jump;
-    c->status = vmi_osc_rates_at(p, t, -c->side, 1, &before);
-    if (!c->status) c->status = vmi_osc_rates_at(p, t, c->side, 1, &after);
-    if (c->status || before.h == after.h) return c->status;
+    int status = vmi_osc_rates_at(p, t, -c->side, 1, &before);
+    if (!status) status = vmi_osc_rates_at(p, t, c->side, 1, &after);
+    c->status = status;
+    if (status || before.h == after.h) return status;
     vmi_osc_phase_from_mean(p, &w, vmi_osc_mean_phase(p, y), after.q * n / (2 * (n + 2) * Om), &ca, &sa);
     jump = (before.h - after.h) / (Om * Om);
     c->ln_A += n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
@@ -6053,14 +6073,6 @@ VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     return 0;
 }
 
-/* x|x|^(alpha-1) */
-VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
-{
-    if (alpha == 3) return x * x * x;
-    if (alpha == 1) return x;
-    return VM_COPYSIGN(vmi_raised(VM_FABS(x), alpha), x);
-}
-
 /* y = x/A0, (m/m0)^r x'/vmax: what reactive force makes of the velocity is taken out, so that y keeps its size */
 VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -6100,7 +6112,8 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
         period = vmi_osc_period_now(c);
-        if (!(period > 0)) return c->status ? c->status : VM_NOT_INTEGRATED;
+        if (!(period > VM_EPSILON * VM_FABS(t))) /* nor would the phase at t mean anything */
+            return c->status ? c->status : VM_NOT_INTEGRATED;
         stop = vmi_law_next_knot(&c->p->problem.mass, c->s.t, t);
         stop = vmi_law_next_knot(&c->p->problem.stiffness, c->s.t, stop);
         if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
@@ -6200,6 +6213,7 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vmi_osc_run c;
     vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
     vm_real step_tolerance = tolerance < VM_C(0.008) ? tolerance / 8 : VM_C(1e-3), before = VM_INFINITY;
+    vm_real longest = VM_C(0.2);
     int attempt, status, stalled = 0;
     c.p = plan, c.route = route, c.evals = 0;
     c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;
@@ -6211,15 +6225,15 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
                              c.p->has_ateb ? &c.p->ateb : NULL);
     for (attempt = 0; attempt < 6; attempt++) {
         if (step_tolerance < least) step_tolerance = least;
-        c.longest = VM_C(0.2), c.share = 1;
+        c.longest = longest, c.share = 1;
         status = vmi_osc_integrated(&c, t, ratio * step_tolerance, loose);
-        c.longest = VM_C(0.1), c.share = VM_C(0.51);
+        c.longest = longest / 2, c.share = VM_C(0.51);
         if (!status) status = vmi_osc_integrated(&c, t, step_tolerance, strict);
         if (status) return status;
         last->error = factor * vmi_osc_difference(plan, t, strict, loose) +
                       4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
-        if (last->error > before / 2) stalled++; /* roundings, or chance */
-        if (last->error <= tolerance || step_tolerance == least || stalled == 2) break;
+        if (last->error > before / 2) stalled++, longest /= 2; /* roundings, chance, or longest is what counts */
+        if (last->error <= tolerance || step_tolerance == least || stalled == 3) break;
         before = last->error;
         step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
     }
@@ -6350,68 +6364,42 @@ VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
     return m->mass + m->rate * t;
 }
 
-/* The mass at t; VM_BAD_MASS, VM_NOT_FINITE */
+/* The mass at t; VM_BAD_ARGUMENT where there is no law, VM_BAD_MASS, VM_NOT_FINITE */
 VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
 {
+    if (!law) return VM_BAD_ARGUMENT;
     *mass = law(t, rate, ctx);
     if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
     return *mass > 0 ? VM_OK : VM_BAD_MASS;
-}
-
-/* (e^x - 1)/x, entire: 1 at 0, within 2 eps */
-VM_API vm_real vmi_slow_phi(vm_real x)
-{
-    vm_real p, p_lo;
-    int k;
-    if (x == 0) return 1;
-    if (!(VM_FABS(x) < VM_C(0.34))) return x > VM_MAX ? x : (vmi_exp(x, 0) - 1) / x;
-    p = vmi_exp_core(x, 0, &k, &p_lo);
-    return p / x;
 }
 
 /* ln(m/m0) and the integral of dt/m for the linear mass, smooth through m' = 0; 0 where a mass is not positive */
 VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
 {
     const vm_real growth = m.rate * t / m.mass;
+    vm_real mean;
     if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth) || !VM_IS_FINITE(t))
         return 0;
-    *ln_ratio = vmi_two_log(vmi_two_sum(1, growth)).hi;
-    *integral = t / m.mass * (growth == 0 ? 1 : *ln_ratio / growth);
+    mean = vmi_log_ratio(growth); /* of m0/m */
+    *ln_ratio = growth * mean, *integral = t / m.mass * mean;
     return 1;
 }
 
-/* k x|x|^(alpha-1) */
-VM_API vm_real vmi_slow_elastic(vm_real x, vm_real k, vm_real alpha)
-{
-    if (alpha == 1 || x == 0) return k * x;
-    if (alpha == 3) return k * x * x * x;
-    return VM_COPYSIGN(k * vmi_raised(VM_FABS(x), alpha), x);
-}
-
-/* Om = sqrt((alpha+1)/2) sqrt(k/m) A^((alpha-1)/2), the rate of the Ateb phase; 0 at rest, where it may be infinite
-   */
+/* Om, the rate of the Ateb phase; 0 at rest, where it may be infinite */
 VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
 {
-    if (A == 0 && alpha < 1) return 0;
-    return VM_SQRT((alpha + 1) / 2 * (k / mass)) * vmi_raised(VM_FABS(A), (alpha - 1) / 2);
+    return A == 0 && alpha < 1 ? 0 : vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
 }
 
-/* x = A ca(psi), x' = -sqrt(2k/((alpha+1) m)) A^((alpha+1)/2) sa(psi), and back */
+/* x = A ca(psi), x' = -vmax(A) sa(psi), and back */
 VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_real alpha, vm_real *x, vm_real *v)
 {
-    vm_real sa, ca;
-    ateb_saca(psi, alpha, &sa, &ca);
-    *x = A * ca;
-    *v = -VM_SQRT(2 / (alpha + 1) * (k / mass)) * vmi_raised(A, (alpha + 1) / 2) * sa;
+    vmi_osc_at_phase(A, psi, VM_SQRT(k / mass), alpha, x, v);
 }
 
 VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
 {
-    const vm_real scaled = -v * VM_SQRT((alpha + 1) / 2 * (mass / k)); /* A^((alpha+1)/2) sa */
-    const vm_real from_v = vmi_raised(VM_FABS(scaled), 2 / (alpha + 1)), from_x = VM_FABS(x);
-    const vm_real large = from_x > from_v ? from_x : from_v, small = from_x > from_v ? from_v : from_x;
-    *A = large > 0 ? large * vmi_raised(1 + vmi_raised(small / large, alpha + 1), 1 / (alpha + 1)) : large;
-    *psi = ateb_phase(scaled, x, alpha);
+    vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
 }
 
 VM_API int vm_vdp_init(vm_vdp *v)
@@ -6450,7 +6438,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linea
     if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
-    damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_slow_phi(-VM_FABS(F));
+    damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(damping));
     s = VM_FABS(A0) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
     if (s > 1) denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping), A0 = VM_COPYSIGN(1 / root, A0);
@@ -6474,7 +6462,7 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
     if (status) return status;
     dydt[0] = y[1];
-    dydt[1] = ((v->b - v->c * y[0] * y[0] - v->reactive * rate) * y[1] - vmi_slow_elastic(y[0], v->k, v->alpha)) /
+    dydt[1] = ((v->b - v->c * y[0] * y[0] - v->reactive * rate) * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) /
               mass;
     return VM_OK;
 }
@@ -6510,6 +6498,13 @@ VM_API vm_real vm_laval_momentum(const vm_laval *r, vm_real mass, vm_complex z, 
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
+/* F_e(rho)/rho, NaN where there is none */
+VM_API vm_real vmi_laval_stiffness(const vm_laval *r, vm_real rho, vm_real *slope)
+{
+    *slope = VM_NAN;
+    return r->stiffness ? r->stiffness(rho, slope, r->stiffness_ctx) : VM_NAN;
+}
+
 /* F_z + r m' u */
 VM_API vm_complex vmi_laval_drive(const vm_laval *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
@@ -6525,7 +6520,7 @@ VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
     vm_complex force;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
-    stiffness = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx);
+    stiffness = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_c_add(vmi_laval_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     dydt[0] = v.re, dydt[1] = v.im;
     dydt[2] = (force.re - r->reactive * rate * v.re - stiffness * z.re) / mass;
@@ -6542,7 +6537,7 @@ VM_API int vmi_laval_now(const vm_laval *r, vm_real t, vmi_laval_state *now)
     vm_real slope;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
     if (status) return status;
-    now->omega = VM_SQRT(r->stiffness(0, &slope, r->stiffness_ctx) / now->mass);
+    now->omega = VM_SQRT(vmi_laval_stiffness(r, 0, &slope) / now->mass);
     return now->omega > 0 && VM_IS_FINITE(now->omega) ? VM_OK : VM_DOMAIN;
 }
 
@@ -6592,7 +6587,7 @@ VM_API void vmi_laval_rates(const vm_laval *r, vm_real t, const vmi_laval_state 
     vm_real slope, extra;
     vm_complex z, v, f;
     vmi_laval_motion(y, turn, now->omega, &z, &v);
-    extra = r->stiffness(vmi_c_modulus(z), &slope, r->stiffness_ctx) - now->mass * now->omega * now->omega;
+    extra = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope) - now->mass * now->omega * now->omega;
     f = vmi_c_add(vmi_laval_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * now->rate, v)));
     *dP = vmi_c_times_i(-push, vmi_c_times(f, vmi_c_conjugate(turn)));
@@ -6641,7 +6636,7 @@ VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, in
 {
     vm_real slope;
     if (!(A >= 0) || !VM_IS_FINITE(A) || !(mass > 0) || !VM_IS_FINITE(mass)) return VM_NAN;
-    return vmi_laval_root(r->gyro, mass, r->stiffness(A, &slope, r->stiffness_ctx), sense);
+    return vmi_laval_root(r->gyro, mass, vmi_laval_stiffness(r, A, &slope), sense);
 }
 
 /* (504), (505) averaged. The torque gives (A^2 (m W - g))' = (1 - r) m' A^2 W + A <Im D>, the radial balance
@@ -6654,7 +6649,7 @@ VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const 
     int j;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
-    stiffness = r->stiffness(y[0], &slope, r->stiffness_ctx);
+    stiffness = vmi_laval_stiffness(r, y[0], &slope);
     W = vmi_laval_root(r->gyro, mass, stiffness, sense), S = mass * W - r->gyro;
     if (!(S * S > 0)) return VM_DOMAIN;
     for (j = 0; j < samples; j++) {
@@ -6722,7 +6717,7 @@ VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
 {
     const vmi_laval_orbit *o = (const vmi_laval_orbit *)orbit;
     vm_real slope;
-    const vm_real stiffness = o->r->stiffness(o->A0 * vmi_exp(x, 0), &slope, o->r->stiffness_ctx);
+    const vm_real stiffness = vmi_laval_stiffness(o->r, o->A0 * vmi_exp(x, 0), &slope);
     const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
     return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
 }
@@ -6737,7 +6732,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
         return VM_NAN;
     if (r->gyro == 0) mass = vmi_raised(mass / mass0, 2 * r->reactive - 1), mass0 = 1;
     o.r = r, o.A0 = A0, o.mass = mass;
-    o.first = r->gyro * r->gyro + mass0 * r->stiffness(A0, &slope, r->stiffness_ctx);
+    o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, A0, &slope);
     here = vmi_laval_invariant(0, &o);
     if (here == 0 || here != here) return here == 0 ? A0 : VM_NAN;
     for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
@@ -6758,7 +6753,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     const vm_pair *p = (const vm_pair *)pair;
-    const vm_real force = vmi_slow_elastic(y[0] - y[1], p->k, p->alpha);
+    const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     vm_real mass, rate;
     const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (status) return status;
@@ -6812,15 +6807,17 @@ VM_API void vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm
 
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
-    vm_real rate, mass = p->mass(t, &rate, p->mass_ctx);
-    const int status = vmi_pair_check(p, mass, rate);
+    vm_real mass, rate;
+    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    if (!status) status = vmi_pair_check(p, mass, rate);
     return status ? status : vmi_pair_split(p, mass, rate, y, modes);
 }
 
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
-    vm_real rate, mass = p->mass(t, &rate, p->mass_ctx);
-    const int status = vmi_pair_check(p, mass, rate);
+    vm_real mass, rate;
+    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    if (!status) status = vmi_pair_check(p, mass, rate);
     if (!status) vmi_pair_join(p, mass, rate, modes, y);
     return status;
 }
@@ -6850,9 +6847,9 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
     if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
     rate0 = vmi_slow_rate(modes[0], 2 * p->k, m.mass, p->alpha);
     exponent = VM_C(0.5) - (p->alpha - 1) / 2 * drift;
-    modes[1] += rate0 * m.mass * integral * vmi_slow_phi(exponent * ln_ratio);
+    modes[1] += rate0 * m.mass * integral * vmi_exp_ratio(exponent * ln_ratio);
     modes[0] *= vmi_exp(-drift * ln_ratio, 0);
-    modes[2] += modes[3] * m.mass * integral * vmi_slow_phi((1 - p->reactive) * ln_ratio);
+    modes[2] += modes[3] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
     modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
     vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
     return VM_OK;
@@ -6941,7 +6938,7 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     vmi_sincos(y[2], &sine, &cosine);
     dydt[0] = y[1];
     dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->b) * y[1] -
-               vmi_slow_elastic(y[0], n.k, f->alpha)) /
+               n.k * vmi_osc_elastic(y[0], f->alpha)) /
               n.mass;
     dydt[2] = n.nu;
     return VM_OK;
@@ -7255,8 +7252,10 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_re
 VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
                                vm_real reactive, vm_real alpha)
 {
-    if (!(A > 0) || !(mass > 0) || !(k > 0) || !(alpha >= 0) || !VM_IS_FINITE(alpha)) return VM_NAN;
-    return (((2 * reactive - 1) * mass_rate + 2 * b) / mass + k_rate / k) / vmi_slow_rate(A, k, mass, alpha);
+    const vm_real q = ((2 * reactive - 1) * mass_rate + 2 * b) / mass + k_rate / k;
+    if (!(A > 0) || !(mass > 0) || !(k > 0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(k) || !VM_IS_FINITE(q))
+        return VM_NAN;
+    return q / vmi_slow_rate(A, k, mass, alpha);
 }
 
 /* ---- Scenes ------------------------------------------------------------------------------------------------- */

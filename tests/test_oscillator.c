@@ -1249,6 +1249,7 @@ static void test_bad_input(void)
     CHECK(vm_law_at(NULL, 0, &x, &v) == VM_BAD_ARGUMENT &&
           vm_law_inverse_integral(&o.mass, 1, NULL) == VM_BAD_ARGUMENT);
     CHECK(isnan(vm_osc_energy(1, 1, 1, -1)));
+    CHECK(isnan(vm_osc_energy(VM_INFINITY, 1, 1, 1)) && isnan(vm_osc_energy(1, 1, VM_INFINITY, 1)));
     vm_osc_amplitude_phase(1, 1, 1, -1, &A, &psi), CHECK(isnan(A) && isnan(psi));
     vm_osc_amplitude_phase(1, 1, 0, 1, &A, &psi), CHECK(isnan(A));
     vm_osc_exact_from(1, VM_NAN, 0, 1, 1, &x, &v), CHECK(isnan(x) && isnan(v));

@@ -404,6 +404,31 @@ static void test_variation_saves(void)
     }
 }
 
+/* The longest step, not the tolerance, sets the error of these runs: it has to be shortened */
+static void test_longest_step(void)
+{
+    const double alphas[] = {3, 0.446};
+    int i;
+    for (i = 0; i < 2 && !is_float; i++) {
+        vm_osc_problem o = problem(alphas[i], vm_law_linear(1, R(-5e-4)), 0, 0);
+        vm_osc_motion strict, m;
+        o.stiffness = vm_law_linear(2, 0), o.x = R(0.5), o.v = 0;
+        CHECK(vm_osc_by_variation(&o, 1000, R(1e-9), &strict) >= 0);
+        CHECK(vm_osc_by_variation(&o, 1000, R(1e-4), &m) == VM_OK && m.error <= R(1e-4));
+        check_error("longest step", "|x - strict|/A", "tol", fabs((double)((m.x - strict.x) / strict.amplitude)) / 1e-4,
+                    1, alphas[i], 0);
+    }
+}
+
+/* More periods than numbers tell apart: a status, not a run without end */
+static void test_endless(void)
+{
+    vm_osc_problem o = problem(0.3, vm_law_linear(1, R(0.001)), 1, 0);
+    vm_osc_motion m;
+    o.x = VM_MIN, o.v = 0;
+    CHECK(vm_osc_at(&o, 1, R(1e-2), &m) == VM_NOT_INTEGRATED);
+}
+
 /* ---- With a force ---- */
 
 static vm_real van_der_pol(vm_real t, vm_real x, vm_real v, void *ctx)
@@ -440,6 +465,8 @@ int main(void)
     test_choice();
     test_speed();
     test_variation_saves();
+    test_longest_step();
+    test_endless();
     test_force();
     return check_finish("routes");
 }

@@ -1672,6 +1672,15 @@ static void test_bad_input(void)
     CHECK(vm_pair_at(&p, 0, y, m, d) == VM_NOT_FINITE && vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE);
     CHECK(vm_forced_curve(&f, 0, 0, s) == VM_DOMAIN);
     other = f, other.now.force = 0, CHECK(vm_forced_steady(&other, 0, s) == 0);
+    v.mass = NULL, p.mass = NULL; /* no laws */
+    CHECK(vm_vdp_rhs(0, y, d, &v) == VM_BAD_ARGUMENT && vm_pair_rhs(0, y, d, &p) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_split(&p, 0, y, d) == VM_BAD_ARGUMENT && vm_pair_join(&p, 0, y, d) == VM_BAD_ARGUMENT);
+    r.stiffness = NULL;
+    CHECK(is_nan(vm_laval_frequency(&r, 1, 1, 1)) && is_nan(vm_laval_amplitude(&r, 1, 1, 2)));
+    CHECK(vm_laval_averaged_rhs(0, y, d, &r) == VM_DOMAIN);
+    r.mass = NULL, CHECK(vm_laval_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
+    CHECK(is_nan(vm_adiabaticity(1, VM_INFINITY, 1, 1, 0, 0, 0, 3)) &&
+          is_nan(vm_adiabaticity(1, 1, VM_INFINITY, 1, 0, 0, 0, 3)));
     for (i = 0; i < 5; i++) CHECK(d[i] == 7); /* untouched by all of these */
     CHECK(strcmp(vm_strerror(VM_DOMAIN), vm_strerror(-99)) != 0);
 }
