@@ -13,8 +13,7 @@ typedef struct stage {
     ode_event located[STAGE_EVENTS];
     vm_book book;
     vm_real t, y[STAGE_STATE], work[VM_SCENE_WORK(STAGE_STATE)];
-    vm_real end;    /* when the run is over at the latest */
-    vm_real memory; /* what an event has to remember */
+    vm_real end; /* when the run is over at the latest */
 } stage;
 
 static inline void stage_clear(stage *s, double end)
