@@ -681,7 +681,8 @@ struct VM_TAG(vm_scene) {
     int status, ode_status; /* of the right-hand side, of the integrator */
 };
 
-/* Bodies. Of an axle the inertia is about it, kg m^2. */
+/* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
+   body may be a rod, whose spin about itself then stays. */
 VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v);
 VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega);
 VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
@@ -692,7 +693,8 @@ VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, 
 VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
 
 /* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
-   rate. A spring's force (248), that of Van der Pol's damper (404). */
+   rate. A spring's force (248), alpha >= 0; that of Van der Pol's damper (404); force cos(frequency t + phase),
+   frequency in rad/s; the reactive force of a stream of rate kg/s whose own velocity is u + share v. */
 VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x);             /* -k x |x|^(alpha-1) */
 VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v);                            /* -b v */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v); /* (b - c x^2) v */
@@ -700,44 +702,67 @@ VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega); 
 VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t);
 VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v); /* rate (u + share v - v) */
 
-/* Effects; a mass law of a body stands before what else acts on it */
+/* Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other
+   body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction. A mass law of a body stands
+   before what else acts on it. */
+/* M g, along the coordinate: g = -9.81 where it points upwards; not on an axle */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g);
+/* vm_force_spring of x - rest */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest);
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b);
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c);
 VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa);
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase);
+/* a force of one's own, which depends on t and the coordinate, and on what ctx points to */
 VM_API vm_effect vm_effect_user(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
-/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a plane's body, a point */
+/* an effect of one's own, which may depend on everything: apply adds to scene->bodies[effect->body].load.force, or
+   to load.mass_rate where the mass is a state, and may read load.mass, other bodies, the state y from
+   bodies[...].at on, effect->p and effect->ctx. other, or VM_GROUND: a body without which it does not act either */
+VM_API vm_effect vm_effect_callback(int body, int other,
+                                    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
+                                                  vm_scene *scene),
+                                    void *ctx);
+/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a body in the plane, a point */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha);
-/* an unbalance m e (kg m) that turns: m e Omega^2 (cos, sin)(Omega t + phase) */
+/* an unbalance m e (kg m) that turns with Omega = frequency: m e Omega^2 (cos, sin)(Omega t + phase) */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase);
-VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force (-c vy, c vx) */
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coupling (-vy, vx) */
 /* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
    another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
-   body, one of them for a body. Deviations of the length die out as exp(-rate t). */
+   body, one of them for a body. Deviations of the length die out as exp(-rate t), rate > 0 in 1/s; a cord that
+   becomes taut at a speed v is drawn out by v/(e rate) at most. The link acts at the mass centres. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
    the body's velocity, no reactive force; 0: its own velocity is u. x and v are those of a line or an axle (J(phi),
-   J(omega)); for a body in the plane or a point the law is M(t). */
+   J(omega)); for a body in the plane or a point the law is M(t). What jumps add comes on top of the law. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real share);
-enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2 */
+enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share);
 /* A stream, for a body whose mass is a state: rate kg/s */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share);
 
-/* Events */
+/* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
+   event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant events
+   happen in their order. Nothing of a body that is not there crosses anything. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction);
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction);
-/* ... and what happens then */
+/* ... and what happens then, one thing an event: vm_then_switch(vm_event_at(60), tap, 1). The run ends with
+   VM_STOPPED; an effect goes off (1) or on (0); a part leaves body and becomes into, which was absent; added becomes a
+   part of body and is no longer there; then is called, may change y, and returns a status (VM_STOPPED, < 0 end the
+   run).
+   A part is described as the instant after, in inertial axes; where relative is set, in the body's axes, r from its
+   mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
+   body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
+   A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
+   VM_NO_SUCH_BODY where into is there already, or body or added is not; else errors as vm_separate. */
 VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative);
@@ -757,13 +782,16 @@ enum { VM_BOOK = 15 };
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 /* Checks the scene, and makes the state at the start: vm_scene_size numbers */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *culprit);
-/* An ode_rhs; ctx is the scene, which has been started */
+/* An ode_rhs; ctx is the scene, which has been started. Returns 0; where a mass is not positive or a body cannot be
+   accelerated a derivative is NaN and scene.status says why, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
-/* On from *t to t_end by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y are
-   where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. */
+/* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y are
+   where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events that
+   do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after less
+   than 256 eps of the time. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
-/* A body as it moves in state y */
+/* A body as it moves in state y; where its mass is of a law, that when the right-hand side was last evaluated */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
 /* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
    the state; NULL: no longer */
@@ -3223,6 +3251,16 @@ VM_API vm_effect vm_effect_user(int body, int coordinate,
     vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, 0, 0, 0);
     e.apply = force ? vmi_apply_user : NULL;
     e.force = force, e.ctx = ctx;
+    return e;
+}
+
+VM_API vm_effect vm_effect_callback(int body, int other,
+                                    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
+                                                  vm_scene *scene),
+                                    void *ctx)
+{
+    vm_effect e = vmi_effect(body, 0, other, 0, VMI_ALL_MOTIONS, 0, 0, 0);
+    e.apply = apply, e.ctx = ctx;
     return e;
 }
 
