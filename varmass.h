@@ -583,14 +583,14 @@ struct VM_TAG(vm_scene_body) {
     int motion;        /* VM_LINE, ... */
     int mass_is_state; /* so that vm_effect_stream can change it */
     int absent;        /* not there until an event brings it in */
-    vm_body start;     /* as it starts: for a line mass, r.x, v.x; for an axle mass (kg m^2), omega.z and angle, ... */
-    vm_real angle;     /* rad, of an axle or in the plane */
-    int at;            /* where its state begins; set by vm_scene_start, as all that follows */
-    vm_load load;      /* what acts on it now */
-    int away;          /* not there now */
-    vm_real mass;      /* now, where neither a state nor a law says it */
-    vm_real jumped;    /* what jumps have added to the mass of a law */
-    vm_inertia inertia, filled;  /* now; the same with something about the null axes of a rod or a point */
+    vm_body start;  /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle ... */
+    vm_real angle;  /* rad, of an axle or in the plane */
+    int at;         /* where its state begins; set by vm_scene_start, as all that follows */
+    vm_load load;   /* what acts on it now */
+    int away;       /* not there now */
+    vm_real mass;   /* now, where neither a state nor a law says it */
+    vm_real jumped; /* what jumps have added to the mass of a law */
+    vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
     int positions, coordinates; /* numbers of the state that are positions, velocities */
     /* what the motion needs, so that others are not linked */
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
@@ -629,8 +629,8 @@ struct VM_TAG(vm_effect) {
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; null: at time */
     int (*then)(vm_event *event, vm_real t, vm_real *y);                 /* a status; VM_STOPPED ends the run */
-    vm_real time; /* s, where when is null; of a crossing when it was last, or the start */
-    int direction;                                                       /* > 0 rising, < 0 falling, 0 both */
+    vm_real time;                  /* s, where when is null; of a crossing when it was last, or the start */
+    int direction;                 /* > 0 rising, < 0 falling, 0 both */
     int watches, body, coordinate; /* set where it watches a body: what passes */
     vm_real value;                 /* this value */
     int switches, effect, off;     /* set where it switches an effect on or off */
@@ -642,8 +642,8 @@ struct VM_TAG(vm_event) {
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx, *then_ctx; /* of the one, of the other */
     long most;            /* it happens so often; 0: as often as it may */
-    long count; /* it has happened so often */
-    long seen;  /* the scene's own from here on */
+    long count;           /* it has happened so often */
+    long seen;            /* the scene's own from here on */
     vm_scene *scene;
 };
 
@@ -732,7 +732,8 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coup
 /* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
    another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
    body, one of them for a body. Deviations of the length die out as exp(-rate t), rate > 0 in 1/s; a cord that
-   becomes taut at a speed v is drawn out by v/(e rate) at most. The link acts at the mass centres. */
+   becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
+   of not more than 200/s. The link acts at the mass centres. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
@@ -747,16 +748,16 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share);
 
 /* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
-   event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant events
-   happen in their order. Nothing of a body that is not there crosses anything. */
+   event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
+   events happen in their order. Nothing of a body that is not there crosses anything. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction);
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction);
 /* ... and what happens then, one thing an event: vm_then_switch(vm_event_at(60), tap, 1). The run ends with
-   VM_STOPPED; an effect goes off (1) or on (0); a part leaves body and becomes into, which was absent; added becomes a
-   part of body and is no longer there; then is called, may change y, and returns a status (VM_STOPPED, < 0 end the
+   VM_STOPPED; an effect goes off (1) or on (0); a part leaves body and becomes into, which was absent; added becomes
+   a part of body and is no longer there; then is called, may change y, and returns a status (VM_STOPPED, < 0 end the
    run).
    A part is described as the instant after, in inertial axes; where relative is set, in the body's axes, r from its
    mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
@@ -785,8 +786,8 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
 /* An ode_rhs; ctx is the scene, which has been started. Returns 0; where a mass is not positive or a body cannot be
    accelerated a derivative is NaN and scene.status says why, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
-/* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y are
-   where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events that
+/* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y
+   are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events that
    do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after less
    than 256 eps of the time. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
@@ -3435,7 +3436,8 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vm_scene_body *b = s->bodies + e->body;
     vm_real *force = b->load.force, *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
     const int n = b->motion == VM_PLANE ? 2 : 3;
-    const vm_real rate = e->p[1];
+    /* shorter by this, a cord does not pull: more than its length is uncertain by, or it would be taut by turns */
+    const vm_real rate = e->p[1], loose = VM_C(1e-6) + 512 * VM_EPSILON;
     vmi_link_end near, far;
     vm_real d[3], dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C, lambda;
     int i;
@@ -3450,7 +3452,7 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     }
     C = (dd - e->p[0] * e->p[0]) / 2;
     lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
-    if (e->p[2] != 0 && (lambda > 0 || C < -VM_C(1e-6) * dd)) return; /* slack */
+    if (e->p[2] != 0 && (lambda > 0 || C < -loose * dd)) return; /* slack */
     for (i = 0; i < n; i++) {
         force[i] += lambda * d[i];
         if (far_force && far.mobility[i] > 0) far_force[i] -= lambda * d[i];
@@ -3770,7 +3772,8 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 VM_API int vmi_scene_check_arrays(const vm_scene *s)
 {
     int i;
-    if (!s || s->n_bodies < 1 || !s->bodies || s->n_effects < 0 || (s->n_effects && !s->effects)) return VM_BAD_ARGUMENT;
+    if (!s || s->n_bodies < 1 || !s->bodies || s->n_effects < 0 || (s->n_effects && !s->effects))
+        return VM_BAD_ARGUMENT;
     if (s->n_events < 0 || (s->n_events && (!s->events || !s->located))) return VM_BAD_ARGUMENT;
     if (s->times && s->n_times < 0) return VM_BAD_ARGUMENT;
     for (i = 0; s->times && i < s->n_times; i++) {
@@ -4177,7 +4180,7 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return s->status ? s->status : (int)VM_NOT_INTEGRATED;
 }
 
-/* rk45 on the scene. Each number of the state has its tolerance, the book none: it follows the steps of the bodies. */
+/* rk45 on the scene. Each number of the state has its tolerance, the book none: it follows the bodies' steps. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {

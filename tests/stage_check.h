@@ -7,7 +7,8 @@
 static const int is_float = PRECISION[0] == 'f';
 
 /* got against a reference, relative to scale. The bound in float: what 1000 steps of 2e-6 add up to */
-static inline void agrees(const char *machine, const char *what, vm_real got, double wanted, double scale, double bound)
+static inline void agrees(const char *machine, const char *what, vm_real got, double wanted, double scale,
+                          double bound)
 {
     check_error(machine, what, "rel", fabs((double)got - wanted) / fabs(scale), is_float ? 5e-4 : bound, wanted,
                 (double)got);

@@ -35,7 +35,8 @@ static vm_real stokes(vm_real t, vm_real x, vm_real v, void *ctx)
     return -*(const vm_real *)ctx * v * VM_FABS(v) + t * x;
 }
 
-static void two_springs(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene) /* proportional to the mass */
+static void two_springs(const vm_effect *e, vm_real t, const vm_real *y,
+                        vm_scene *scene) /* proportional to the mass */
 {
     vm_load *load = &scene->bodies[e->body].load;
     (void)t;
@@ -232,11 +233,12 @@ static void nail(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
 }
 
 /* A ball on a cord of 1 m, with v^2 = 3.5 g at the bottom. 30 degrees above the support, where v^2 = g/2, the cord
-   slackens; the top of the parabola is at 0.6875 m, and after 4 cos 30 sqrt(sin 30/g) s the ball is at the bottom, where
-   the cord is taut again and takes the radial velocity, sqrt(g 27/8), away. */
+   slackens; the top of the parabola is at 0.6875 m, and after 4 cos 30 sqrt(sin 30/g) s the ball is at the bottom,
+   where the cord is taut again and takes the radial velocity, sqrt(g 27/8), away. */
 static void check_cord(double rate, double bound)
 {
-    const double v = sqrt(0.5 * gravity), c = sqrt(0.75), radial = sqrt(27. / 8 * gravity), flight = 4 * c * v / gravity;
+    const double v = sqrt(0.5 * gravity), c = sqrt(0.75), radial = sqrt(27. / 8 * gravity),
+                 flight = 4 * c * v / gravity;
     vm_real most = 0;
     stage s;
     stage_clear(&s, 5);
@@ -256,7 +258,8 @@ static void check_cord(double rate, double bound)
     agrees("cord", "taut again", cord_length(s.y), 1, 1, 1e-5);
     check_error("cord", "energy after", "abs",
                 fabs((double)(s.y[3] * s.y[3] + s.y[4] * s.y[4]) / 2 + gravity * (double)s.y[1] -
-                     (0.75 * gravity - radial * radial / 2)), 0.02, rate, 0);
+                     (0.75 * gravity - radial * radial / 2)),
+                0.02, rate, 0);
     check_error("cord", "drawn out", "rel", ((double)most - 1) * exp(1.0) * rate / radial, bound, rate, 0);
     CHECK(((double)most - 1) * exp(1.0) * rate / radial > 0.9);
 }
@@ -390,7 +393,7 @@ static void check_satellite(void)
     vm_body craft = part_of(500, 0), panel = part_of(20, 0), now, rest;
     stage s;
     craft.inertia.xx = 200, craft.inertia.yy = 250, craft.inertia.zz = 300;
-    craft.q.w = craft.q.z = REAL(half);                                /* turned by 90 degrees about z */
+    craft.q.w = craft.q.z = REAL(half); /* turned by 90 degrees about z */
     craft.v = stage_vec(1, 0, 0), craft.omega = stage_vec(0.1, 0.02, 0.3);
     panel.inertia.xx = 2, panel.inertia.yy = 5, panel.inertia.zz = 7;
     panel.r = stage_vec(1.5, 0, 0), panel.v = stage_vec(0.4, 0, 0); /* pushed off along the craft's x */
@@ -481,7 +484,8 @@ static void check_refusals(void)
     s.scene.n_times = 2, begin(&s);
     CHECK(vm_scene_start(&s.scene, VM_NAN, s.y, NULL) == VM_NOT_FINITE);
     CHECK(vm_scene_start(&s.scene, 0, NULL, NULL) == VM_BAD_ARGUMENT);
-    run(&s, -1, VM_BAD_ARGUMENT), run(&s, HUGE_VAL, VM_NOT_FINITE), run(&s, NAN, VM_BAD_ARGUMENT);
+    run(&s, -1, VM_BAD_ARGUMENT), run(&s, (double)VM_INFINITY, VM_NOT_FINITE),
+        run(&s, (double)VM_NAN, VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(NULL, &s.t, 1, s.y, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, NULL, 1, s.y, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, &s.t, 1, NULL, s.work, NULL) == VM_BAD_ARGUMENT);
@@ -499,7 +503,7 @@ int main(void)
     check_examples();
     check_pendulum(2, 0, 0);
     check_pendulum(3, 2, 1);
-    check_cord(1000, 1.1);
+    check_cord(is_float ? 100 : 1000, 1.1); /* a faster one is too stiff for float */
     check_same_instant();
     check_presence();
     check_law_and_jump();
