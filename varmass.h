@@ -787,9 +787,9 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
    accelerated a derivative is NaN and scene.status says why, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 /* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y
-   are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events that
-   do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after less
-   than 256 eps of the time. */
+   are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events
+   that do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after
+   less than 256 eps of the time. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
 /* A body as it moves in state y; where its mass is of a law, that when the right-hand side was last evaluated */
