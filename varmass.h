@@ -1300,15 +1300,22 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
        vm_scene_body bodies[] = {vm_scene_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
-       vm_scene scene = {bodies, 1, effects, 2, NULL, NULL, 0};
-       vm_real y[2], work[VM_SCENE_WORK(2)];
-       vm_scene_run(&scene, 0, 10, y, NULL, work);
+       vm_scene scene = {bodies, 1, effects, 2};                             // what is not set is zero: not there
+       vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
+       vm_culprit culprit;
+       int status = vm_scene_start(&scene, t, y, &culprit);                  // checks, and fills y
+       if (status < 0) printf("%s %d: %s\n", culprit.kind, culprit.index, vm_strerror(status));
+       else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
+
+   With events, scene.events and scene.located (as many) and scene.n_events are set as well, before the start. Bodies,
+   effects and events are known by their index. A start begins everything anew, as the bodies, effects and events were
+   made; a second vm_scene_run goes on where the first ended.
 
    The state has so many numbers a body: a line, an axle 2 (angle and angular velocity), the plane 6, a point 6, free
-   in space 13; one more where the mass is itself a state (two in the plane: mass and inertia). Positions come first:
+   in space 13; one more where the mass is itself a state. Positions come first, from bodies[i].at on:
      line   x, v                                     point  r (3), v (3)
      axle   angle, omega                             free   r (3), q (4), v (3), omega (3, in body axes)
-     plane  x, y, angle, vx, vy, omega               then the mass, in the plane the inertia too
+     plane  x, y, angle, vx, vy, omega               then the mass (the inertia in the plane stays)
    An effect acts on coordinates: 0 of a line or an axle; x, y, angle = 0, 1, 2 in the plane; x, y, z = 0, 1, 2 of a
    point or a free body. What is called mass is the moment of inertia on an axle, and then a force is a torque. */
 
@@ -1331,13 +1338,17 @@ struct VM_TAG(vm_scene_body) {
     int motion;        /* VM_LINE, ... */
     int mass_is_state; /* so that vm_effect_stream can change it */
     int absent;        /* not there until an event brings it in */
-    vm_body start;     /* as it starts: for a line mass, r.x, v.x; for an axle inertia.zz, omega.z and angle, ... */
-    vm_real angle;     /* rad, of an axle or in the plane */
-    int positions, coordinates; /* internal from here on: numbers of the state that are positions, velocities */
-    int at;                     /* where its state begins */
-    vm_load load;
+    vm_body start;  /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle ... */
+    vm_real angle;  /* rad, of an axle or in the plane */
+    int at;         /* where its state begins; set by vm_scene_start, as all that follows */
+    vm_load load;   /* what acts on it now */
+    int away;       /* not there now */
+    vm_real mass;   /* now, where neither a state nor a law says it */
+    vm_real jumped; /* what jumps have added to the mass of a law */
+    vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
+    int positions, coordinates; /* numbers of the state that are positions, velocities */
     /* what the motion needs, so that others are not linked */
-    void (*put)(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
+    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
 };
@@ -1363,30 +1374,31 @@ struct VM_TAG(vm_effect) {
     vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
     vm_moving_point point;                                          /* of vm_effect_link */
     void *ctx;
-    unsigned motions;     /* bit (1 << motion) for each motion that it can act on */
-    int needs_mass_state; /* streams do */
-    int order;            /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
-    int off;              /* switched off: 1 by events, 2 since its body is absent */
+    unsigned motions, other_motions; /* bit (1 << motion) for each motion that it can act on, against */
+    int needs_mass_state;            /* streams do */
+    int order;                       /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
+    int off;                         /* at the start it is switched off */
+    int idle; /* now, set by vm_scene_start: 1 switched off, 2 since a body is not there, 3 both */
 };
 
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; null: at time */
     int (*then)(vm_event *event, vm_real t, vm_real *y);                 /* a status; VM_STOPPED ends the run */
-    vm_real time;                                                        /* s, where when is null */
-    int direction;                                                       /* > 0 rising, < 0 falling, 0 both */
+    vm_real time;                  /* s, where when is null; of a crossing when it was last, or the start */
+    int direction;                 /* > 0 rising, < 0 falling, 0 both */
     int watches, body, coordinate; /* set where it watches a body: what passes */
     vm_real value;                 /* this value */
     int switches, effect, off;     /* set where it switches an effect on or off */
-    int jumps, jump_body, other;   /* set where other separates from jump_body or is attached to it */
+    int jumps, jump_body, other;   /* 1 where other separates from jump_body, -1 where it is attached to it */
     vm_body part; /* what separates; its motion relative to the body, in its axes, where relative is set */
     int relative;
     vm_impulse external; /* acts during the jump */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
-    void *ctx;
-    long most;  /* it happens so often; 0: as often as it may */
-    long count; /* it has happened so often */
-    long seen;  /* the scene's own from here on */
+    void *ctx, *then_ctx; /* of the one, of the other */
+    long most;            /* it happens so often; 0: as often as it may */
+    long count;           /* it has happened so often */
+    long seen;            /* the scene's own from here on */
     vm_scene *scene;
 };
 
@@ -1424,7 +1436,8 @@ struct VM_TAG(vm_scene) {
     int status, ode_status; /* of the right-hand side, of the integrator */
 };
 
-/* Bodies. Of an axle the inertia is about it, kg m^2. */
+/* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
+   body may be a rod, whose spin about itself then stays. */
 VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v);
 VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega);
 VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
@@ -1435,7 +1448,8 @@ VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, 
 VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
 
 /* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
-   rate. A spring's force (248), that of Van der Pol's damper (404). */
+   rate. A spring's force (248), alpha >= 0; that of Van der Pol's damper (404); force cos(frequency t + phase),
+   frequency in rad/s; the reactive force of a stream of rate kg/s whose own velocity is u + share v. */
 VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x);             /* -k x |x|^(alpha-1) */
 VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v);                            /* -b v */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v); /* (b - c x^2) v */
@@ -1443,70 +1457,105 @@ VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega); 
 VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t);
 VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v); /* rate (u + share v - v) */
 
-/* Effects; a mass law of a body stands before what else acts on it */
+/* Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other
+   body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction. A mass law of a body stands
+   before what else acts on it. */
+/* M g, along the coordinate: g = -9.81 where it points upwards; not on an axle */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g);
+/* vm_force_spring of x - rest */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest);
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b);
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c);
 VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa);
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase);
+/* a force of one's own, which depends on t and the coordinate, and on what ctx points to */
 VM_API vm_effect vm_effect_user(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
-/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a plane's body, a point */
+/* an effect of one's own, which may depend on everything: apply adds to scene->bodies[effect->body].load.force, or
+   to load.mass_rate where the mass is a state, and may read load.mass, other bodies, the state y from
+   bodies[...].at on, effect->p and effect->ctx. other, or VM_GROUND: a body without which it does not act either */
+VM_API vm_effect vm_effect_callback(int body, int other,
+                                    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
+                                                  vm_scene *scene),
+                                    void *ctx);
+/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a body in the plane, a point */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha);
-/* an unbalance m e (kg m) that turns: m e Omega^2 (cos, sin)(Omega t + phase) */
+/* an unbalance m e (kg m) that turns with Omega = frequency: m e Omega^2 (cos, sin)(Omega t + phase) */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase);
-VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force (-c vy, c vx) */
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coupling (-vy, vx) */
 /* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
    another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
-   body, one of them for a body. Deviations of the length die out as exp(-rate t). */
+   body, one of them for a body. Deviations of the length die out as exp(-rate t), rate > 0 in 1/s; a cord that
+   becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
+   of not more than 200/s. The link acts at the mass centres. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
    the body's velocity, no reactive force; 0: its own velocity is u. x and v are those of a line or an axle (J(phi),
-   J(omega)); for a body in the plane or a point the law is M(t). */
+   J(omega)); for a body in the plane or a point the law is M(t). What jumps add comes on top of the law. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real share);
-enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2 */
+enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share);
 /* A stream, for a body whose mass is a state: rate kg/s */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share);
 
-/* Events */
+/* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
+   event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
+   events happen in their order. Nothing of a body that is not there crosses anything. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction);
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction);
-/* ... and what happens then */
+/* ... and what happens then, one thing an event: vm_then_switch(vm_event_at(60), tap, 1). The run ends with
+   VM_STOPPED; an effect goes off (1) or on (0); a part leaves body and becomes into, which was absent; added becomes
+   a part of body and is no longer there; then is called, may change y, and returns a status (VM_STOPPED, < 0 end the
+   run).
+   A part is described as the instant after, in inertial axes; where relative is set, in the body's axes, r from its
+   mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
+   body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
+   A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
+   VM_NO_SUCH_BODY where into is there already, or body or added is not; else errors as vm_separate. */
 VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative);
 VM_API vm_event vm_then_attach(vm_event event, int body, int added);
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx);
 
-/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) the index of the
-   body, effect or event. */
-VM_API int vm_scene_check(const vm_scene *scene, int *culprit);
+typedef struct VM_TAG(vm_culprit) {
+    const char *kind; /* "body", "effect", "event", "scene" */
+    int index;        /* which one, -1 for the scene itself */
+} vm_culprit;
+
+/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. Takes a time
+   that grows as the square of the number of effects, some ms for a thousand. */
+VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit);
 VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state */
 enum { VM_BOOK = 15 };
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 /* Checks the scene, and makes the state at the start: vm_scene_size numbers */
-VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, int *culprit);
-/* An ode_rhs; ctx is the scene, which has been started */
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *culprit);
+/* An ode_rhs; ctx is the scene, which has been started. Returns 0; where a mass is not positive or a body cannot be
+   accelerated a derivative is NaN and scene.status says why, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
-/* On from *t to t_end by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y are
-   where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. */
+/* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y
+   are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events
+   that do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after
+   less than 256 eps of the time. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
-/* A body as it moves in state y */
+/* A body as it moves in state y; where its mass is of a law, that when the right-hand side was last evaluated */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
-/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy */
+/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
+   the state; NULL: no longer */
 VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book);
-/* Momentum, angular momentum and energy in state y, what came in since the start, and the defects */
-VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book);
+/* Momentum, angular momentum and energy in state y, what came in since the start, and the defects: what rounding and
+   the integrator's errors leave, and what a constraint takes (a line, an axle, the plane hold their bodies).
+   VM_BAD_ARGUMENT where there is no book. */
+VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book);
 
 VM_API const char *vm_strerror(int status)
 {
@@ -7303,7 +7352,7 @@ VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, v
     return VM_OK;
 }
 
-VM_API void vmi_line_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+VM_API void vmi_line_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     (void)b, (void)angle;
     state[0] = now->r.x, state[1] = now->v.x;
@@ -7323,7 +7372,7 @@ VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v)
     return b;
 }
 
-VM_API void vmi_axle_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+VM_API void vmi_axle_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     (void)b;
     state[0] = angle, state[1] = now->omega.z;
@@ -7348,11 +7397,11 @@ VM_API int vmi_plane_accelerate(const vm_scene_body *b, const vm_real *state, vm
     int i;
     for (i = 0; i < 3; i++) rates[i] = state[3 + i];
     for (i = 0; i < 2; i++) rates[3 + i] = b->load.force[i] / b->load.mass;
-    rates[5] = b->load.force[2] / b->start.inertia.zz;
+    rates[5] = b->load.force[2] / b->inertia.zz;
     return VM_OK;
 }
 
-VM_API void vmi_plane_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     (void)b;
     state[0] = now->r.x, state[1] = now->r.y, state[2] = angle;
@@ -7386,7 +7435,7 @@ VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm
     return VM_OK;
 }
 
-VM_API void vmi_point_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+VM_API void vmi_point_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vm_real *v = state + b->positions;
     (void)angle;
@@ -7416,16 +7465,17 @@ VM_API vm_quat vmi_free_quat(const vm_real *state)
     return q;
 }
 
-/* Euler's equations in body axes, and the quaternion's, whose length is drawn to 1 (as exp(-t)) */
+/* Euler's equations in body axes, and the quaternion's, whose length is drawn to 1 (as exp(-t)). About the null axis
+   of a rod, which no load turns, the spin stays. */
 VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
-    const vm_inertia *i = &b->start.inertia;
+    const vm_inertia *i = &b->filled;
     const vm_vec3 w = vmi_vec3(state[10], state[11], state[12]);
     const vm_quat q = vmi_free_quat(state);
     const vm_real *f = b->load.force, pull = (1 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)) / 2;
     const vmi_mat3 axes = vmi_rotation(q);
     const vm_vec3 torque = vmi_times_transposed(&axes, vmi_vec3(f[3], f[4], f[5]));
-    const vm_vec3 h = vmi_sub(torque, vmi_cross(w, vmi_inertia_times(i, w)));
+    const vm_vec3 h = vmi_sub(torque, vmi_cross(w, vmi_inertia_times(&b->inertia, w)));
     vm_quat spin, turn;
     vm_real a[9];
     spin.w = 0, spin.x = w.x / 2, spin.y = w.y / 2, spin.z = w.z / 2;
@@ -7438,11 +7488,23 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     return vmi_solve_linear(3, a, rates + 10) ? VM_BAD_INERTIA : VM_OK;
 }
 
-VM_API void vmi_free_put(const vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+/* Euler's equations are solved with something about a null axis, too: it finds nothing to accelerate there */
+VM_API vm_inertia vmi_free_filled(const vm_inertia *i)
+{
+    const vm_real trace = i->xx + i->yy + i->zz;
+    vmi_principal p = vmi_principal_axes(i);
+    int k, null_axes = 0;
+    for (k = 0; k < 3; k++)
+        if (!(p.moment[k] > vmi_slack(i))) p.moment[k] = trace > 0 ? trace : 1, null_axes++;
+    return null_axes ? vmi_inertia_from(&p) : *i;
+}
+
+VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     const vmi_mat3 turn = vmi_rotation(now->q);
     const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
     const int none = now->q.w == 0 && now->q.x == 0 && now->q.y == 0 && now->q.z == 0;
+    b->filled = vmi_free_filled(&now->inertia);
     vmi_point_put(b, now, angle, state);
     state[3] = none ? 1 : now->q.w, state[4] = now->q.x, state[5] = now->q.y, state[6] = now->q.z;
     state[10] = omega.x, state[11] = omega.y, state[12] = omega.z;
@@ -7460,6 +7522,7 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
 VM_API vm_scene_body vm_scene_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
+    if (!start) return b; /* which vm_scene_check refuses */
     b.start = *start;
     b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate;
     return b;
@@ -7507,7 +7570,7 @@ VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coord
     vm_effect e;
     memset(&e, 0, sizeof e);
     e.body = body, e.coordinate = coordinate, e.other = other, e.other_coordinate = other_coordinate;
-    e.motions = motions;
+    e.motions = motions, e.other_motions = VMI_ALL_MOTIONS;
     e.order = 1;
     e.p[0] = p0, e.p[1] = p1, e.p[2] = p2;
     return e;
@@ -7613,6 +7676,16 @@ VM_API vm_effect vm_effect_user(int body, int coordinate,
     return e;
 }
 
+VM_API vm_effect vm_effect_callback(int body, int other,
+                                    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
+                                                  vm_scene *scene),
+                                    void *ctx)
+{
+    vm_effect e = vmi_effect(body, 0, other, 0, VMI_ALL_MOTIONS, 0, 0, 0);
+    e.apply = apply, e.ctx = ctx;
+    return e;
+}
+
 VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_scene_body *b = s->bodies + e->body;
@@ -7687,7 +7760,7 @@ VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *
 {
     vm_scene_body *b = s->bodies + e->body;
     const vm_real v = y[b->at + b->positions];
-    b->load.mass = now->mass;
+    b->load.mass = now->mass + b->jumped;
     b->load.extra = now->by_v * ((1 - e->p[3]) * v - e->p[0]);
     b->load.by_v = now->by_v, b->load.own = e->p[0] + e->p[3] * v;
     vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v);
@@ -7727,7 +7800,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
     vm_effect e = vmi_effect(body, 0, VM_GROUND, kind, motions, u, 0, 0);
     e.p[3] = share, e.p[4] = c;
     e.order = 0;
-    e.apply = vmi_apply_mass;
+    e.apply = kind >= VM_MASS_OF_T && kind <= VM_MASS_OF_V2 ? vmi_apply_mass : NULL;
     return e;
 }
 
@@ -7761,8 +7834,8 @@ VM_API void vmi_link_body(const vm_scene *s, int body, const vm_real *y, vmi_lin
     int i;
     for (i = 0; i < 3; i++) {
         end->r[i] = i < n ? r[i] : 0, end->v[i] = i < n ? v[i] : 0;
-        end->mobility[i] = i < n ? 1 / b->load.mass : 0;
-        end->a[i] = i < n ? b->load.force[i] / b->load.mass : 0;
+        end->mobility[i] = i < n ? 1 / (b->load.mass + b->load.extra) : 0;
+        end->a[i] = end->mobility[i] * b->load.force[i];
     }
 }
 
@@ -7784,7 +7857,8 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vm_scene_body *b = s->bodies + e->body;
     vm_real *force = b->load.force, *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
     const int n = b->motion == VM_PLANE ? 2 : 3;
-    const vm_real rate = e->p[1];
+    /* shorter by this, a cord does not pull: more than its length is uncertain by, or it would be taut by turns */
+    const vm_real rate = e->p[1], loose = VM_C(1e-6) + 512 * VM_EPSILON;
     vmi_link_end near, far;
     vm_real d[3], dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C, lambda;
     int i;
@@ -7799,7 +7873,7 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     }
     C = (dd - e->p[0] * e->p[0]) / 2;
     lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
-    if (e->p[2] != 0 && (lambda > 0 || C < -VM_C(1e-6) * dd)) return; /* slack */
+    if (e->p[2] != 0 && (lambda > 0 || C < -loose * dd)) return; /* slack */
     for (i = 0; i < n; i++) {
         force[i] += lambda * d[i];
         if (far_force && far.mobility[i] > 0) far_force[i] -= lambda * d[i];
@@ -7810,7 +7884,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
                                 vm_real rate)
 {
     vm_effect e = vmi_effect(body, 0, other, 0, VMI_FLAT, length, rate, (vm_real)(cord != 0));
-    e.order = 2;
+    e.order = 2, e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
     e.apply = point || other >= 0 ? vmi_apply_link : NULL;
     e.point = point, e.ctx = ctx;
     return e;
@@ -7829,8 +7903,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
 {
     const vm_scene_body *b = scene->bodies + body;
     *now = b->start;
-    if (b->mass_is_state) now->mass = y[b->at + vmi_scene_mass_at(b)];
-    else if (b->load.mass > 0) now->mass = b->load.mass; /* of a law, when the right-hand side was last evaluated */
+    now->mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b)] : b->load.mass;
+    now->inertia = b->inertia;
     b->get(b, y + b->at, now);
 }
 
@@ -7838,7 +7912,7 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
-    b->start.mass = now->mass, b->start.inertia = now->inertia;
+    b->mass = now->mass, b->inertia = now->inertia;
     if (b->mass_is_state) y[b->at + vmi_scene_mass_at(b)] = now->mass;
     b->put(b, now, angle, y + b->at);
 }
@@ -7849,8 +7923,8 @@ VM_API void vmi_scene_presence(vm_scene *s)
     int i;
     for (i = 0; i < s->n_effects; i++) {
         vm_effect *e = s->effects + i;
-        const int gone = s->bodies[e->body].absent || (e->other >= 0 && s->bodies[e->other].absent);
-        e->off = (e->off & 1) | (gone ? 2 : 0);
+        const int gone = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
+        e->idle = (e->idle & 1) | (gone ? 2 : 0);
     }
 }
 
@@ -7860,7 +7934,7 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
 {
     const int n = b->coordinates;
     int i;
-    b->load.mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b)] : b->start.mass;
+    b->load.mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b)] : b->mass;
     b->load.extra = b->load.by_v = b->load.mass_rate = 0;
     for (i = 0; i < n; i++) b->load.force[i] = 0;
     if (!book) return;
@@ -7874,7 +7948,7 @@ VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
     int i;
     for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
     for (i = 0; i < s->n_effects; i++)
-        if (!s->effects[i].off) s->effects[i].apply(s->effects + i, t, y, s);
+        if (!s->effects[i].idle) s->effects[i].apply(s->effects + i, t, y, s);
 }
 
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
@@ -7894,7 +7968,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         int k;
-        if (b->absent) {
+        if (b->away) {
             for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
             continue;
         }
@@ -7967,7 +8041,7 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
     int i;
     for (i = 0; i < VM_BOOK; i++) rates[i] = 0;
     for (i = 0; i < s->n_bodies; i++)
-        if (!s->bodies[i].absent) vmi_scene_enter(s->bodies + i, y, rates);
+        if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
 /* Momentum, angular momentum about the origin and kinetic energy of all bodies that are there */
@@ -7981,7 +8055,7 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
         const vm_scene_body *b = s->bodies + i;
         vm_body now;
         vm_vec3 p, spin;
-        if (b->absent) continue;
+        if (b->away) continue;
         vm_scene_body_at(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
         p = vmi_scale(now.mass, now.v), spin = vmi_spin_momentum(&now);
@@ -8001,18 +8075,21 @@ VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
 
 VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
 {
+    scene->book = book;
+    if (!book) return;
     memset(book, 0, sizeof *book);
     book->open = vmi_scene_open_book;
     book->rates = vmi_scene_rates;
     book->totals = vmi_scene_totals;
-    scene->book = book;
 }
 
-VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
+VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
 {
-    const vm_real *d = y + vm_scene_size(scene) - VM_BOOK;
-    const vm_book *start = scene->book;
-    vm_book b = *start;
+    const vm_book *start = scene ? scene->book : NULL;
+    const vm_real *d;
+    vm_book b;
+    if (!start || !y || !book) return VM_BAD_ARGUMENT;
+    b = *start, d = y + vm_scene_size(scene) - VM_BOOK;
     vmi_scene_load(scene, t, y);
     vmi_scene_totals(scene, y, &b);
     b.impulse = vmi_add(start->impulse, vmi_vec3(d[0], d[1], d[2]));
@@ -8025,9 +8102,15 @@ VM_API void vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_bo
                                vmi_add(b.angular_impulse, b.brought_angular));
     b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
     *book = b;
+    return VM_OK;
 }
 
 /* ---- Scenes: the check -------------------------------------------------------------------------------------- */
+
+VM_API int vmi_no_inertia(const vm_inertia *i)
+{
+    return i->xx == 0 && i->yy == 0 && i->zz == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
+}
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
@@ -8035,14 +8118,8 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->motion == VM_PLANE && !(b->start.inertia.zz > 0)) return VM_BAD_INERTIA;
-    if (b->motion == VM_FREE) {
-        const vmi_principal p = vmi_principal_axes(&b->start.inertia);
-        int k;
-        for (k = 0; k < 3; k++)
-            if (!(p.moment[k] > vmi_slack(&b->start.inertia))) return VM_BAD_INERTIA; /* a rod: use a point */
-        return vmi_check_body(&b->start);
-    }
-    return VM_OK;
+    if (b->motion == VM_POINT && !vmi_no_inertia(&b->start.inertia)) return VM_BAD_INERTIA;
+    return b->motion == VM_FREE ? vmi_check_body(&b->start) : (int)VM_OK;
 }
 
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
@@ -8074,6 +8151,7 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     if (status) return status;
     if (!e->apply) return VM_BAD_ARGUMENT;
     if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
+    if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
@@ -8086,38 +8164,59 @@ VM_API int vmi_scene_can_jump(int motion, int other)
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
+/* Of what separates: that the body into which it goes can be it */
+VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
+{
+    const vm_impulse *j = &e->external;
+    int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
+    vm_scene_body part;
+    if (!status) status = vmi_scene_check_coordinate(s, e->other, 0);
+    if (!status && e->jump_body == e->other) status = VM_NO_SUCH_BODY;
+    if (status) return status;
+    if (!vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion)) return VM_BAD_MOTION;
+    if (!vmi_vec3_finite(j->linear) || !vmi_vec3_finite(j->couple) || !vmi_vec3_finite(j->at)) return VM_NOT_FINITE;
+    if (e->jumps < 0) return VM_OK;
+    part = s->bodies[e->other], part.start = e->part;
+    return vmi_scene_check_body(&part);
+}
+
 VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
     int status = VM_OK;
     if (e->watches && (status = vmi_scene_check_coordinate(s, e->body, e->coordinate)) != 0) return status;
-    if (!e->when && !VM_IS_FINITE(e->time)) return VM_NOT_FINITE;
-    if (!VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
     if (!e->then) return VM_BAD_ARGUMENT;
-    if (e->jumps) {
-        status = vmi_scene_check_coordinate(s, e->jump_body, 0);
-        if (!status) status = vmi_scene_check_coordinate(s, e->other, 0);
-        if (!status && e->jump_body == e->other) status = VM_NO_SUCH_BODY;
-        if (!status && !vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion))
-            status = VM_BAD_MOTION;
-    }
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
-    return status;
+    return e->jumps ? vmi_scene_check_jump(s, e) : status;
 }
 
-VM_API int vm_scene_check(const vm_scene *scene, int *culprit)
+VM_API int vmi_scene_check_arrays(const vm_scene *s)
 {
-    int i = 0, status = VM_OK;
-    const int missing = !scene || scene->n_bodies < 1 || !scene->bodies || (scene->n_effects && !scene->effects) ||
-                        (scene->n_events && (!scene->events || !scene->located)) || scene->n_effects < 0 ||
-                        scene->n_events < 0;
-    if (missing) status = VM_BAD_ARGUMENT;
-    for (i = 0; !status && i < scene->n_bodies; i++) status = vmi_scene_check_body(scene->bodies + i);
-    if (!status)
-        for (i = 0; !status && i < scene->n_effects; i++)
-            status = vmi_scene_check_effect(scene, scene->effects + i);
-    if (!status)
-        for (i = 0; !status && i < scene->n_events; i++) status = vmi_scene_check_event(scene, scene->events + i);
-    if (culprit) *culprit = status && !missing ? i - 1 : -1;
+    int i;
+    if (!s || s->n_bodies < 1 || !s->bodies || s->n_effects < 0 || (s->n_effects && !s->effects))
+        return VM_BAD_ARGUMENT;
+    if (s->n_events < 0 || (s->n_events && (!s->events || !s->located))) return VM_BAD_ARGUMENT;
+    if (s->times && s->n_times < 0) return VM_BAD_ARGUMENT;
+    for (i = 0; s->times && i < s->n_times; i++) {
+        if (!VM_IS_FINITE(s->times[i])) return VM_NOT_FINITE;
+        if (i > 0 && !(s->times[i] > s->times[i - 1])) return VM_BAD_ARGUMENT;
+    }
+    return VM_OK;
+}
+
+VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit)
+{
+    vm_culprit c = {"scene", -1};
+    int i, status = vmi_scene_check_arrays(scene);
+    if (culprit) *culprit = c;
+    if (status) return status;
+    for (i = 0; !status && i < scene->n_bodies; i++)
+        if ((status = vmi_scene_check_body(scene->bodies + i)) != 0) c.kind = "body", c.index = i;
+    for (i = 0; !status && i < scene->n_effects; i++)
+        if ((status = vmi_scene_check_effect(scene, scene->effects + i)) != 0) c.kind = "effect", c.index = i;
+    for (i = 0; !status && i < scene->n_events; i++)
+        if ((status = vmi_scene_check_event(scene, scene->events + i)) != 0) c.kind = "event", c.index = i;
+    if (culprit) *culprit = c;
     return status;
 }
 
@@ -8137,22 +8236,23 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     located->action = ODE_STOP;
 }
 
-VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, int *culprit)
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *culprit)
 {
     int i, at = 0, status = vm_scene_check(scene, culprit);
     if (status) return status;
     if (!y) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     for (i = 0; i < scene->n_bodies; i++) {
         vm_scene_body *b = scene->bodies + i;
-        const vm_body start = b->start;
-        b->at = at;
+        b->at = at, b->away = b->absent, b->jumped = 0;
         at += vmi_scene_body_size(b);
-        b->load.mass = 0;
-        vmi_scene_put(scene, i, &start, b->angle, y);
+        vmi_scene_put(scene, i, &b->start, b->angle, y);
     }
+    for (i = 0; i < scene->n_effects; i++) scene->effects[i].idle = scene->effects[i].off != 0;
     for (i = 0; i < scene->n_events; i++) {
-        scene->events[i].scene = scene, scene->events[i].count = 0;
-        scene->events[i].seen = 0;
+        vm_event *e = scene->events + i;
+        e->scene = scene, e->count = e->seen = 0;
+        if (e->when) e->time = t;
         vmi_scene_locate(scene, i);
     }
     vmi_scene_presence(scene);
@@ -8227,8 +8327,9 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
 {
     vm_event e = vmi_event(0, 0, 0, direction);
     e.watches = 0;
-    e.when = vmi_when_user;
+    e.when = when ? vmi_when_user : NULL;
     e.user_when = when, e.ctx = ctx;
+    if (!when) e.time = VM_NAN; /* which vm_scene_check refuses */
     return e;
 }
 
@@ -8248,7 +8349,7 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_effect *effect = e->scene->effects + e->effect;
     (void)t, (void)y;
-    effect->off = (effect->off & ~1) | e->off;
+    effect->idle = (effect->idle & 2) | e->off;
     return VM_OK;
 }
 
@@ -8259,12 +8360,12 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
     return event;
 }
 
-VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->ctx); }
+VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = then ? vmi_then_user : NULL;
-    event.user_then = then, event.ctx = ctx;
+    event.user_then = then, event.then_ctx = ctx;
     return event;
 }
 
@@ -8279,27 +8380,66 @@ VM_API int vmi_scene_jump_line(const vm_body *body, const vm_body *other, vm_rea
     return VM_OK;
 }
 
-VM_API int vmi_scene_jump(const vm_event *e, const vm_body *body, const vm_body *other, vm_real sign, vm_body *b)
-{
-    const int motion = e->scene->bodies[e->jump_body].motion;
-    if (motion == VM_LINE) return vmi_scene_jump_line(body, other, sign, e->external.linear.x, b);
-    if (motion == VM_AXLE) { /* angular velocities by way of v */
-        vm_body p = *body, q = *other;
-        int status;
-        p.v.x = p.omega.z, q.v.x = q.omega.z, p.r.x = q.r.x = 0;
-        status = vmi_scene_jump_line(&p, &q, sign, e->external.couple.z, b);
-        b->omega.z = b->v.x;
-        b->r = body->r, b->v = body->v;
-        return status;
-    }
-    return sign < 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
-}
-
-/* The angle of a body in the plane or on an axle goes on */
+/* The angle of a body in the plane or on an axle, which may be more than a turn */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + 2] : y[b->at];
+}
+
+VM_API vm_body2 vmi_scene_flat(const vm_body *b)
+{
+    vm_body2 flat;
+    flat.mass = b->mass, flat.inertia = b->inertia.zz;
+    flat.x = b->r.x, flat.y = b->r.y, flat.angle = 0;
+    flat.vx = b->v.x, flat.vy = b->v.y, flat.omega = b->omega.z;
+    return flat;
+}
+
+VM_API int vmi_scene_jump_plane(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external,
+                                vm_body *b)
+{
+    const vm_body2 one = vmi_scene_flat(body), two = vmi_scene_flat(other);
+    vm_impulse2 blow;
+    vm_body2 flat;
+    int status;
+    blow.jx = external->linear.x, blow.jy = external->linear.y, blow.couple = external->couple.z;
+    blow.x = external->at.x, blow.y = external->at.y;
+    status = sign < 0 ? vm_separate2(&one, &two, &blow, &flat) : vm_attach2(&one, &two, &blow, &flat);
+    if (status < 0) return status;
+    *b = *body;
+    b->mass = flat.mass, b->inertia.zz = flat.inertia;
+    b->r.x = flat.x, b->r.y = flat.y, b->v.x = flat.vx, b->v.y = flat.vy, b->omega.z = flat.omega;
+    return flat.inertia > 0 ? VM_OK : VM_BAD_INERTIA; /* a rest that is a point cannot move on as a body */
+}
+
+VM_API int vmi_scene_jump_axle(const vm_body *body, const vm_body *other, vm_real sign, vm_real impulse, vm_body *b)
+{
+    vm_body p = *body, q = *other; /* angular velocities by way of v */
+    int status;
+    p.v.x = p.omega.z, q.v.x = q.omega.z, p.r.x = q.r.x = 0;
+    status = vmi_scene_jump_line(&p, &q, sign, impulse, b);
+    b->omega.z = b->v.x;
+    b->r = body->r, b->v = body->v;
+    return status;
+}
+
+VM_API int vmi_scene_jump(const vm_event *e, const vm_body *body, const vm_body *other, vm_real sign, vm_body *b)
+{
+    const vm_impulse *j = &e->external;
+    switch (e->scene->bodies[e->jump_body].motion) {
+    case VM_LINE: return vmi_scene_jump_line(body, other, sign, j->linear.x, b);
+    case VM_AXLE: return vmi_scene_jump_axle(body, other, sign, j->couple.z, b);
+    case VM_PLANE: return vmi_scene_jump_plane(body, other, sign, j, b);
+    default: return sign < 0 ? vm_separate(body, other, j, b) : vm_attach(body, other, j, b);
+    }
+}
+
+/* The body moves on as now; its mass by a law has jumped, too */
+VM_API void vmi_scene_settle_mass(vm_scene *s, int body, const vm_body *now)
+{
+    vm_scene_body *b = s->bodies + body;
+    b->jumped += now->mass - b->load.mass;
 }
 
 VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new, const vm_body *b,
@@ -8309,10 +8449,13 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
     vm_book before, after;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     if (s->book) s->book->totals(s, y, &before);
-    s->bodies[e->other].absent = !into_is_new;
-    if (into_is_new) vmi_scene_put(s, e->other, other, angle, y);
+    s->bodies[e->other].away = !into_is_new;
+    if (into_is_new) vmi_scene_put(s, e->other, other, angle + s->bodies[e->other].angle, y);
     vmi_scene_put(s, e->jump_body, b, angle, y);
     vmi_scene_presence(s);
+    vmi_scene_load(s, t, y);
+    vmi_scene_settle_mass(s, e->jump_body, b);
+    if (into_is_new) vmi_scene_settle_mass(s, e->other, other);
     vmi_scene_load(s, t, y);
     if (!s->book) return;
     s->book->totals(s, y, &after);
@@ -8326,16 +8469,17 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, part = e->part, rest;
     int status;
-    if (!e->scene->bodies[e->other].absent) return VM_NO_SUCH_BODY;
+    if (!e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_NO_SUCH_BODY;
     vmi_scene_load(e->scene, t, y);
     vm_scene_body_at(e->scene, e->jump_body, y, &body);
     if (e->relative) {
         const vmi_mat3 turn = vmi_rotation(body.q);
+        const int as_body = part.q.w == 0 && part.q.x == 0 && part.q.y == 0 && part.q.z == 0;
         const vm_vec3 d = vmi_times(&turn, part.r);
         part.r = vmi_add(body.r, d);
         part.v = vmi_add(vmi_times(&turn, part.v), vmi_add(body.v, vmi_cross(body.omega, d)));
         part.omega = vmi_add(vmi_times(&turn, part.omega), body.omega);
-        part.q = vmi_quat_times(body.q, part.q);
+        part.q = as_body ? body.q : vmi_quat_times(body.q, part.q);
     }
     status = vmi_scene_jump(e, &body, &part, -1, &rest);
     if (status < 0) return status;
@@ -8345,9 +8489,9 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
-    event.then = vmi_then_separate;
+    event.then = part ? vmi_then_separate : NULL;
     event.jump_body = body, event.other = into, event.jumps = 1, event.relative = relative;
-    event.part = *part;
+    if (part) event.part = *part;
     return event;
 }
 
@@ -8355,7 +8499,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, added, whole;
     int status;
-    if (e->scene->bodies[e->other].absent || e->scene->bodies[e->jump_body].absent) return VM_NO_SUCH_BODY;
+    if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_NO_SUCH_BODY;
     vmi_scene_load(e->scene, t, y);
     vm_scene_body_at(e->scene, e->jump_body, y, &body);
     vm_scene_body_at(e->scene, e->other, y, &added);
@@ -8368,7 +8512,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
-    event.jump_body = body, event.other = added, event.jumps = 1;
+    event.jump_body = body, event.other = added, event.jumps = -1;
     return event;
 }
 
@@ -8385,8 +8529,16 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real limit)
     return limit;
 }
 
-/* What has happened at t happens to y: events at this time, and those that the integrator has counted anew */
-VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, long *happened)
+/* How events follow one another in a run */
+typedef struct VM_TAG(vmi_scene_pace) {
+    long happened; /* events at this instant */
+    vm_real gap;   /* the shortest time since a crossing at this instant happened before, VM_MAX without one */
+    int crowded;   /* so many instants one after another with a gap that the time hardly resolves */
+} vmi_scene_pace;
+
+/* What has happened at t happens to y: events at this time, and those that the integrator has counted anew; in the
+   order of the events */
+VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
@@ -8395,10 +8547,35 @@ VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, long *happened)
         int result;
         if (e->when) e->seen = s->located[i].count;
         if (!now || (e->most && e->count >= e->most)) continue;
-        e->count++, ++*happened;
+        if (e->when && e->count && t - e->time < pace->gap) pace->gap = t - e->time;
+        if (e->when) e->time = t;
+        e->count++, pace->happened++;
         result = e->then(e, t, y);
         if (result < 0 || status == VM_OK) status = result;
     }
+    return status;
+}
+
+/* All events of an instant, since events may cause events. Events that follow one another faster and faster, as the
+   contacts of a ball that comes to rest, are the end of the run where the time no longer resolves them; until then
+   the step after such an event is short enough to see the next. */
+VM_API int vmi_scene_settle(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
+{
+    const long most = 10000; /* at one instant */
+    const vm_real resolved = 256 * VM_EPSILON * span;
+    long before = -1;
+    int status = VM_OK;
+    for (pace->happened = 0, pace->gap = VM_MAX; pace->happened != before && status == VM_OK;) {
+        before = pace->happened;
+        status = vmi_scene_happen(s, r->t, r->y, pace);
+        if (pace->happened == before) break;
+        if (rk45_restart(r, r->t, r->y) < 0 && status >= 0) status = VM_NOT_FINITE;
+        if (pace->happened > most && status >= 0) status = VM_TOO_MANY_EVENTS;
+    }
+    if (pace->gap == VM_MAX) return status;
+    pace->crowded = pace->gap < resolved ? pace->crowded + 1 : 0;
+    if (pace->crowded > 3 && status == VM_OK) status = VM_TOO_MANY_EVENTS;
+    if (r->h > pace->gap / 32) r->h = pace->gap > resolved ? pace->gap / 32 : resolved / 32;
     return status;
 }
 
@@ -8413,45 +8590,55 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
 }
 
+/* One step, or up to the next time at which something is due */
+VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
+{
+    const int output = s->output && s->times && next < s->n_times && s->times[next] < t_end;
+    const vm_real stop = vmi_scene_due(s, output ? s->times[next] : t_end);
+    const int ode = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, stop, 1);
+    if (ode >= 0) return VM_OK;
+    s->ode_status = ode;
+    return s->status ? s->status : (int)VM_NOT_INTEGRATED;
+}
+
+/* rk45 on the scene. Each number of the state has its tolerance, the book none: it follows the bodies' steps. */
+VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
+                                const rk45_options *options_or_NULL)
+{
+    rk45_options o = rk45_defaults(options_or_NULL);
+    const int n = vm_scene_size(s), booked = s->book ? VM_BOOK : 0;
+    vm_real *atol = work + RK45_WORK(n);
+    int i;
+    for (i = 0; i < n; i++) atol[i] = i >= n - booked ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
+    o.atol_each = atol;
+    o.events = s->located, o.n_events = s->n_events;
+    s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
+    r->attempts = o.max_steps;
+    return s->ode_status < 0 ? (int)VM_NOT_INTEGRATED : (int)VM_OK;
+}
+
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {
-    rk45_options o = rk45_defaults(options_or_NULL);
-    const int n = vm_scene_size(scene);
-    const long most_events = 10000;
-    long happened = 0, before = -1;
-    const int book = scene->book ? VM_BOOK : 0;
-    int i, next = 0, status = VM_OK;
+    vmi_scene_pace pace = {0, 0, 0};
+    int next = 0, status;
+    vm_real span;
     rk45 r;
-    vm_real *atol = work + RK45_WORK(n);
-    if (!t || !y || !work || !(t_end >= *t)) return VM_BAD_ARGUMENT;
-    o.events = scene->located, o.n_events = scene->n_events;
-    for (i = 0; i < n; i++) atol[i] = i >= n - book ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
-    o.atol_each = atol; /* the book follows the steps of the bodies */
-    status = rk45_init(&r, vm_scene_rhs, scene, n, *t, y, &o, work);
-    if (status < 0) return scene->ode_status = status, VM_NOT_INTEGRATED;
+    if (!scene || !t || !y || !work || !(t_end >= *t)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
+    status = vmi_scene_integrator(scene, &r, *t, y, work, options_or_NULL);
+    if (status) return status;
+    span = VM_FABS(*t) > VM_FABS(t_end) ? VM_FABS(*t) : VM_FABS(t_end);
     while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
-    r.attempts = -1;
-    for (status = VM_OK; status == VM_OK;) {
-        while (happened != before && status == VM_OK) { /* events may cause events */
-            before = happened;
-            status = vmi_scene_happen(scene, r.t, r.y, &happened);
-            if (happened != before) rk45_restart(&r, r.t, r.y);
-            if (happened > most_events) status = VM_TOO_MANY_EVENTS;
-        }
+    for (;;) {
+        status = vmi_scene_settle(scene, &r, span, &pace);
         if (status == VM_OK) status = vmi_scene_output(scene, r.t, r.y, &next);
         if (status != VM_OK || r.t == t_end) break;
-        before = -1;
-        {
-            const vm_real stop = scene->times && next < scene->n_times && scene->times[next] < t_end
-                                     ? scene->times[next]
-                                     : t_end;
-            const int ode = vmi_run(&r, VMI_RK45, vm_scene_rhs, n, vmi_scene_due(scene, stop), 1);
-            if (ode < 0) scene->ode_status = ode, status = scene->status ? scene->status : (int)VM_NOT_INTEGRATED;
-        }
+        status = vmi_scene_step(scene, &r, t_end, next);
+        if (status != VM_OK) break;
     }
     *t = r.t;
-    vmi_copy(n, r.y, y);
+    vmi_copy(r.n, r.y, y);
     vmi_scene_load(scene, *t, y);
     return status;
 }

@@ -14,7 +14,7 @@ static inline int crane_over_heap(vm_real t, vm_real *y, void *ctx) /* what is p
 {
     stage *s = (stage *)ctx;
     int i;
-    s->memory = t;
+    (void)t;
     for (i = 0; i < 3; i++) y[s->bodies[2].at + i] = y[s->bodies[1].at + i];
     return VM_OK;
 }

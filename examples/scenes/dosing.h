@@ -22,13 +22,10 @@ static inline void belt_feed(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 static inline void dosing(stage *s, double damping)
 {
-    vm_effect feed;
     int lever;
     stage_clear(s, 10);
     lever = stage_body(s, vm_scene_with_mass_state(vm_scene_axle(REAL(12 + 18 * belt_R * belt_R), 0, 0)));
-    feed = vm_effect_drive(lever, 0, 0, 0);
-    feed.apply = belt_feed;
-    stage_effect(s, feed);
+    stage_effect(s, vm_effect_callback(lever, VM_GROUND, belt_feed, NULL));
     stage_effect(s, vm_effect_spring(lever, 0, VM_GROUND, 0, REAL(belt_k), 1, 0));
     stage_effect(s, vm_effect_damper(lever, 0, VM_GROUND, 0, REAL(damping)));
     stage_event(s, vm_then_stop(vm_event_position(lever, 0, REAL(-belt_gate), -1)));

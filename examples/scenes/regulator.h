@@ -38,14 +38,11 @@ static inline void mercury_coupling(const vm_effect *e, vm_real t, const vm_real
 
 static inline void regulator_full(stage *s)
 {
-    vm_effect coupling;
     int shaft, mercury;
     stage_clear(s, 10);
     shaft = stage_body(s, vm_scene_axle(REAL(0.05 + mercury_nA * mercury_R * mercury_R * mercury_H), 0, 0));
     mercury = stage_body(s, vm_scene_line(REAL(mercury_nA * (2 * mercury_H + mercury_R)), 0, 0));
-    coupling = vm_effect_drive(shaft, 0, 0, 0);
-    coupling.apply = mercury_coupling, coupling.other = mercury;
-    stage_effect(s, coupling);
+    stage_effect(s, vm_effect_callback(shaft, mercury, mercury_coupling, NULL));
     stage_effect(s, vm_effect_drive(shaft, 0, REAL(1.5), 0));
     stage_effect(s, vm_effect_spring(mercury, 0, VM_GROUND, 0, REAL(2 * gravity * mercury_nA), 1, 0));
     stage_effect(s, vm_effect_damper(mercury, 0, VM_GROUND, 0, 2));

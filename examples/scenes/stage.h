@@ -13,8 +13,7 @@ typedef struct stage {
     ode_event located[STAGE_EVENTS];
     vm_book book;
     vm_real t, y[STAGE_STATE], work[VM_SCENE_WORK(STAGE_STATE)];
-    vm_real end;    /* when the run is over at the latest */
-    vm_real memory; /* what an event has to remember */
+    vm_real end; /* when the run is over at the latest */
 } stage;
 
 static inline void stage_clear(stage *s, double end)
@@ -48,12 +47,17 @@ static inline int stage_start(stage *s)
     return vm_scene_start(&s->scene, 0, s->y, NULL);
 }
 
-/* On to t_end, closely */
-static inline int stage_run(stage *s, double t_end)
+static inline rk45_options stage_options(void) /* closely */
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0};
     o.rtol = 1000 * VM_EPSILON < (vm_real)1e-10 ? (vm_real)1e-11 : 10 * VM_EPSILON;
     o.atol = o.rtol / 100;
+    return o;
+}
+
+static inline int stage_run(stage *s, double t_end) /* on to t_end */
+{
+    const rk45_options o = stage_options();
     return vm_scene_run(&s->scene, &s->t, (vm_real)t_end, s->y, s->work, &o);
 }
 
