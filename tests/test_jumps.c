@@ -557,8 +557,8 @@ static void test_plane_point(void)
     CHECK(vm_separate_for2(&whole, &part, NULL, NULL, &part.omega, &rest) == VM_NULL_AXIS);
 }
 
-/* Two points, one of which leaves: rounding errors of the inertia must not be taken for that of the other, which would
-   spin anyhow, nor for one that no body has */
+/* Two points, one of which leaves: rounding errors of the inertia must neither be taken for that of the other, which
+   would spin anyhow, nor for one that no body has */
 static void test_plane_nothing_left(void)
 {
     int i, kept = 0;

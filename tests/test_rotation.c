@@ -626,6 +626,28 @@ static int free_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
+/* Components of omega whose squares underflow beside one of 1 rad/s: angular momentum stays */
+static void test_tiny_components(void)
+{
+    const double tiny[] = {1, 1e-4, 1e-7, 1e-11, 1e-15, 1e-30}; /* in float; in double their powers */
+    const double power = PRECISION[0] == 'f' ? 1 : 11;
+    int i, j, k;
+    for (i = 0; i < 6; i++)
+        for (j = 0; j < 6; j++)
+            for (k = 0; k < 3; k++) {
+                vm_body b, later;
+                vm_vec3 h;
+                memset(&b, 0, sizeof b);
+                b.mass = 1, b.inertia.xx = 1, b.inertia.yy = VM_C(0.75), b.inertia.zz = VM_C(0.5);
+                (&b.omega.x)[k] = 1;
+                (&b.omega.x)[(k + 1) % 3] = (vm_real)pow(tiny[i], power);
+                (&b.omega.x)[(k + 2) % 3] = (vm_real)pow(tiny[j], power);
+                CHECK(vm_free_rotation(&b, 50, &later) == VM_OK);
+                h = vmi_sub(vm_angular_momentum(&later, later.r), vm_angular_momentum(&b, b.r));
+                check_error("tiny omega", "L", "eps", (double)(vmi_length(h) / VM_EPSILON / 2), 5, i, j);
+            }
+}
+
 static void test_runge_kutta(void)
 {
     int i;
@@ -712,6 +734,7 @@ int main(void)
     test_tilted_rod();
     test_limits();
     test_extreme();
+    test_tiny_components();
     test_runge_kutta();
     test_refusals();
     return check_finish("rotation");
