@@ -295,7 +295,7 @@ static void test_one_dimension(void)
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {
         vm_stream1 s;
         vm_flow1 flow = {0};
-        vm_real y[VM_RHS1], x, v;
+        vm_real y[VM_RHS1], x = 0, v = 0;
         s.rate = R(cases[i].rate), s.velocity = R(cases[i].u), s.motion = cases[i].motion;
         flow.n = 1, flow.streams = &s;
         y[0] = 0, y[1] = R(cases[i].m0 * cases[i].x0), y[2] = R(cases[i].m0);
@@ -1608,7 +1608,7 @@ static void test_euler(void)
         vm_real rates[3] = {1, 2, 3};
         CHECK(vm_euler_313_rates(1, 0, vector(1, 0, 0), rates) == VM_SINGULAR && rates[0] == 1);
         CHECK(vm_euler_313_rates(1, R(NAN), vector(1, 0, 0), rates) == VM_NOT_FINITE && rates[0] == 1);
-        CHECK(vm_euler_313_rates(1, R(.1), vector(VM_MAX, 0, 0), rates) == VM_NOT_FINITE && rates[0] == 1);
+        CHECK(vm_euler_313_rates(1, R(.1), vector((double)VM_MAX, 0, 0), rates) == VM_NOT_FINITE && rates[0] == 1);
         CHECK(vm_euler_313_rates(1, 1, vector(1, 0, 0), NULL) == VM_BAD_ARGUMENT);
     }
 }
