@@ -323,7 +323,9 @@ static void check_presence(void)
     stage_event(&s, vm_then_switch(vm_event_at(2), 1, 1));
     stage_event(&s, vm_then_attach(vm_event_at(3), 0, 1));
     for (again = 0; again < 2; again++) {
-        begin(&s), run(&s, 1, VM_OK);
+        begin(&s), run(&s, 0.5, VM_OK);
+        CHECK(s.y[1] == 2 && s.y[2] == 5 && s.y[3] == 9); /* what is not there does not move */
+        run(&s, 1, VM_OK);
         CHECK(s.y[1] == 2 && !s.bodies[1].away && s.y[3] == 2 && s.bodies[0].mass == 2 && s.bodies[1].mass == 1);
         run(&s, 3, VM_OK);
         CHECK(s.bodies[1].away && s.bodies[0].mass == 3);
