@@ -65,15 +65,17 @@
    ACCURACY, measured (make test; docs/measurements.md)
      Jumps keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 12 eps of the sum
      of all tr(I) |omega| + M |r - point| |v|, for masses up to 1e4 apart, thin bodies too and bodies within some
-     sizes of the origin (farther, positions are right to eps r only), but for what VM_NULL_AXIS reports. A part that moves on as before leaves omega as it was, far from the origin and at high
-     speed too; energies by (113), (118) agree with the bodies' to 1 eps of theirs.
+     sizes of the origin (farther, positions are right to eps r only), but for what VM_NULL_AXIS reports. A part
+     that moves on as before leaves omega as it was, far from the origin and at high speed too; energies by (113),
+     (118) agree with the bodies' to 1 eps of theirs.
      Free rotation: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs exact, next to the
      separatrix too. Rotor: linear motion within 2 roundings of its inputs. Streams: closed forms 1 eps of their
      terms; body and everything shed keep momentum, angular momentum and energy to 7e-15 (rk87), to 0.3 of the
      tolerance (rk45). Lambert's W within 1 ulp; the drum on a rigid shaft within 4 ulp, through e = 0 and k1 = 0.
      The constants of the oscillator are right to 8 eps; the second-order law errs by (q/Om)^2 to t = 3/q (1e-6 for
      eps = 0.01); every route estimates its error: below 3 estimates in 99 % of random problems by vm_osc_at, above
-     10 (and there by little) in 1 of 1000. Closed forms of Van der Pol, rotor and steady vibrations 3e-15, coefficients 5 eps for alpha to 1e6.
+     10 (and there by little) in 1 of 1000. Closed forms of Van der Pol, rotor and steady vibrations 3e-15,
+     coefficients 5 eps for alpha to 1e6.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
@@ -1054,9 +1056,9 @@ typedef struct VM_TAG(vm_osc_plan) {
    default tolerance that takes 400 (variation), 700 (rk87), 2200 (rk45) evaluations a period, alpha = 3. With F the
    averaged equations are integrated instead of closed forms, and error is that of their integration alone, not of
    averaging nor of cos and cn; there is no second-order law, and vm_osc_at takes the variation of constants.
-   Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below 3
-   times error in 99 %, above 10 (10.3) in 1 of 1000, and error is 2.5 (first order), 4.5 (second order) and 5 to 10 times
-   (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its
+   Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
+   3 times error in 99 %, above 10 (10.3) in 1 of 1000, and error is 2.5 (first order), 4.5 (second order) and 5 to
+   10 times (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its
    errors do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a

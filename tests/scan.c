@@ -98,7 +98,8 @@ static void scan_solver(double c)
     exact = 1 - kp * kp;
     check_error("solve_kpK_m1", "0 < c < 40", "ulp", fmax(0, ulps(m1, kp * kp) - moved / ULP((double)m1)), 4,
                 (double)cr, 0);
-    check_error("solve_kpK", "0 < c < 40", "ulp", fmax(0, ulps(m, exact) - moved / ULP((double)exact)), 4, (double)cr, 0);
+    check_error("solve_kpK", "0 < c < 40", "ulp", fmax(0, ulps(m, exact) - moved / ULP((double)exact)), 4,
+                (double)cr, 0);
 }
 
 /* ---- Ateb: the two series of ateb.h, Newton's method; unknown v = sa, or z = -ln |ca|^(alpha+1) ---- */
