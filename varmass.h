@@ -1058,8 +1058,8 @@ typedef struct VM_TAG(vm_osc_plan) {
    averaging nor of cos and cn; there is no second-order law, and vm_osc_at takes the variation of constants.
    Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
    3 times error in 99 %, above 10 (10.3) in 1 of 1000, and error is 2.5 (first order), 4.5 (second order) and 5 to
-   10 times (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer its
-   errors do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
+   10 times (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer
+   its errors do not go as the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order

@@ -1,6 +1,6 @@
 /* The same bits everywhere: a fixed program of calls of all headers, each section's results folded into one number.
-   Prints 'golden float|double SECTION HASH' lines, which tests/cross.sh compares between targets, compilers and flags. Needs
-   neither stdio nor a heap: on bare metal GOLDEN_PUTS writes a line. */
+   Prints 'golden float|double SECTION HASH' lines, which tests/cross.sh compares between targets, compilers and
+   flags. Needs neither stdio nor a heap: on bare metal GOLDEN_PUTS writes a line. */
 #include "../varmass.h"
 
 #ifdef GOLDEN_PUTS
