@@ -93,4 +93,10 @@ for alpha in 0 0.1 1 1.5 2.7 3 100; do
     check "printed plan, alpha $alpha, float" ateb_round_trip $alpha 0 -DVM_USE_FLOAT
 done
 check "printed plan to 1e-4" ateb_round_trip 1.5 1e-4
+stored_plan_is_current() {
+    $cc -std=c99 -DVM_USE_FLOAT examples/ateb_plan.c -o "$build/plan_print" -lm &&
+        { echo '/* Written by examples/ateb_plan 3, built with -DVM_USE_FLOAT */'; "$build/plan_print" 3 0; } |
+        cmp - examples/firmware/plan.h
+}
+check "the firmware example's plan is what init computes" stored_plan_is_current
 check_finish plans
