@@ -119,6 +119,9 @@ data:
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
 	python3 tests/gen/rotation_reference.py
+	python3 tests/gen/rotor_reference.py
+	python3 tests/gen/streams.py
+	python3 tests/gen/slow.py
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h
@@ -175,7 +178,7 @@ build/bench/jacobi build/bench/ateb build/bench/integrators: build/bench/%: benc
 	@$(IN_BUILD) && if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
 	$(COMPILE) $< -o $@ $$gsl -lm
 
-build/bench/rotation: bench/bench_rotation.c bench/timing.h build/command $(HEADERS)
+build/bench/rotation build/bench/streams build/bench/scenes: build/bench/%: bench/bench_%.c bench/timing.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/bench/double: bench/bench.c bench/timing.h build/command $(HEADERS)
@@ -189,9 +192,6 @@ build/bench/ateb_float: bench/bench_ateb.c build/command ateb.h
 
 build/bench/ateb_wide: bench/bench_ateb.c build/command ateb.h
 	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -fno-math-errno $< -o $@ -lm
-
-build/bench/scenes: bench/bench_scenes.c bench/timing.h build/command $(HEADERS)
-	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/bench/pairs: bench/pairs.c build/command
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
