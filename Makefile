@@ -6,6 +6,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
+#   make first-steps   ten short programs, docs/first-steps.md
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F
 #   make test-cross   the same bits on every target (minutes)
@@ -21,13 +22,13 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects
-SCRIPTS = headers plans package scene_cost golden sweep errata
+SCRIPTS = headers plans package scene_cost golden sweep errata first_steps
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -107,6 +108,9 @@ measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES
 figures: run
 	cd build/figures && cp example1_trigonometric.svg dzhanibekov.svg scenes_scoop.svg scenes_regulator.svg drum.svg rotor_fig18.svg \
 	    tumbling.svg rocket.svg resonance.svg ../../docs/figures
+
+first-steps: build/command
+	CC="$(CC)" sh examples/first_steps/steps.sh build write
 
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath

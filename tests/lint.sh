@@ -33,7 +33,7 @@ for compiler in gcc clang; do
             [ $source = tests/test_gsl.c ] || compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done
-    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c \
+    for source in tests/mixed_double.c tests/mixed_float.c tests/exhaustive_*.c examples/*.c examples/first_steps/*.c \
         examples/package/consumer/main.c bench/*.c; do
         compile $compiler c99 $source -Wstrict-prototypes
     done

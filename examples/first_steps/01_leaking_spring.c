@@ -1,0 +1,36 @@
+/* A spring with a leaking mass. A bucket of sand on a spring, m x'' + k x = 0: the sand keeps the bucket's velocity as
+   it leaks out, so that there is no reactive force, and the swings get faster and narrower, A = A0 (m/m0)^(1/4). Were
+   it brought to rest before it leaves (r = 1), the reactive force would make them wider: A = A0 (m0/m)^(1/4), the same
+   law, (325) with alpha = 1, with another r. The sign of that force is easily got wrong.
+
+   cc -O2 01_leaking_spring.c -lm && ./a.out [file.csv] */
+#include <stdio.h>
+#include "../../varmass.h"
+
+int main(int argc, char **argv)
+{
+    FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
+    const double end = 70; /* s: 7 of 10 kg have gone */
+    vm_osc_motion motion;
+    double mass = 0, rate, t;
+    int status = VM_OK;
+
+    puts("   t (s)  mass (kg)  amplitude (m)   by (325)   route that was taken");
+    for (t = 0; t <= end && status >= 0; t += 10) {
+        status = vm_osc_at(&bucket, t, 1e-6, &motion); /* the cheapest route that is right to 1e-6 */
+        vm_law_at(&bucket.mass, t, &mass, &rate);
+        printf("%8.0f %10.1f %14.6f %10.6f   %s\n", t, mass, motion.amplitude,
+               0.05 * vm_osc_amplitude_law(mass / 10, 0, 0, 1), vm_osc_route_name(motion.route));
+    }
+    if (csv) fprintf(csv, "t (s),\"x (m)\",\"amplitude (325)\",\"with a reactive force\"\n");
+    for (t = 0; csv && t <= end && status >= 0; t += 0.05) {
+        status = vm_osc_at(&bucket, t, 1e-3, &motion);
+        vm_law_at(&bucket.mass, t, &mass, &rate);
+        fprintf(csv, "%g,%.6f,%.6f,%.6f\n", t, motion.x, 0.05 * vm_osc_amplitude_law(mass / 10, 0, 0, 1),
+                0.05 * vm_osc_amplitude_law(mass / 10, 0, 1, 1));
+    }
+    if (csv) fclose(csv);
+    if (status < 0) printf("%s\n", vm_strerror(status));
+    return status < 0;
+}

@@ -1,0 +1,34 @@
+/* A spring that stiffens. x'' + x^3 = 0: the wider it swings the faster, (262), and its motion is no cosine but the
+   Ateb function ca(3, 1, s), (282), which every x |x|^(alpha-1) has one of; beside it the cosine with the exact
+   period, (291), up to 7 % of the amplitude off, and cn, (297), which for alpha = 3 is exact.
+
+   cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
+#include <stdio.h>
+#include "../../varmass.h"
+
+int main(int argc, char **argv)
+{
+    FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    const double period = vm_osc_period(1, 1, 3);
+    double x0, x, cosine, cn, v, t, off = 0, off_cn = 0;
+    vm_osc_comparison table = vm_osc_compare(3);
+
+    puts("amplitude (m)  period (s)  largest velocity (m/s)");
+    for (x0 = 0.25; x0 <= 4; x0 *= 2)
+        printf("%13g %11.6f %23.6f\n", x0, vm_osc_period(x0, 1, 3), vm_osc_vmax(x0, 1, 3));
+
+    if (csv) fprintf(csv, "t (s),\"x (282)\",\"cosine (291)\",\"velocity\"\n");
+    for (t = 0; t <= 1.5 * period; t += period / 400) {
+        vm_osc_exact(t, 1, 1, 3, &x, &v);
+        if (csv) fprintf(csv, "%.6f,%.9f,", t, x);
+        vm_osc_trig(t, 1, 1, 3, &cosine, &cn);
+        if (csv) fprintf(csv, "%.9f,%.9f\n", cosine, v);
+        vm_osc_jacobi(t, 1, 1, 3, &cn, &v);
+        if (fabs(x - cosine) > off) off = fabs(x - cosine);
+        if (fabs(x - cn) > off_cn) off_cn = fabs(x - cn);
+    }
+    printf("the cosine is off by %.4f of the amplitude (vm_osc_compare says %.4f), cn by %.1e\n", off, table.trig_x,
+           off_cn);
+    if (csv) fclose(csv);
+    return 0;
+}

@@ -1,0 +1,33 @@
+/* A wagon in the rain. It rolls without friction; the rain falls straight down, so that mass joins with no velocity
+   along the rail and M v stays, (171), (151). Then the rain stops and the wagon leaks: what leaves has the wagon's
+   velocity, and v stays. "M v stays, so v must grow again" is the classic mistake: it forgets what the water takes along.
+
+   cc -O2 05_wagon_in_the_rain.c -lm && ./a.out [file.csv] */
+#include <stdio.h>
+#include "../../varmass.h"
+
+int main(int argc, char **argv)
+{
+    FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    const vm_stream1 rain = {10, 0, VM_ABSOLUTE}, leak = {-10, 0, VM_RELATIVE}; /* kg/s, m/s */
+    const vm_real m0 = 1000, v0 = 5, end = 60;
+    vm_real t, x, v, x_full, v_full, mass;
+
+    vm_linear_flow(end, 0, v0, m0, 0, &rain, &x_full, &v_full); /* closed forms, no integration */
+    if (csv) fprintf(csv, "t (s),\"v (m/s)\",\"mass (t)\",\"M v/(M v at first)\",\"the mistake\"\n");
+    for (t = 0; t <= 2 * end; t += 0.5) {
+        if (t <= end) {
+            vm_linear_flow(t, 0, v0, m0, 0, &rain, &x, &v);
+            mass = m0 + rain.rate * t;
+        } else {
+            vm_linear_flow(t - end, x_full, v_full, m0 + rain.rate * end, 0, &leak, &x, &v);
+            mass = m0 + rain.rate * end + leak.rate * (t - end);
+        }
+        if (csv) fprintf(csv, "%g,%.9f,%.4f,%.9f,%.9f\n", t, v, mass / 1000, mass * v / (m0 * v0), m0 * v0 / mass);
+        if (t == 0 || t == end || t == 2 * end)
+            printf("t = %3g s: mass %4g kg, v = %.6f m/s, momentum %.4f kg m/s, at x = %.4f m\n", t, mass, v, mass * v, x);
+    }
+    printf("by Levi-Civita's form: %.6f m/s after the rain\n", vm_levi_civita(v0, m0, m0 + rain.rate * end, 0, 0));
+    if (csv) fclose(csv);
+    return 0;
+}

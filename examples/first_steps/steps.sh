@@ -1,0 +1,40 @@
+#!/bin/sh
+# The first steps: build and run them, draw their figures, and write down what they say.
+# usage: [CC=compiler] steps.sh BUILD_FOLDER [write], from the top of the project
+# Without write, docs/first-steps.md is compared with what it would be.
+build=$1/first_steps doc=$1/first_steps/first-steps.md
+mkdir -p "$build" || exit 1
+{
+    echo '# First steps'
+    echo
+    echo 'Ten programs of less than 60 lines each, from a spring with a leaking mass to a satellite that throws off a panel.'
+    echo 'Written by `make first-steps`, which builds, runs and draws them; each is also one compiler line, which stands in it.'
+    echo 'Numbers in round brackets are equations of the dissertation.'
+} >"$doc"
+for source in examples/first_steps/*.c; do
+    name=$(basename "$source" .c)
+    ${CC:-cc} -std=c99 -O2 -ffp-contract=off "$source" -o "$build/$name" -lm || exit 1
+    "$build/$name" "$build/$name.csv" >"$build/$name.txt" || { echo "$name failed"; exit 1; }
+    title=$(sed -n '1s|^/\* \([^.]*\)\..*|\1|p' "$source")
+    {
+        printf '\n## %s\n\n' "$title"
+        awk 'NR == 1 {sub("^/\\* [^.]*\\. ", "")} /^$/ {exit} {sub("^   ", ""); print}' "$source" | sed "s/\*/\\\\*/g"
+        printf '\n[%s](../%s) prints\n\n' "$(basename "$source")" "$source"
+        sed 's/^/    /' "$build/$name.txt"
+        printf '\n![%s](figures/first_steps/%s.svg)\n' "$title" "$name"
+    } >>"$doc"
+done
+if [ "$2" = write ]; then
+    sh tests/install.sh "command -v gnuplot" gnuplot-nox || exit 1
+    mkdir -p docs/figures/first_steps
+    cp "$doc" docs/first-steps.md
+    for source in examples/first_steps/*.c; do
+        name=$(basename "$source" .c)
+        title=$(sed -n '1s|^/\* \([^.]*\)\..*|\1|p' "$source")
+        gnuplot -e "csv='$build/$name.csv'; svg='docs/figures/first_steps/$name.svg'; title='$title'" \
+            examples/first_steps/draw.gp || exit 1
+    done
+    echo "docs/first-steps.md and its figures are written"
+else
+    diff docs/first-steps.md "$doc"
+fi
