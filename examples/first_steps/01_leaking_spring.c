@@ -1,7 +1,7 @@
-/* A spring with a leaking mass. A bucket of sand on a spring, m x'' + k x = 0: the sand keeps the bucket's velocity as
-   it leaks out, so that there is no reactive force, and the swings get faster and narrower, A = A0 (m/m0)^(1/4). Were
-   it brought to rest before it leaves (r = 1), the reactive force would make them wider: A = A0 (m0/m)^(1/4), the same
-   law, (325) with alpha = 1, with another r. The sign of that force is easily got wrong.
+/* A spring with a leaking mass. A bucket of sand on a spring, m x'' + k x = 0: the sand keeps the bucket's velocity
+   as it leaks out, so that there is no reactive force, and the swings get faster and narrower, A = A0 (m/m0)^(1/4).
+   Were it brought to rest before it leaves (r = 1), the reactive force would make them wider: A = A0 (m0/m)^(1/4),
+   the same law, (325) with alpha = 1, with another r. The sign of that force is easily got wrong.
 
    cc -O2 01_leaking_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

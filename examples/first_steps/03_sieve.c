@@ -1,6 +1,6 @@
-/* A vibrating sieve that is being loaded. As a scene: bodies, the effects that act, the events that change them, and
-   nothing else is simulated. 20 kg on a spring and a damper, shaken by 60 N; from t = 4 s on 2 kg of gravel a second
-   fall in without sideways velocity, (175), until 20 kg are in; the resonance is passed on the way.
+/* A vibrating sieve that is being loaded. As a scene: bodies, the effects that act, the events that change them,
+   and nothing else is simulated. 20 kg on a spring and a damper, shaken by 60 N; from t = 4 s on 2 kg of gravel a
+   second fall in without sideways velocity, (175), until 20 kg are in; the resonance is passed on the way.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -13,7 +13,10 @@ static int weight(vm_real t, const vm_real *y, vm_flow1 *rocket)
 }
 
 static vm_real propellant(vm_real t, const vm_real *y, void *ctx) { return (void)t, (void)ctx, y[2] - 40; }
-static void burnt_out(vm_real t, vm_real *y, void *ctx) { (void)t, (void)y, ((vm_flow1 *)ctx)->streams[0].rate = 0; }
+static void burnt_out(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t, (void)y, ((vm_flow1 *)ctx)->streams[0].rate = 0;
+}
 
 int main(int argc, char **argv)
 {
@@ -21,7 +24,7 @@ int main(int argc, char **argv)
     vm_stream1 jet = {-5, -2000, VM_RELATIVE}; /* 5 kg/s leave, downwards, at 2000 m/s against the rocket */
     vm_flow1 rocket = {1, &jet, 0, weight, NULL, 0};
     ode_event empty = {0};
-    rk45_options options = {0}; /* zero is the default */
+    rk45_options options = {0};                        /* zero is the default */
     vm_real y[3] = {0, 0, 100}, work[RK45_WORK(3)], t; /* x, momentum, mass */
     rk45 s;
     int status;

@@ -1,6 +1,7 @@
 /* A wagon in the rain. It rolls without friction; the rain falls straight down, so that mass joins with no velocity
    along the rail and M v stays, (171), (151). Then the rain stops and the wagon leaks: what leaves has the wagon's
-   velocity, and v stays. "M v stays, so v must grow again" is the classic mistake: it forgets what the water takes along.
+   velocity, and v stays. "M v stays, so v must grow again" is the classic mistake: it forgets what the water takes
+   along.
 
    cc -O2 05_wagon_in_the_rain.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -25,7 +26,8 @@ int main(int argc, char **argv)
         }
         if (csv) fprintf(csv, "%g,%.9f,%.4f,%.9f,%.9f\n", t, v, mass / 1000, mass * v / (m0 * v0), m0 * v0 / mass);
         if (t == 0 || t == end || t == 2 * end)
-            printf("t = %3g s: mass %4g kg, v = %.6f m/s, momentum %.4f kg m/s, at x = %.4f m\n", t, mass, v, mass * v, x);
+            printf("t = %3g s: mass %4g kg, v = %.6f m/s, momentum %.4f kg m/s, at x = %.4f m\n", t, mass, v,
+                   mass * v, x);
     }
     printf("by Levi-Civita's form: %.6f m/s after the rain\n", vm_levi_civita(v0, m0, m0 + rain.rate * end, 0, 0));
     if (csv) fclose(csv);

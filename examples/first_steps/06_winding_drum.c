@@ -1,6 +1,6 @@
-/* A band winds up on a drum. Fig. 20: the band comes at a constant velocity v, and the drum's moment of inertia grows
-   with the angle: angular velocity (196), time (197), angle phi(t), all in closed form, for three dampings: the drum
-   is driven by the band, just kept, or braked, and then it never gets beyond an angle.
+/* A band winds up on a drum. Fig. 20: the band comes at a constant velocity v, and the drum's moment of inertia
+   grows with the angle: angular velocity (196), time (197), angle phi(t), all in closed form, for three dampings:
+   the drum is driven by the band, just kept, or braked, and then it never gets beyond an angle.
 
    cc -O2 06_winding_drum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -21,15 +21,16 @@ int main(int argc, char **argv)
         printf("D = %-6g N m s: after 0.5 s turned by %.9f rad, now %.6f rad/s; can turn by %g rad\n", damping[k],
                vm_drum_angle(0.5, &d), vm_drum_rate(vm_drum_angle(0.5, &d), &d), vm_drum_stop(&d));
     }
-    if (csv) fprintf(csv, "t (s),\"rad/s where D = %g N m s\",\"%g N m s\",\"%g N m s\"\n", damping[0], damping[1], damping[2]);
+    if (csv)
+        fprintf(csv, "t (s),\"rad/s where D = %g N m s\",\"%g N m s\",\"%g N m s\"\n", damping[0], damping[1],
+                damping[2]);
     for (t = 0; csv && t <= 1; t += 0.005) {
         fprintf(csv, "%g", t);
         for (k = 0; k < 3; k++) {
             phi = vm_drum_angle(t, &drum[k]);
             if (phi <= 2 * 3.14159265358979) /* the first layer is what the model is for */
                 fprintf(csv, ",%.9f", vm_drum_rate(phi, &drum[k]));
-            else
-                fprintf(csv, ",");
+            else fprintf(csv, ",");
         }
         fprintf(csv, "\n");
     }

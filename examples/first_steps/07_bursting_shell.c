@@ -1,6 +1,6 @@
-/* A spinning shell bursts into three. Two pieces are seen to fly off; vm_separate says what the
-   third does, (15), (24), (34), and what the charge gave, (113). The mass centre of all three goes on as if nothing had
-   happened, until the first piece falls down.
+/* A spinning shell bursts into three. Two pieces are seen to fly off; vm_separate says what the third does, (15),
+   (24), (34), and what the charge gave, (113). The mass centre of all three goes on as if nothing had happened,
+   until the first piece falls down.
 
    cc -O2 07_bursting_shell.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -35,8 +35,8 @@ int main(int argc, char **argv)
         const vm_body *b = k < 3 ? &piece[k] : &shell;
         const double least = k < 3 ? b->v.z : -48;
         for (t = 0; t <= (least + sqrt(least * least + 2 * g * 500)) / g; t += 0.05)
-            fprintf(csv, "%.4f%.*s%.4f%.*s\n", b->r.x + b->v.x * t, k + 1, ",,,,", b->r.z + b->v.z * t - g * t * t / 2,
-                    3 - k, ",,,,");
+            fprintf(csv, "%.4f%.*s%.4f%.*s\n", b->r.x + b->v.x * t, k + 1, ",,,,",
+                    b->r.z + b->v.z * t - g * t * t / 2, 3 - k, ",,,,");
     }
     if (csv) fclose(csv);
     return status < 0;

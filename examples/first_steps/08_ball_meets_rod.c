@@ -24,7 +24,8 @@ int main(int argc, char **argv)
         {
             const double before = vm_kinetic_energy2(&ball), lost = before - vm_kinetic_energy2(&both);
             if (csv) fprintf(csv, "%.3f,%.9f,%.9f,%.9f\n", at, both.omega, both.vx, lost);
-            if ((int)(at * 100 + 0.5) % 10 == 0) printf("%11.2f %13.6f %22.6f %16.6f\n", at, both.omega, both.vx, lost);
+            if ((int)(at * 100 + 0.5) % 10 == 0)
+                printf("%11.2f %13.6f %22.6f %16.6f\n", at, both.omega, both.vx, lost);
         }
     }
     puts("(the further out, the more spin and the less loss: the ball is slowed less)");

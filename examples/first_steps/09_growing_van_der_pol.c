@@ -1,6 +1,6 @@
-/* A self-excited vibration whose mass grows. m x'' + x = (b - c x^2) x' - m' x', (404): the amplitude tends to that of
-   (425), less than 2 sqrt(b/c), whatever it was at first, since mass that joins at rest brakes. The equation of motion
-   by rk45, the amplitude in closed form.
+/* A self-excited vibration whose mass grows. m x'' + x = (b - c x^2) x' - m' x', (404): the amplitude tends to that
+   of (425), less than 2 sqrt(b/c), whatever it was at first, since mass that joins at rest brakes. The equation of
+   motion by rk45, the amplitude in closed form.
 
    cc -O2 09_growing_van_der_pol.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -29,12 +29,12 @@ int main(int argc, char **argv)
     for (t = 0; t <= 100 && status >= 0; t += 0.1) {
         for (k = 0; k < 2 && status >= 0; k++) status = rk45_solve(&s[k], t);
         if (csv)
-            fprintf(csv, "%g,%.6f,%.6f,%.6f,%.6f\n", t, s[0].y[0], s[1].y[0], vm_vdp_amplitude(&v, t, starts[0], mass),
-                    vm_vdp_amplitude(&v, t, starts[1], mass));
+            fprintf(csv, "%g,%.6f,%.6f,%.6f,%.6f\n", t, s[0].y[0], s[1].y[0],
+                    vm_vdp_amplitude(&v, t, starts[0], mass), vm_vdp_amplitude(&v, t, starts[1], mass));
     }
     printf("amplitude at t = 100: from 0.3 %.6f, from 3 %.6f; steady %.6f (425); with constant mass %.6f\n",
-           vm_vdp_amplitude(&v, 100, 0.3, mass), vm_vdp_amplitude(&v, 100, 3, mass), vm_vdp_steady(&v, mass.rate, NULL),
-           vm_vdp_steady(&v, 0, NULL));
+           vm_vdp_amplitude(&v, 100, 0.3, mass), vm_vdp_amplitude(&v, 100, 3, mass),
+           vm_vdp_steady(&v, mass.rate, NULL), vm_vdp_steady(&v, 0, NULL));
     if (csv) fclose(csv);
     return status < 0;
 }

@@ -1,7 +1,7 @@
-/* A satellite throws off a panel. It turns about its middle axis, which is not stable, and over and over. At t = 250 s it throws off a
-   panel, (15), (24), (34), and what was the middle axis is now that of the largest moment of inertia: it only wobbles.
-   Before and after it turns freely: vm_free_attitude gives attitude and angular velocity at any time, exactly and at
-   once; nothing is integrated.
+/* A satellite throws off a panel. It turns about its middle axis, which is not stable, and over and over. At t =
+   250 s it throws off a panel, (15), (24), (34), and what was the middle axis is now that of the largest moment of
+   inertia: it only wobbles. Before and after it turns freely: vm_free_attitude gives attitude and angular velocity
+   at any time, exactly and at once; nothing is integrated.
 
    cc -O2 10_satellite.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -29,7 +29,8 @@ int main(int argc, char **argv)
     int status = vm_free_init(&before, &satellite, 0);
 
     if (status >= 0) status = vm_free_at(&before, jump, &now);
-    panel = now; /* it sits on the satellite's y axis, and leaves with a push against the place where it sat, unturned */
+    panel =
+        now; /* it sits on the satellite's y axis, and leaves with a push against the place where it sat, unturned */
     panel.mass = 25, panel.inertia.xx = 2, panel.inertia.yy = 0.5, panel.inertia.zz = 2.4;
     offset = turned(now.q, offset), panel.v = turned(now.q, push);
     panel.r.x += offset.x, panel.r.y += offset.y, panel.r.z += offset.z;
@@ -38,8 +39,8 @@ int main(int argc, char **argv)
     if (status >= 0) status = vm_separate(&now, &panel, NULL, &rest);
     if (status >= 0) status = vm_free_init(&after, &rest, jump);
     if (status < 0) return printf("%s\n", vm_strerror(status)), 1;
-    printf("%g kg leave: angular velocity (%.6f, %.6f, %.6f) -> (%.6f, %.6f, %.6f) rad/s\n", panel.mass, now.omega.x,
-           now.omega.y, now.omega.z, rest.omega.x, rest.omega.y, rest.omega.z);
+    printf("%g kg leave: angular velocity (%.6f, %.6f, %.6f) -> (%.6f, %.6f, %.6f) rad/s\n", panel.mass,
+           now.omega.x, now.omega.y, now.omega.z, rest.omega.x, rest.omega.y, rest.omega.z);
     printf("the spring gave %.6f J\n", vm_energy_gain(&now, 1, &panel, NULL, &rest));
     if (csv) fprintf(csv, "t (s),\"omega x (rad/s in body axes)\",\"omega y\",\"omega z\"\n");
     for (t = 0; t <= 600; t += 0.5) {
