@@ -7,6 +7,7 @@
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make first-steps   ten short programs, docs/first-steps.md
+#   make wasm      an oscillator for the browser, build/wasm
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F
 #   make test-cross   the same bits on every target (minutes)
@@ -22,13 +23,13 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects
-SCRIPTS = headers plans package scene_cost golden sweep errata first_steps
+SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -94,6 +95,16 @@ firmware:
 
 firmware-table:
 	sh examples/firmware/table.sh build >docs/firmware.md
+
+# an oscillator for the browser: serve build/wasm
+wasm:
+	@sh tests/install.sh "command -v clang && test -e /usr/lib/wasm32-wasi/libc.a && command -v node" \
+	    clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs
+	mkdir -p build/wasm && cp examples/wasm/index.html build/wasm
+	clang --target=wasm32-wasi --sysroot=/usr -std=c99 -ffp-contract=off -Oz -mexec-model=reactor -Wl,-s examples/wasm/leaking.c \
+	    -o build/wasm/leaking.wasm -lm
+	wc -c build/wasm/leaking.wasm
+	node examples/wasm/leaking.mjs build/wasm/leaking.wasm
 
 # a Monte-Carlo of break-ups over all cores, and by MPI where it is
 sweep:

@@ -29,8 +29,8 @@ int main(int argc, char **argv)
     int status = vm_free_init(&before, &satellite, 0);
 
     if (status >= 0) status = vm_free_at(&before, jump, &now);
-    panel =
-        now; /* it sits on the satellite's y axis, and leaves with a push against the place where it sat, unturned */
+    /* the panel sits on the satellite's y axis, and leaves with a push against the place where it sat, unturned */
+    panel = now;
     panel.mass = 25, panel.inertia.xx = 2, panel.inertia.yy = 0.5, panel.inertia.zz = 2.4;
     offset = turned(now.q, offset), panel.v = turned(now.q, push);
     panel.r.x += offset.x, panel.r.y += offset.y, panel.r.z += offset.z;

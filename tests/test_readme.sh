@@ -1,0 +1,51 @@
+#!/bin/sh
+# What the documents say exists: names of the glossary, files that are linked, targets; and the README's commands run as
+# they stand, in a copy of the project. usage: CC=compiler test_readme.sh BUILD_FOLDER [all], from the top of the project
+# Without "all", a command that takes minutes is only checked to be there.
+build=$PWD/$1/readme copy=$build/copy
+. tests/check.sh
+skipped=0
+long='test|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table'
+
+# indented lines and `spans` that begin with a command; a line may go on with && and so on
+commands() {
+    awk '/^```/ {fence = !fence} !fence && /^    (make|cc|sh|python3|\.\/|build\/)/ {print substr($0, 5)}' README.md
+    grep -o '`[^`]*`' README.md | tr -d '`' | grep -E '^(make|sh|python3) |^build/[a-z_/]*( |$)'
+}
+unique() { awk '!seen[$0]++'; }
+known_name() { grep -qwF -e "$1" jacobi.h ateb.h integrators.h varmass.h; }
+long_target() { echo "$1" | grep -Eq "^make ($long)( |\$)"; }
+builds() { # what a program under build/ needs: make knows how
+    set -- $1
+    case $1 in build/*) make -s "$1" ;; *) true ;; esac
+}
+run() { cd "$copy" && builds "$1" && HOME=$build/home sh -c "$1"; }
+dry_run() { cd "$copy" && sh -c "make -n ${1#make }"; }
+
+mkdir -p "$copy" "$build/home"
+tar -cf - --exclude=./build --exclude=./.git . | tar -xf - -C "$copy"
+awk '/^```c$/ {on = 1; next} /^```$/ {on = 0} on' README.md >"$copy/example.c"
+
+for name in $(awk '/^\|/ && !/^\|[-|]*$/ {n = split($0, cell, "|"); print cell[n - 1]}' docs/glossary.md | grep -o '`[^`]*`' |
+    tr -d '`' | sed 's/\[.*//; s/\.h$//' | sort -u); do
+    check "glossary: $name" known_name "$name"
+done
+for link in $(grep -oh ']([A-Za-z0-9_./-]*)' README.md | tr -d ']()' | grep -v '^http' | sort -u); do
+    check "README links to $link" test -e "$link"
+done
+for document in docs/*.md; do
+    for link in $(grep -oh ']([A-Za-z0-9_./-]*)' "$document" | tr -d ']()' | grep -v '^http' | sort -u); do
+        check "$document links to $link" test -e "docs/$link"
+    done
+done
+
+commands | unique >"$build/commands"
+check "commands are found" test "$(wc -l <"$build/commands")" -gt 10
+while IFS= read -r command <&3; do
+    if [ "$2" != all ] && long_target "$command"; then
+        check "is there: $command" dry_run "$command"
+    else
+        check "runs: $command" run "$command"
+    fi
+done 3<"$build/commands"
+check_finish readme
