@@ -94,7 +94,12 @@ firmware:
 	    -semihosting-config enable=on,target=native -kernel build/firmware/sieve.elf </dev/null
 
 firmware-table:
+	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
+	@sh tests/install.sh "command -v riscv64-unknown-elf-gcc" gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
+	@sh tests/install.sh "command -v qemu-system-arm && command -v qemu-system-riscv32" qemu-system-arm qemu-system-misc
+	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
 	sh examples/firmware/table.sh build >docs/firmware.md
+	gnuplot -e "csv='build/firmware/table.csv'; svg='docs/figures/firmware.svg'" examples/firmware/table.gp
 
 # an oscillator for the browser: serve build/wasm
 wasm:

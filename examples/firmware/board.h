@@ -1,15 +1,40 @@
 /* The board: lines out by semihosting, and a counter of instructions. MPS2 boards (Cortex-M3, M4, M7) have a counter of
-   25 MHz, which under qemu -icount shift=10, where an instruction takes 1024 ns, counts them exactly. */
+   25 MHz, which under qemu -icount shift=10, where an instruction takes 1024 ns, counts them exactly. RISC-V has one
+   of instructions. */
 #ifndef BOARD_H
 #define BOARD_H
 #include <stdint.h>
 
+#ifdef __riscv
+static inline void board_print(const char *text)
+{
+    register long a0 __asm__("a0") = 0x04; /* SYS_WRITE0 */
+    register const char *a1 __asm__("a1") = text;
+    __asm__ volatile(".option push\n.option norvc\n.balign 16\nslli x0,x0,0x1f\nebreak\nsrai x0,x0,7\n.option pop"
+                     : "+r"(a0)
+                     : "r"(a1)
+                     : "memory");
+}
+
+static inline uint32_t board_instructions(void)
+{
+    uint32_t count;
+    __asm__ volatile(".option push\n.option arch, +zicsr\ncsrr %0, minstret\n.option pop" : "=r"(count));
+    return count;
+}
+#else
 static inline void board_print(const char *text)
 {
     register int r0 __asm__("r0") = 0x04; /* SYS_WRITE0 */
     register const char *r1 __asm__("r1") = text;
     __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
 }
+
+static inline uint32_t board_instructions(void)
+{
+    return (uint32_t)((*(volatile uint32_t *)0x40028018u * (uint64_t)40 + 512) >> 10);
+}
+#endif
 
 static inline void board_print_number(int32_t x, int width)
 {
@@ -22,11 +47,6 @@ static inline void board_print_number(int32_t x, int width)
     if (negative) text[--i] = '-';
     for (width -= 15 - i; width > 0; width--) board_print(" ");
     board_print(text + i);
-}
-
-static inline uint32_t board_instructions(void)
-{
-    return (uint32_t)((*(volatile uint32_t *)0x40028018u * (uint64_t)40 + 512) >> 10);
 }
 
 #endif

@@ -9,6 +9,20 @@ extern uint32_t stack_top[];
 #ifdef PLAN
 static PLAN plan;
 #endif
+#ifdef VARMASS_INTEGRATORS_H
+static vm_real y[2] = {1, 0}, work[RK45_WORK(2)];
+static rk45 run;
+
+static int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t, (void)ctx;
+    dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0];
+    return 0;
+}
+#endif
+#ifdef VARMASS_H
+static vm_body2 whole = {2, 3, 0, 0, 0, 0, 0, 1}, part = {1, (vm_real)0.1, 1, 0, 0, 0, 0, 1}, rest;
+#endif
 
 static int __attribute__((noinline, noclone)) call(vm_real u, vm_real m, vm_real alpha, vm_real n)
 {

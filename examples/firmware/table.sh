@@ -1,72 +1,92 @@
 #!/bin/sh
-# Flash, stack and instructions of a call of each function on emulated Cortex-M0, M4F and M7, as a table (markdown) and as
-# CSV. usage: table.sh BUILD_FOLDER, from the top of the project
+# Flash, stack and instructions of a call of each function on emulated microcontrollers, as tables (markdown) and as CSV.
+# usage: table.sh BUILD_FOLDER, from the top of the project
 build=$1/firmware
 mkdir -p "$build"
-common="-std=c99 -Os -fno-math-errno -ffp-contract=off -ffunction-sections -fdata-sections -nostartfiles -T tests/cross/cortex_m.ld -Wl,--gc-sections"
-small="-Wl,--defsym=FLASH_SIZE=0x40000,--defsym=RAM_SIZE=0x4000"
-large="-Wl,--defsym=FLASH_SIZE=0x40000,--defsym=RAM_SIZE=0x10000"
+common="-std=c99 -Os -fno-math-errno -ffp-contract=off -ffunction-sections -fdata-sections -nostartfiles -Wl,--gc-sections -I."
+cortex="-T tests/cross/cortex_m.ld -Wl,--defsym=FLASH_SIZE=0x40000 tests/cross/cortex_m.c"
+riscv="--specs=picolibc.specs -mcmodel=medany -T tests/cross/riscv.ld -Wl,--no-warn-rwx-segments tests/cross/riscv.c"
+targets="M0 M4F M7 RV32IMAC RV32IMAFDC"
 
 build_one() { # build_one TARGET FLAGS... : $build/call.elf
+    compiler="arm-none-eabi-gcc -mthumb -Wl,--defsym=RAM_SIZE=0x10000" startup=$cortex
     case $1 in
-    M0) cpu="-mcpu=cortex-m0 -mthumb $small" ;;
-    M4F) cpu="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $large" ;;
-    M7) cpu="-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16 $large" ;;
+    M0) compiler="arm-none-eabi-gcc -mthumb -Wl,--defsym=RAM_SIZE=0x4000 -mcpu=cortex-m0" ;;
+    M4F) compiler="$compiler -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16" ;;
+    M7) compiler="$compiler -mcpu=cortex-m7 -mfloat-abi=hard -mfpu=fpv5-d16" ;;
+    RV32IMAC) compiler="riscv64-unknown-elf-gcc -march=rv32imac -mabi=ilp32" startup=$riscv ;;
+    RV32IMAFDC) compiler="riscv64-unknown-elf-gcc -march=rv32imafdc -mabi=ilp32d" startup=$riscv ;;
     esac
     shift
-    arm-none-eabi-gcc $cpu $common -I. "$@" tests/cross/cortex_m.c examples/firmware/call.c -o "$build/call.elf" -lm
+    $compiler $common $startup "$@" examples/firmware/call.c -o "$build/call.elf" -lm
 }
-flash() { arm-none-eabi-size "$build/call.elf" | awk 'NR == 2 {print $1 + $2}'; }
-run() { # run TARGET : instructions and stack
-    case $1 in M0) board=microbit ;; M4F) board=mps2-an386 ;; M7) board=mps2-an500 ;; esac
-    qemu-system-arm -M $board -icount shift=10 -nographic -monitor none -serial none \
-        -semihosting-config enable=on,target=native -kernel "$build/call.elf" 2>&1 </dev/null
+flash() { # text, data and tables: what lies in flash
+    case $1 in RV*) riscv64-unknown-elf-size "$build/call.elf" ;; *) arm-none-eabi-size "$build/call.elf" ;; esac |
+        awk 'NR == 2 {print $1 + $2}'
 }
-row() { # row NAME HEADER CALL EXTRA_FLAG...
-    name=$1 header=$2 call=$3
-    shift 3
+run() { # run TARGET : instructions and stack. The code for Cortex-M0 runs on a board with an M3, which has a counter
+    case $1 in
+    M0) board="qemu-system-arm -M mps2-an385 -icount shift=10" ;;
+    M4F) board="qemu-system-arm -M mps2-an386 -icount shift=10" ;;
+    M7) board="qemu-system-arm -M mps2-an500 -icount shift=10" ;;
+    RV*) board="qemu-system-riscv32 -M virt -bios none -icount shift=0" ;;
+    esac
+    $board -nographic -monitor none -serial none -semihosting-config enable=on,target=native -kernel "$build/call.elf" 2>&1 </dev/null
+}
+measure() { # measure PRECISION NAME HEADER CALL EXTRA_FLAG... : a row
+    precision=$1 name=$2 header=$3 call=$4 flag=
+    shift 4
+    [ $precision = float ] && flag=-DVM_USE_FLOAT
     printf '| `%s` |' "$name"
-    for precision in float double; do
-        flag=
-        [ $precision = float ] && flag=-DVM_USE_FLOAT
-        for target in M0 M4F M7; do
-            build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=a = u" || exit 1
-            empty=$(flash)
-            build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=$call" "$@" || exit 1
-            set_size=$(($(flash) - empty))
-            result=$(run $target)
-            instructions=${result% *} stack=${result#* }
-            [ $target = M0 ] && instructions=- # this board has no such counter
-            printf ' %s, %s, %s |' "$set_size" "$stack" "$instructions"
-            echo "$name,$precision,$target,$set_size,$stack,$instructions" >>"$build/table.csv"
-        done
+    for target in $targets; do
+        build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=a = u" || exit 1
+        empty=$(flash $target)
+        build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=$call" "$@" || exit 1
+        grown=$(($(flash $target) - empty))
+        result=$(run $target)
+        instructions=${result% *} stack=${result#* }
+        printf ' %s, %s, %s |' "$grown" "$stack" "$instructions"
+        echo "$name,$precision,$target,$grown,$stack,$instructions" >>"$build/table.csv"
     done
     printf '\n'
+}
+rows() { # rows PRECISION
+    printf '\n## %s\n\n| function |' "$1"
+    for target in $targets; do printf ' %s |' $target; done
+    printf '\n|---|'
+    for target in $targets; do printf -- '---|'; done
+    printf '\n'
+    measure $1 "jacobi_K" jacobi.h "a = jacobi_K(m)"
+    measure $1 "jacobi_E" jacobi.h "a = jacobi_E(m)"
+    measure $1 "jacobi_sncndn" jacobi.h "jacobi_sncndn(u, m, &a, &b, &c)"
+    measure $1 "jacobi_plan_sncndn" jacobi.h "jacobi_plan_sncndn(&plan, u, &a, &b, &c)" -DPLAN=jacobi_plan "-DINIT=jacobi_plan_init(&plan, input[1])"
+    measure $1 "jacobi_am" jacobi.h "a = jacobi_am(u, m)"
+    measure $1 "jacobi_solve_kpK" jacobi.h "a = jacobi_solve_kpK(alpha)"
+    measure $1 "ateb_pi" ateb.h "a = ateb_pi(alpha)"
+    measure $1 "ateb_saca" ateb.h "ateb_saca(u, alpha, &a, &b)"
+    measure $1 "ateb_plan_saca (alpha = 3)" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, 3)"
+    measure $1 "ateb_plan_saca (alpha = 1.7)" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, (vm_real)1.7)"
+    measure $1 "ateb_phase" ateb.h "a = ateb_phase(m, u, alpha)"
+    measure $1 "ateb_beta_inc" ateb.h "a = ateb_beta_inc(u, m, alpha)"
+    measure $1 "vm_osc_period" varmass.h "a = vm_osc_period(u, m, alpha)"
+    measure $1 "vm_osc_amplitude_law" varmass.h "a = vm_osc_amplitude_law(u, m, 1, alpha)"
+    measure $1 "vm_lambert_w0" varmass.h "a = vm_lambert_w0(u)"
+    measure $1 "vm_separate2" varmass.h "part.vx = m, vm_separate2(&whole, &part, NULL, &rest), a = rest.omega"
+    measure $1 "rk4_step" integrators.h "rk4_step(oscillate, NULL, 2, 0, m, y, work), a = y[0]"
+    measure $1 "rk45_step" integrators.h "rk45_step(&run), a = run.y[0]" "-DINIT=rk45_init(&run, oscillate, NULL, 2, 0, y, NULL, work)"
 }
 echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`: bytes of flash that a program grows by, tables and all that the function needs included,
-bytes of stack, instructions of a call, on emulated boards; gcc -Os. M0: Cortex-M0, no floating-point unit (and an
-emulated board without a counter); M4F: Cortex-M4F, single precision in hardware, so that double is emulated; M7:
-Cortex-M7, both in hardware. The rows of plans include what makes the plan, which a `const` plan in flash does not need.
+Written by `make firmware-table`: bytes of flash that a program grows by, tables and all that the function needs included;
+bytes of stack; instructions of a call, on emulated boards; gcc -Os. M0: Cortex-M0, no floating-point unit; M4F: Cortex-M4F,
+single precision in hardware, so that double is emulated; M7: Cortex-M7, both in hardware; RV32IMAC: RISC-V without
+floating-point unit; RV32IMAFDC: with both precisions in hardware. The rows of plans include what makes the plan, which
+a `const` plan in flash does not need; `rk4_step` and `rk45_step` are of a cubic oscillator, its four and six evaluations
+included.
 
+![instructions of a call](figures/firmware.svg)
 END
-echo '| function | float: M0 | M4F | M7 | double: M0 | M4F | M7 |'
-echo '|---|---|---|---|---|---|---|'
-row "jacobi_K" jacobi.h "a = jacobi_K(m)"
-row "jacobi_E" jacobi.h "a = jacobi_E(m)"
-row "jacobi_sncndn" jacobi.h "jacobi_sncndn(u, m, &a, &b, &c)"
-row "jacobi_plan_sncndn" jacobi.h "jacobi_plan_sncndn(&plan, u, &a, &b, &c)" -DPLAN=jacobi_plan "-DINIT=jacobi_plan_init(&plan, input[1])"
-row "jacobi_am" jacobi.h "a = jacobi_am(u, m)"
-row "jacobi_solve_kpK" jacobi.h "a = jacobi_solve_kpK(alpha)"
-row "ateb_pi" ateb.h "a = ateb_pi(alpha)"
-row "ateb_saca" ateb.h "ateb_saca(u, alpha, &a, &b)"
-row "ateb_plan_saca, alpha = 3" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, 3)"
-row "ateb_plan_saca, alpha = 1.7" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, (vm_real)1.7)"
-row "ateb_phase" ateb.h "a = ateb_phase(m, u, alpha)"
-row "ateb_beta_inc" ateb.h "a = ateb_beta_inc(u, m, alpha)"
-row "vm_osc_period" varmass.h "a = vm_osc_period(u, m, alpha)"
-row "vm_osc_amplitude_law" varmass.h "a = vm_osc_amplitude_law(u, m, 1, alpha)"
-row "vm_lambert_w0" varmass.h "a = vm_lambert_w0(u)"
+rows float
+rows double
