@@ -29,7 +29,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -117,6 +117,11 @@ sweep:
 	mkdir -p build && mpicc -std=c99 $(CFLAGS) -fopenmp -DWITH_MPI examples/sweep/breakups.c -o build/breakups -lm || \
 	$(COMPILE) -fopenmp examples/sweep/breakups.c -o build/breakups -lm
 	./build/breakups 4000000 1 build/breakups.blocks
+
+# how the sweep scales over threads and ranks, docs/scaling.md
+scaling:
+	@sh tests/install.sh "command -v mpicc && command -v mpirun" openmpi-bin libopenmpi-dev
+	sh examples/sweep/scaling.sh build >docs/scaling.md
 
 measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES:%=build/bench/%)
 	sh bench/measurements.sh build "$(TESTS)" "$(BENCHES)"

@@ -62,7 +62,8 @@ static void sample(uint64_t seed, uint64_t i, block *sum)
     whole.omega = inside(&r, 1);
     part = whole;
     part.mass = between(&r, 1, 33);
-    part.inertia.xx = part.inertia.yy = part.inertia.zz = (vm_real)0.4 * part.mass * (vm_real)0.01; /* radius 0.1 m */
+    part.inertia.xx = part.inertia.yy = part.inertia.zz = (vm_real)0.4 * part.mass *
+                                                          (vm_real)0.01; /* radius 0.1 m */
     part.r = inside(&r, 0.4);
     part.v = inside(&r, 3);
     part.omega = inside(&r, 5);
@@ -99,8 +100,8 @@ static void report(const block *blocks, long count, long samples)
         for (bin = 0; bin < BINS; bin++) total.bins[bin] += blocks[k].bins[bin];
     }
     done = (double)samples - total.refused;
-    printf("%ld break-ups, %.0f of them impossible; mean spin %.15g rad/s, deviation %.6g, energy gained %.15g J\n", samples,
-           total.refused, total.spin / done,
+    printf("%ld break-ups, %.0f of them impossible; mean spin %.15g rad/s, deviation %.6g, energy gained %.15g J\n",
+           samples, total.refused, total.spin / done,
            sqrt(total.spin_squared / done - total.spin / done * (total.spin / done)), total.energy / done);
     for (bin = 0; bin < BINS; bin++) printf("%5.2f rad/s %8.5f\n", bin / 4., total.bins[bin] / done);
 }
@@ -134,7 +135,7 @@ static FILE *keep(const char *file_name, const double *key, const block *blocks,
     return file;
 }
 
-enum { ROUND = 64 }; /* blocks a rank does between two exchanges */
+enum { ROUND = 64 }; /* blocks a rank does before the first one gathers them */
 
 int main(int argc, char **argv)
 {
@@ -142,17 +143,19 @@ int main(int argc, char **argv)
     const uint64_t seed = argc > 2 ? (uint64_t)strtoul(argv[2], NULL, 10) : 1;
     const char *file_name = argc > 3 ? argv[3] : NULL;
     const double key[2] = {(double)seed, (double)samples};
-    block *blocks = (block *)malloc((size_t)(count > 0 ? count : 1) * sizeof *blocks);
+    block *blocks;
     FILE *file = NULL;
     int rank = 0, ranks = 1;
-    long first, k;
+    long first, k, room;
 #ifdef WITH_MPI
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
 #endif
+    room = (count / ((long)ranks * ROUND) + 1) * (long)ranks * ROUND; /* whole rounds, so that a gather fits */
+    blocks = (block *)malloc((size_t)room * sizeof *blocks);
     if (!blocks || samples < 1) return 1;
-    for (k = 0; k < count; k++) blocks[k].number = -1;
+    for (k = 0; k < room; k++) blocks[k].number = -1;
     k = rank == 0 ? restore(file_name, key, blocks, count) : 0;
     if (k) fprintf(stderr, "%ld of %ld blocks were there\n", k, count);
     if (rank == 0) file = keep(file_name, key, blocks, count);
@@ -168,15 +171,9 @@ int main(int argc, char **argv)
                 blocks[k].number = (double)k + 0.5; /* new */
             }
 #ifdef WITH_MPI
-        {
-            int r;
-            for (r = 0; r < ranks; r++) {
-                const long from = first + (long)r * ROUND, to = from + ROUND < count ? from + ROUND : count;
-                if (from < to)
-                    MPI_Bcast(blocks + from, (int)((size_t)(to - from) * sizeof *blocks / sizeof(double)), MPI_DOUBLE, r,
-                              MPI_COMM_WORLD);
-            }
-        }
+        MPI_Gather(rank == 0 ? MPI_IN_PLACE : (void *)(blocks + mine),
+                   ROUND * (int)(sizeof *blocks / sizeof(double)), MPI_DOUBLE, blocks + first,
+                   ROUND * (int)(sizeof *blocks / sizeof(double)), MPI_DOUBLE, 0, MPI_COMM_WORLD);
 #endif
         for (k = first; k < first + (long)ranks * ROUND && k < count; k++)
             if (blocks[k].number > (double)k) {
@@ -185,7 +182,9 @@ int main(int argc, char **argv)
             }
         if (file) fflush(file);
         if (rank == 0)
-            fprintf(stderr, "\r%3.0f %%", 100. * (double)(first + (long)ranks * ROUND < count ? first + (long)ranks * ROUND : count) / (double)count);
+            fprintf(stderr, "\r%3.0f %%",
+                    100. * (double)(first + (long)ranks * ROUND < count ? first + (long)ranks * ROUND : count) /
+                        (double)count);
     }
     if (rank == 0) {
         fprintf(stderr, "\n");
