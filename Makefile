@@ -127,8 +127,7 @@ measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES
 	sh bench/measurements.sh build "$(TESTS)" "$(BENCHES)"
 
 figures: run
-	cd build/figures && cp example1_trigonometric.svg dzhanibekov.svg scenes_scoop.svg scenes_regulator.svg drum.svg rotor_fig18.svg \
-	    tumbling.svg rocket.svg resonance.svg ../../docs/figures
+	for figure in $$(grep -o 'figures/[a-z0-9_]*\.svg' docs/figures.md); do cp "build/$$figure" docs/figures || exit 1; done
 
 first-steps: build/command
 	CC="$(CC)" sh examples/first_steps/steps.sh build write

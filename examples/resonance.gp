@@ -18,9 +18,9 @@ set xrange [0.4:1.5]
 set multiplot layout 1,2
 do for [sweep=0:1] {
     set title sweep ? "sweep down" : "sweep up"
-    plot csv index 2+sweep using 1:2 with points ls 1 title "turning points, rk45", \
-         for [branch=0:1] csv index branch using 1:($3 == 1 ? $2 : NaN) with lines ls 3 title (branch ? "" : "averaged, stable"), \
-         for [branch=0:1] csv index branch using 1:($3 == 0 ? $2 : NaN) with lines ls 2 title (branch ? "" : "unstable")
+    plot csv index 2+sweep using 1:2 every 4 with points ls 1 title "turning points, rk45", \
+         for [branch=0:1] csv index branch using 1:($3 == 1 ? $2 : NaN) every 3 with lines ls 3 title (branch ? "" : "averaged, stable"), \
+         for [branch=0:1] csv index branch using 1:($3 == 0 ? $2 : NaN) every 3 with lines ls 2 title (branch ? "" : "unstable")
 }
 unset multiplot
 
@@ -32,7 +32,7 @@ set xrange [0:2000]
 set multiplot layout 1,2
 do for [weak=0:1] {
     set title weak ? "a weak force: passage" : "a strong one: capture, release"
-    plot csv index 2*weak+1 using 1:2 with points ls 1 title "turning points, rk45", \
+    plot csv index 2*weak+1 using 1:2 every 3 with points ls 1 title "turning points, rk45", \
          csv index 2*weak using 1:2 with lines ls 3 title "averaged", \
          csv index 2*weak using 1:3 with lines ls 4 title "backbone w(A) = nu"
 }

@@ -13,19 +13,20 @@ set ylabel label
 set yrange [low:high]
 set grid lc rgb "#dddddd"
 set key top right reverse Left samplen 2
+thin = waves == 2 ? 1 : 10 # the curves are smooth: one point in so many is drawn
 set multiplot layout 1,panels
 do for [p=0:panels-1] {
     if (waves) {
         plot csv index 2*p using 1:2 with lines ls 1 title columnheader(2), \
-             csv index 2*p using 1:3 skip 1 with lines ls 2 title "as printed", \
-             csv index 2*p using 1:4 skip 1 with lines ls 2 notitle, \
-             csv index 2*p using 1:5 skip 1 with lines ls 3 title "corrected", \
-             csv index 2*p using 1:6 skip 1 with lines ls 3 notitle
+             csv index 2*p using 1:3 skip 1 every thin with lines ls 2 title "as printed", \
+             csv index 2*p using 1:4 skip 1 every thin with lines ls 2 notitle, \
+             csv index 2*p using 1:5 skip 1 every thin with lines ls 3 title "corrected", \
+             csv index 2*p using 1:6 skip 1 every thin with lines ls 3 notitle
     } else {
-        plot for [c=0:cases-1] csv index 2*(p*cases+c)+1 using 1:(abs($2)) skip 1 with points pt 7 ps 0.4 \
+        plot for [c=0:cases-1] csv index 2*(p*cases+c)+1 using 1:(abs($2)) skip 1 every 3 with points pt 7 ps 0.4 \
                  lc rgb "#888888" title (c ? "" : "turning points, rk45"), \
-             for [c=0:cases-1] csv index 2*(p*cases+c) using 1:3 skip 1 with lines ls 2 title (c ? "" : "as printed"), \
-             for [c=0:cases-1] csv index 2*(p*cases+c) using 1:5 skip 1 with lines ls 3 title (c ? "" : "corrected")
+             for [c=0:cases-1] csv index 2*(p*cases+c) using 1:3 skip 1 every thin with lines ls 2 title (c ? "" : "as printed"), \
+             for [c=0:cases-1] csv index 2*(p*cases+c) using 1:5 skip 1 every thin with lines ls 3 title (c ? "" : "corrected")
     }
 }
 unset multiplot
