@@ -29,7 +29,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -117,6 +117,10 @@ sweep:
 	mkdir -p build && mpicc -std=c99 $(CFLAGS) -fopenmp -DWITH_MPI examples/sweep/breakups.c -o build/breakups -lm || \
 	$(COMPILE) -fopenmp examples/sweep/breakups.c -o build/breakups -lm
 	./build/breakups 4000000 1 build/breakups.blocks
+
+# a campaign of an hour: every command of the README, as it stands
+test-readme:
+	CC="$(CC)" sh tests/test_readme.sh build all
 
 # how the sweep scales over threads and ranks, docs/scaling.md
 scaling:
