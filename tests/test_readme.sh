@@ -14,7 +14,7 @@ commands() {
 }
 unique() { awk '!seen[$0]++'; }
 known_name() { grep -qwF -e "$1" jacobi.h ateb.h integrators.h varmass.h; }
-long_target() { echo "$1" | grep -Eq "^make ($long)( |\$)"; }
+takes_minutes() { echo "$1" | grep -Eq "^(make ($long)( |\$)|build/|sh tests/)"; }
 builds() { # what a program under build/ needs: make knows how
     set -- $1
     case $1 in build/*) make -s "$1" ;; *) true ;; esac
@@ -58,7 +58,7 @@ done
 commands | unique >"$build/commands"
 check "commands are found" test "$(wc -l <"$build/commands")" -gt 10
 while IFS= read -r command <&3; do
-    if [ "$2" != all ] && long_target "$command"; then
+    if [ "$2" != all ] && takes_minutes "$command"; then
         check "is there: $command" dry_run "$command"
     elif [ "$2" != all ] && ! there $(tools "$command"); then
         skipped=$((skipped + 1))
