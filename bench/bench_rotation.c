@@ -3,7 +3,7 @@
    attitude then. The closed form also prepared: what each further time costs. All integrate Euler's equations and q' =
    q omega/2, the kit with the right-hand side inlined, GSL through a pointer, its driver allocated beforehand; knob:
    the tolerance, or steps in a turn. Errors are taken against 60-digit values (tests/gen/rotation_reference.py). What
-   would take longer than LIMIT seconds is left out; what takes more than 0.05 s is timed once, without a spread.
+   would take longer than LIMIT seconds is left out; what takes more than 0.05 s is timed once, its spread is 0.
 
    usage: rotation [out.csv [quick]] */
 #define TOPIC "rotation"
@@ -130,7 +130,7 @@ static timing time_once(void (*run)(void), double sin_ns)
     const double from = seconds();
     timing t;
     run();
-    t.ns = (seconds() - from) * 1e9, t.ratio = t.ns / sin_ns, t.spread = NAN;
+    t.ns = (seconds() - from) * 1e9, t.ratio = t.ns / sin_ns, t.spread = 0;
     return t.ns < 5e7 ? time_beside(run, 1, sin_apart, WINDOW) : t;
 }
 
@@ -142,7 +142,7 @@ static void over_turns(const char *name, const char *knob_text, void (*run)(void
     for (i = 0, turns = 1; i < DECADES && t.ns * 10 < limit * 1e9; i++, turns *= 10) {
         char job[64];
         t_end = body->after[i].t;
-        snprintf(job, sizeof job, "%s %.0e turns", body->name, turns);
+        snprintf(job, sizeof job, "%s 1e%d", body->name, i);
         progress(name);
         t = time_once(run, sin_ns);
         bench_row(job, name, knob_text, error_of(body->after[i].q), t, "sin");
