@@ -126,11 +126,11 @@ static void measure_complete(void)
     measure_function("K, 0 < m < 1", "gsl_sf_ellint_Kcomp", "", error_of_complete(by_gsl_K, 0), gsl_K_apart, NULL);
     measure_function("E, 0 < m < 1", "gsl_sf_ellint_Ecomp", "", error_of_complete(by_gsl_E, 1), gsl_E_apart, NULL);
 #endif
-    measure_function("means, 0 < m < 1", "jacobi_cn_means", "", NAN, means_apart, means_chain);
+    measure_function("means, 0 < m < 1", "jacobi_cn_means", "", NO_ERROR, means_apart, means_chain);
     fill(1, 0, -30, -1);
     measure_function("K, -30 < m < -1", "jacobi_K", "", error_of_complete(by_K, 0), K_apart, K_chain);
     measure_function("E, -30 < m < -1", "jacobi_E", "", error_of_complete(by_E, 1), E_apart, E_chain);
-    measure_function("means, -30 < m < -1", "jacobi_cn_means", "", NAN, means_apart, means_chain);
+    measure_function("means, -30 < m < -1", "jacobi_cn_means", "", NO_ERROR, means_apart, means_chain);
 }
 
 static void measure_any_m(void)
@@ -167,7 +167,7 @@ static void measure_inverses(void)
     for (i = 0; i < 3; i++) {
         fill(1, 0, c[i][0], c[i][1]);
         snprintf(job, sizeof job, "m of k'K = c, %g < c < %g", c[i][0], c[i][1]);
-        measure_function(job, "jacobi_solve_kpK", "", NAN, solve_apart, solve_chain);
+        measure_function(job, "jacobi_solve_kpK", "", NO_ERROR, solve_apart, solve_chain);
     }
 }
 
@@ -193,7 +193,7 @@ static void measure_routes(double m)
 
 int main(int argc, char **argv)
 {
-    static const double m[] = {0.1, 0.5, 0.9, 0.99, -20};
+    static const double m[] = {0.5, 0.1, 0.9, 0.99, -20};
     size_t i;
 #if GSL
     gsl_set_error_handler_off();
@@ -201,11 +201,11 @@ int main(int argc, char **argv)
     bench_start(argc, argv, "jacobi.h, beside the C library's sin of arguments that rise from -10 to 10");
     fill_angles();
     fill(10, 0, 0, 1);
-    measure_function("sin, |x| < 10, rising", "sin", "", NAN, sin_apart, sin_chain);
-    measure_function("sin, |x| < 10, random", "sin", "", NAN, random_sin_apart, random_sin_chain);
+    measure_function("sin, |x| < 10, rising", "sin", "", NO_ERROR, sin_apart, sin_chain);
+    measure_function("sin, |x| < 10, random", "sin", "", NO_ERROR, random_sin_apart, random_sin_chain);
     measure_complete();
     measure_any_m();
     measure_inverses();
-    for (i = 0; i < sizeof m / sizeof *m; i++) measure_routes(m[i]);
+    for (i = 0; i < sizeof m / sizeof *m; i += bench_quick ? 2 : 1) measure_routes(m[i]);
     return bench_end();
 }

@@ -35,6 +35,7 @@ typedef struct timing {
     double spread;    /* distance of the quartiles of ratio, by ratio */
 } timing;
 
+static const double NO_ERROR = -1; /* none was measured; NAN: what the function gave was no number */
 static FILE *bench_csv;
 static int bench_quick;
 
@@ -114,7 +115,7 @@ static inline void bench_start(int argc, char **argv, const char *title)
     if (argc > 1 && !bench_csv) perror(argv[1]), exit(1);
     if (bench_csv) fputs("topic,job,route,knob,error,ns,ratio,spread,yardstick\n", bench_csv);
     fprintf(stderr, "%s ...\n", TOPIC);
-    printf("%s: %s\n\n%-34s %-24s %-9s %9s %12s %9s %6s\n", TOPIC, title, "job", "route", "knob", "error", "ns",
+    printf("%s: %s\n\n%-34s %-26s %-9s %9s %12s %9s %6s\n", TOPIC, title, "job", "route", "knob", "error", "ns",
            "ratio", "spread");
 }
 
@@ -125,20 +126,27 @@ static inline void bench_write(const char *field)
     putc(',', bench_csv);
 }
 
-/* A line of the table and of the CSV file; knob: "" or a setting; error: NAN where none was measured */
+/* A line of the CSV file; knob: "" or a setting; error: NO_ERROR where none was measured */
+static inline void bench_write_row(const char *job, const char *route, const char *knob, double error, timing t,
+                                   const char *yardstick)
+{
+    if (!bench_csv) return;
+    bench_write(TOPIC), bench_write(job), bench_write(route), bench_write(knob);
+    if (!(error < 0)) fprintf(bench_csv, "%.2g", error);
+    fprintf(bench_csv, ",%.4g,%.4g,%.3g,%s\n", t.ns, t.ratio, t.spread, yardstick);
+}
+
+/* The same, and a line of the table */
 static inline void bench_row(const char *job, const char *route, const char *knob, double error, timing t,
                              const char *yardstick)
 {
     char number[16] = "";
-    if (error == error) snprintf(number, sizeof number, "%.2g", error);
+    if (!(error < 0)) snprintf(number, sizeof number, "%.2g", error);
     progress("");
-    printf("%-34s %-24s %-9s %9s %12.2f %9.3f %5.1f%% x %s\n", job, route, knob, number, t.ns, t.ratio,
+    printf("%-34s %-26s %-9s %9s %12.2f %9.3f %5.1f%% x %s\n", job, route, knob, number, t.ns, t.ratio,
            100 * t.spread, yardstick);
     fflush(stdout);
-    if (bench_csv) {
-        bench_write(TOPIC), bench_write(job), bench_write(route), bench_write(knob);
-        fprintf(bench_csv, "%s,%.4g,%.4g,%.3g,%s\n", number, t.ns, t.ratio, t.spread, yardstick);
-    }
+    bench_write_row(job, route, knob, error, t, yardstick);
 }
 
 /* Times body beside a yardstick, with its line */
