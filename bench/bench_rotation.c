@@ -6,7 +6,6 @@
    would take longer than LIMIT seconds is left out; what takes more than 0.05 s is timed once, its spread is 0.
 
    usage: rotation [out.csv [quick]] */
-#define TOPIC "rotation"
 #include "timing.h"
 
 #include "../varmass.h"
@@ -136,7 +135,9 @@ static timing time_once(void (*run)(void), double sin_ns)
 
 static void over_turns(const char *name, const char *knob_text, void (*run)(void))
 {
-    const double sin_ns = call_ns(sin_apart, WINDOW), limit = bench_quick ? QUICK_LIMIT : body == turned_bodies ? LIMIT : LIMIT / 20;
+    const double sin_ns = call_ns(sin_apart, WINDOW), limit = bench_quick             ? QUICK_LIMIT
+                                                              : body == turned_bodies ? LIMIT
+                                                                                      : LIMIT / 20;
     timing t = {0, 0, 0};
     int i;
     for (i = 0, turns = 1; i < DECADES && t.ns * 10 < limit * 1e9; i++, turns *= 10) {
