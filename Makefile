@@ -136,6 +136,7 @@ data:
 	python3 tests/gen/rotor_reference.py
 	python3 tests/gen/streams.py
 	python3 tests/gen/slow.py
+	python3 tests/gen/oscillator_reference.py
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h

@@ -1,18 +1,18 @@
-/* x(t) of the oscillator (m x')' + x|x|^(alpha-1) = 0, m = 1 + eps t, at t = 3/eps, by every route: what a digit costs.
+/* What a digit of x(t) costs, by every route: the oscillator (m x')' + x|x|^(alpha-1) = 0, m = 1 + eps t, at 3/eps.
 
    alpha = 3 and 4/3, amplitude 1 at the start, at the Ateb phase psi0 = 0 (at rest) and 0.7. Routes:
-     ca, cos, cn ...     closed forms to first order, written down with the constants of Table 5 known: x = m^-P cos(...)
-                         and so on, with the exponent P as printed in the dissertation, and as corrected
+     cos, cn, ca         closed forms of first order, x = m^-P cos(...) or alike, with the exponent P as the
+                         dissertation prints it and as corrected, written down with the constants of Table 5 known
      vm_osc_by ...       the kit's routes: any laws of mass and stiffness, preparation and an estimate of the error in
                          the time; the integrators among them run twice or more for that
      vm_osc_plan_by ...  the same where the plan has been made beforehand
      vm_osc_at           the cheapest of these within a tolerance, by the kit's own choice
      ..._solve, GSL ...  integration of (x, m x') from 0 to t, nothing known of the error; the same right-hand side,
                          inlined by the kit, called through a pointer by GSL, whose driver is allocated beforehand
-   ns is the time of one answer, x(3/eps), from the problem's numbers. error: the largest |error of x|/A at 3/eps i/16,
-   0 < i <= 16, against the values of tests/gen/oscillator_reference.py, A the exact amplitude there. Who wants many
-   answers pays less: "each of 16" is the time of these sixteen, in one pass, by 16. The summary interpolates between
-   the settings of a route.
+   ns is the time of one answer, x(3/eps), from the problem's numbers. error: the largest |error of x|/A at the times
+   3/eps i/16, 0 < i <= 16, against the values of tests/gen/oscillator_reference.py, A the exact amplitude there. Who
+   wants many answers pays less: "of 16" is the time of these sixteen, in one pass, by 16. The summary interpolates
+   between the settings of a route.
 
    usage: oscillator [out.csv [quick]]. alpha = 3, psi0 = 0.7, eps = 0.01 is measured in full, the eleven other cases
    with fewer settings and repeats; quick: that one case alone, so. */
@@ -68,10 +68,10 @@ static void prepare_envelope(int wave, int corrected)
 static double by_envelope_at(double t)
 {
     const double m = 1 + now->eps * t, n = 0.5 - (now->alpha - 1) / 2 * form.P; /* the rate goes as m^(n-1) */
-    const double way = (n == 0 ? log(m) : (pow(m, n) - 1) / n) / now->eps, angle = form.start + form.rate * way;
-    const double c = form.wave == COS  ? cos(angle)
-                     : form.wave == CN ? jacobi_cn(angle, form.m)
-                                       : ateb_ca(angle, now->alpha);
+    const double way = (n == 0 ? log(m) : (pow(m, n) - 1) / n) / now->eps, theta = form.start + form.rate * way;
+    const double c = form.wave == COS  ? cos(theta)
+                     : form.wave == CN ? jacobi_cn(theta, form.m)
+                                       : ateb_ca(theta, now->alpha);
     return pow(m, -form.P) * c;
 }
 
@@ -99,7 +99,7 @@ static double by_plan(double t)
     vm_osc_motion motion;
     const int status = route == AT ? vm_osc_plan_at(&plan, t, knob, &motion)
                                    : vm_osc_plan_by(&plan, route, t, knob, &motion);
-    return status < 0 ? NAN : motion.x;
+    return status < 0 ? VM_NAN : motion.x;
 }
 
 static double by_problem(double t)
@@ -107,7 +107,7 @@ static double by_problem(double t)
     vm_osc_motion motion;
     const int status = route == AT ? vm_osc_at(&problem, t, knob, &motion)
                                    : vm_osc_by(&problem, route, t, knob, &motion);
-    return status < 0 ? NAN : motion.x;
+    return status < 0 ? VM_NAN : motion.x;
 }
 
 static void by_kit(int n, const double *t, double *x)
@@ -160,7 +160,7 @@ static void by_rk4(int n, const double *t, double *x) /* knob: steps in a unit o
             if (status >= 0)                                                            \
                 status = now->alpha == 3 ? name##_solve_with(&s, cubic, 2, t[i])        \
                                          : name##_solve_with(&s, four_thirds, 2, t[i]); \
-            x[i] = status < 0 ? NAN : s.y[0];                                           \
+            x[i] = status < 0 ? VM_NAN : s.y[0];                                           \
         }                                                                               \
     }
 BY_PAIR(rk45, RK45_WORK)
@@ -186,7 +186,7 @@ static void by_gsl(int n, const double *t, double *x)
     int i, status = gsl_odeiv2_driver_reset_hstart(driver, 1e-2);
     for (i = 0; i < n; i++) {
         if (status == GSL_SUCCESS) status = gsl_odeiv2_driver_apply(driver, &at, t[i], y);
-        x[i] = status == GSL_SUCCESS ? y[0] : NAN;
+        x[i] = status == GSL_SUCCESS ? y[0] : VM_NAN;
     }
 }
 #endif
@@ -300,13 +300,13 @@ static void measure_integrators(void)
 
 /* ---- Summary: the cheapest route to an error ---- */
 
-/* Time of results[i]'s route to an error: log-log between this setting and the one after; NAN: not by these */
+/* Time of results[i]'s route to an error: log-log between this setting and the one after; VM_NAN: not by these */
 static double time_to(double error, int i)
 {
     const result *a = results + i, *b = a + 1;
     double share;
     if (a->error <= error) return a->ns;
-    if (i + 1 == count || b->route != a->route || b->error > error) return NAN;
+    if (i + 1 == count || b->route != a->route || b->error > error) return VM_NAN;
     share = log(error / a->error) / log(b->error / a->error);
     return a->ns * pow(b->ns / a->ns, share);
 }
@@ -319,7 +319,7 @@ static int is_of(int gsl, const char *name)
 
 static double cheapest(double error, int gsl, const char **name)
 {
-    double least = NAN;
+    double least = VM_NAN;
     int i;
     for (*name = "-", i = 0; i < count; i++) {
         const double ns = time_to(error, i);

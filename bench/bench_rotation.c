@@ -1,9 +1,9 @@
-/* varmass.h: free rotation in closed form beside integration by rk4, rk45 and rk87 (integrators.h) and by GSL's rk8pd:
-   the error of attitude after 1 to 1e6 turns, in rad, and the time that it took, from the body's numbers to the
-   attitude then. The closed form also prepared: what each further time costs. All integrate Euler's equations and q' =
-   q omega/2, the kit with the right-hand side inlined, GSL through a pointer, its driver allocated beforehand; knob:
-   the tolerance, or steps in a turn. Errors are taken against 60-digit values (tests/gen/rotation_reference.py). What
-   would take longer than LIMIT seconds is left out; what takes more than 0.05 s is timed once, its spread is 0.
+/* varmass.h: free rotation in closed form beside integration by rk4, rk45, rk87 (integrators.h) and GSL's rk8pd: the
+   error of attitude after 1 to 1e6 turns, in rad, and the time that it took, from the body's numbers to the attitude
+   then; of the closed form also what each further time costs. All integrate Euler's equations and q' = q omega/2, the
+   kit with the right-hand side inlined, GSL through a pointer, its driver allocated beforehand; knob: the tolerance,
+   or steps in a turn. Errors are taken against 60-digit values (tests/gen/rotation_reference.py). What would take
+   longer than LIMIT seconds is left out; what takes more than 0.05 s is timed once, its spread is 0.
 
    usage: rotation [out.csv [quick]] */
 #include "timing.h"
@@ -66,7 +66,7 @@ static void start(double *y)
 
 static void take(const double *y, int ok)
 {
-    reached.w = ok ? y[3] : NAN, reached.x = y[4], reached.y = y[5], reached.z = y[6];
+    reached.w = ok ? y[3] : VM_NAN, reached.x = y[4], reached.y = y[5], reached.z = y[6];
 }
 
 static void by_rk4(void)
