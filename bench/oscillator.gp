@@ -26,7 +26,7 @@ set border 3 lc rgb "#555555"
 set tics nomirror textcolor rgb black scale 0.5
 unset key
 set xrange [15:(all ? 4e8 : 2e7)]
-set yrange [3e-13:8]
+set yrange [3e-13:40]
 set xtics ("0.1 µs" 1e2, "1 µs" 1e3, "10 µs" 1e4, "0.1 ms" 1e5, "1 ms" 1e6, "10 ms" 1e7)
 set ytics ("1" 1, "1e-2" 1e-2, "1e-4" 1e-4, "1e-6" 1e-6, "1e-8" 1e-8, "1e-10" 1e-10, "1e-12" 1e-12)
 
@@ -35,16 +35,16 @@ law_error(i) = strcol(2) eq job && i > 0 && $5 < 5 ? $5 : NaN
 at_least(i) = i > 1 ? i : 1
 $grid << END # of the twelve panels: as one line, for a small file
 1e2,3e-13
-1e2,8
+1e2,40
 
 1e4,3e-13
-1e4,8
+1e4,40
 
 1e6,3e-13
-1e6,8
+1e6,40
 
 1e8,3e-13
-1e8,8
+1e8,40
 
 15,1
 4e8,1
@@ -68,19 +68,19 @@ if (!all) {
     set title "(m x')' + x³ = 0, m = 1 + t/100" textcolor rgb black offset 0,-0.5
     set xlabel "time of one answer, x(300)" textcolor rgb black offset 0,0.3
     set ylabel "error, by the amplitude" textcolor rgb black offset 0.8,0
-    set label "cos" at 28,4.6 center textcolor rgb black
-    set label "cn" at 145,4.6 right textcolor rgb black
-    set label "ca" at 165,4.6 textcolor rgb black
+    set label "cos" at 28,12 center textcolor rgb black
+    set label "cn" at 140,12 right textcolor rgb black
+    set label "ca" at 170,12 textcolor rgb black
     set label "as printed" at 290,1.3 textcolor rgb black
-    set label "corrected" at 20,0.018 textcolor rgb black
-    set label "vm_osc_by" at 400,0.018 textcolor rgb red
-    set label "second-order law" at 100,2e-5 textcolor rgb red
-    set label "planned" at 480,1e-7 right textcolor rgb red
-    set label "at once" at 850,1e-7 textcolor rgb red
-    set label "rk87" at 1.4e5,4e-12 right textcolor rgb blue
+    set label "corrected" at 18,0.012 textcolor rgb black
+    set label "vm_osc_by" at 380,0.012 textcolor rgb red
+    set label "second-order law" at 80,3e-5 textcolor rgb red
+    set label "planned" at 520,6e-8 right textcolor rgb red
+    set label "at once" at 950,6e-8 textcolor rgb red
+    set label "rk87" at 1.3e5,4e-12 right textcolor rgb blue
     set label "rk45" at 1.3e6,2e-11 textcolor rgb sky
-    set label "rk4" at 2.4e6,6e-10 textcolor rgb green
-    set label "GSL rk8pd" at 3.2e5,2.3e-12 textcolor rgb grey
+    set label "rk4" at 2.5e6,8e-10 textcolor rgb green
+    set label "GSL rk8pd" at 2.6e5,2.3e-12 textcolor rgb grey
     set label "GSL rkf45" at 2.1e5,1.3e-2 textcolor rgb grey
     set label "variation of" at 1e6,3e-5 textcolor rgb purple
     set label "constants" at 1e6,5e-6 textcolor rgb purple
