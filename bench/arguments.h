@@ -4,7 +4,7 @@
 #ifndef VARMASS_ARGUMENTS_H
 #define VARMASS_ARGUMENTS_H
 
-enum { POOL = 65536, WINDOW = 256 };
+enum { POOL = 65536, WINDOW = 256, ARRAY = 2048 };
 static vm_real angle[POOL], arg[POOL], parameter[POOL], second[POOL];
 static volatile vm_real sink;
 
@@ -17,12 +17,14 @@ static double random_number(void) /* 0 <= x < 1 */
 
 static double between(double low, double high) { return low + (high - low) * random_number(); }
 
-/* Where this run's arguments begin */
-static int next_window(void)
+/* Where the arguments of this run begin, which takes n of them */
+static int next_of(int n)
 {
     static int first;
-    return first = (first + WINDOW) % POOL;
+    return first = (first + n) / n % (POOL / n) * n;
 }
+
+static int next_window(void) { return next_of(WINDOW); }
 
 /* Two loops: name_apart over independent arguments (throughput), and name_chain, with the result before, times 0, in
    each argument (latency). x is the angle, u the argument, m the parameter, w a second one; results are a, b, c. */
@@ -64,18 +66,32 @@ static void fill_angles(void)
     for (i = 0; i < POOL; i++) angle[i] = (vm_real)((i % WINDOW + random_number()) * 20 / WINDOW - 10);
 }
 
+/* Without quadruple precision there is nothing to measure against */
+static inline double known(double error)
+{
+#ifdef WITH_QUAD
+    return error;
+#else
+    return (void)error, NO_ERROR;
+#endif
+}
+
 /* Lines of a function, of independent arguments and, where a chain is named, in a chain */
 static inline void measure_function(const char *job, const char *route, const char *knob, double error,
                                     void (*apart)(void), void (*chain)(void))
 {
     char chained[80];
-#ifndef WITH_QUAD
-    error = NO_ERROR; /* without quadruple precision there is nothing to measure against */
-#endif
-    measure(job, route, knob, error, apart, WINDOW, "sin", sin_apart, WINDOW);
+    measure(job, route, knob, known(error), apart, WINDOW, "sin", sin_apart, WINDOW);
     if (!chain) return;
     snprintf(chained, sizeof chained, "%s (chain)", route);
-    measure(job, chained, knob, error, chain, WINDOW, "sin (chain)", sin_chain, WINDOW);
+    measure(job, chained, knob, known(error), chain, WINDOW, "sin (chain)", sin_chain, WINDOW);
+}
+
+/* The line of a function of arrays of ARRAY */
+static inline void measure_array(const char *job, const char *route, const char *knob, double error,
+                                 void (*body)(void))
+{
+    measure(job, route, knob, known(error), body, ARRAY, "sin", sin_apart, WINDOW);
 }
 
 #endif

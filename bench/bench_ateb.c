@@ -32,12 +32,11 @@ BODY(inc, a = ateb_beta_inc(u, m, w))
 BODY(inv, a = ateb_beta_inc_inv(u, m, w))
 BODY(nm, ateb_saca_nm(u, m, w, &a, &b))
 
-static void array_apart(void)
+static void array(void)
 {
-    static vm_real sa[WINDOW], ca[WINDOW];
-    const int first = next_window();
-    ateb_plan_saca_array(&plan, WINDOW, arg + first, sa, ca);
-    sink = sa[first % WINDOW] + ca[WINDOW - 1];
+    static vm_real sa[ARRAY], ca[ARRAY];
+    ateb_plan_saca_array(&plan, ARRAY, arg + next_of(ARRAY), sa, ca);
+    sink = sa[0] + ca[ARRAY - 1];
 }
 
 static void by_plan(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
@@ -162,7 +161,7 @@ static void measure_routes(double alpha)
         ateb_plan_init_to(&plan, (vm_real)alpha, (vm_real)accuracies[i]);
         measure_function(job, "ateb_plan_saca", accuracy_names[i], error_of_saca(by_plan), plan_apart,
                          i == 0 ? plan_chain : NULL);
-        measure_function(job, "ateb_plan_saca_array", accuracy_names[i], error_of_saca(by_plan), array_apart, NULL);
+        measure_array(job, "ateb_plan_saca_array", accuracy_names[i], error_of_saca(by_plan), array);
     }
 #if GSL
     gsl_pi = gsl_sf_beta(1 / (alpha + 1), 0.5);

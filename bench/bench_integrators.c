@@ -257,13 +257,15 @@ static void print_times_to_errors(const curve *curves)
 static void measure_problem(int k)
 {
     static curve curves[METHODS];
+    char job[40];
     double y[4];
     now.problem = k;
     for (now.method = 0; now.method < METHODS; now.method++) measure_curve(curves + now.method);
     print_times_to_errors(curves);
     now.method = RK4_SOLVE, now.knob = YARDSTICK_STEPS;
     run(k, now.method, now.knob, 0, y);
-    measure(problems[k].name, "rk4_solve", "1000", error_at_end(problems + k, y), body, 1, "rk4_loop", yardstick, 1);
+    snprintf(job, sizeof job, "%s, 1000 steps", problems[k].name);
+    measure(job, "rk4_solve", "", error_at_end(problems + k, y), body, 1, "rk4_loop", yardstick, 1);
 }
 
 /* ---- Right-hand sides that are not smooth: x'' = -x|x|^(alpha-1) over ten periods ---- */

@@ -29,12 +29,11 @@ BODY(plan, jacobi_plan_sncndn(&plan, u, &a, &b, &c))
 BODY(agm, jacobi_agm_sncndn(u, m, steps, &a, &b, &c))
 BODY(agm_K, a = jacobi_agm_K(m))
 
-static void array_apart(void)
+static void array(void)
 {
-    static vm_real sn[WINDOW], cn[WINDOW], dn[WINDOW];
-    const int first = next_window();
-    jacobi_plan_sncndn_array(&plan, WINDOW, arg + first, sn, cn, dn);
-    sink = sn[first % WINDOW] + cn[WINDOW / 2] + dn[WINDOW - 1];
+    static vm_real sn[ARRAY], cn[ARRAY], dn[ARRAY];
+    jacobi_plan_sncndn_array(&plan, ARRAY, arg + next_of(ARRAY), sn, cn, dn);
+    sink = sn[0] + cn[ARRAY / 2] + dn[ARRAY - 1];
 }
 
 static vm_real by_K(vm_real m) { return jacobi_K(m); }
@@ -184,7 +183,7 @@ static void measure_routes(double m)
     }
     measure_function(job, "jacobi_sncndn", "", error_of_sncndn(jacobi_sncndn), sncndn_apart, sncndn_chain);
     measure_function(job, "jacobi_plan_sncndn", "", error_of_sncndn(by_plan), plan_apart, plan_chain);
-    measure_function(job, "jacobi_plan_sncndn_array", "", error_of_sncndn(by_plan), array_apart, NULL);
+    measure_array(job, "jacobi_plan_sncndn_array", "", error_of_sncndn(by_plan), array);
 #if GSL
     if (m >= -1)
         measure_function(job, "gsl_sf_elljac_e", "", error_of_sncndn(by_gsl), gsl_elljac_apart, gsl_elljac_chain);

@@ -20,7 +20,7 @@ the same, full, -O3 -march=native, arrays @ ateb_wide @ saca; |s| < 10; alpha = 
 sa, ca, alpha prepared @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca @ @ gsl_cdf_beta_Pinv
 incomplete beta function @ ateb @ I_x; 0.5 < a; b < 5 @ ateb_beta_inc @ @ gsl_sf_beta_inc
 its inverse @ ateb @ x of I_x; 0.5 < a; b < 5 @ ateb_beta_inc_inv @ @ gsl_cdf_beta_Pinv
-x'"''"' = -x^3 @ integrators @ cubic @ rk4_solve @ 1000 @
+x'"''"' = -x^3 @ integrators @ cubic; 1000 steps @ rk4_solve @ @
 x'"''"' = -x^3 @ integrators @ cubic to 1e-6 @ rk45_solve @ * @ gsl_rkf45
 x'"''"' = -x^3 @ integrators @ cubic to 1e-10 @ rk87_solve @ * @ gsl_rk8pd
 Arenstorf'"'"'s orbit @ integrators @ orbit to 1e-8 @ rk87_solve @ * @ gsl_rk8pd
