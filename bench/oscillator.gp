@@ -9,7 +9,7 @@ array colour[6] = [blue, sky, green, purple, grey, grey]
 array dash[6] = [1, 1, 1, 1, 2, 3]
 array shape[6] = [7, 5, 9, 13, 7, 5]
 
-# closed forms: cos a disc, cn a triangle, ca a square, the second-order law a rhombus; open: as printed, or planned
+# closed forms: cos a disc, cn a triangle, ca a square, the second-order law a rhombus; open: as printed, or prepared
 array law[14] = ["cos (360) printed", "cn (396) printed", "ca (321) printed", "cos corrected", "cn corrected", "ca (325)", \
     "vm_osc_plan_by trig", "vm_osc_plan_by Jacobi", "vm_osc_plan_by Ateb", "vm_osc_plan_by second", \
     "vm_osc_by trig", "vm_osc_by Jacobi", "vm_osc_by Ateb", "vm_osc_by second"]
@@ -70,7 +70,7 @@ if (!all) {
     set label "corrected" at 21,0.012 textcolor rgb black
     set label "vm\\_osc\\_by" at 380,0.012 textcolor rgb red
     set label "second-order law" at 80,3e-5 textcolor rgb red
-    set label "planned" at 520,6e-8 right textcolor rgb red
+    set label "prepared" at 520,6e-8 right textcolor rgb red
     set label "at once" at 950,6e-8 textcolor rgb red
     set label "rk87" at 1.3e5,4e-12 right textcolor rgb blue
     set label "rk45" at 1.3e6,2e-11 textcolor rgb sky
