@@ -22,7 +22,7 @@ done
 {
     echo '# Instructions of a call'
     echo
-    echo "Written by \`make bench-count\`: x86-64, $($CC --version | head -n 1), $FLAGS, counted by callgrind, the same in every"
+    echo "Written by \`make bench-count\`: $(uname -m), $($CC --version | head -n 1), $FLAGS, counted by callgrind, the same in every"
     echo 'run. Means over 200 calls, with arguments as bench/count.c has them; a step of x'"''"' = -x^3 for the integrators.'
     echo
     echo '| function | double | float |'
