@@ -63,8 +63,9 @@ bench-count: build/bench/count/double build/bench/count/float
 
 # the tables and figures of docs/cost.md from the last `make bench`, which it runs where there was none
 cost: bench-count
+	cp build/bench/count/counts.md docs
 	@[ -f build/bench/machine ] || $(MAKE) bench
-	sh bench/cost.sh build/bench build/figures docs/cost.md docs/figures docs/counts.md
+	@sh bench/cost.sh build/bench build/figures docs/cost.md docs/figures
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float

@@ -4,9 +4,9 @@ load "bench/style.gp"
 csv = folder."/ateb.csv"; csv_float = folder."/ateb_float.csv"; csv_wide = folder."/ateb_wide.csv"
 set logscale xy
 set xrange [5:8000]
-set yrange [3e-17:2e-3]
+set yrange [3e-17:1e-1]
 set xtics ("10 ns" 10, "100 ns" 100, "1 µs" 1000)
-set ytics ("10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12, "10^{-14}" 1e-14, \
+set ytics ("10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12, "10^{-14}" 1e-14, \
     "10^{-16}" 1e-16)
 set xlabel "time of sa and ca together" offset 0,0.3
 set ylabel "largest error" offset 0.8,0
@@ -14,12 +14,13 @@ error(alpha, route) = strcol(2) eq "saca; |s| < 10; alpha = ".alpha && strcol(3)
 array alpha[2] = ["3", "1.333"]
 array dash[2] = [1, 2]
 
-set label "alpha = 3, plan,\narrays\n(-O3, AVX)" at 6,1e-12 textcolor rgb purple
-set label "plan" at 22,1e-12 right offset -0.5,0 textcolor rgb red
-set label "alpha = 4/3, plan,\ndashed" at 40,1e-12 textcolor rgb red
-set label "float" at 29,2.2e-7 textcolor rgb green
-set label "float, any alpha" at 150,1e-7 textcolor rgb green
-set label "any alpha" at 185,1.7e-16 textcolor rgb red
+set label "plan, arrays\n(-O3, AVX)" at 5.3,1.5e-2 textcolor rgb purple
+set label "plan" at 25,2.5e-4 center textcolor rgb red
+set label "float" at 18,8e-8 right textcolor rgb green
+set label "α = 3" at 12.8,1e-11 center textcolor rgb black
+set label "α = 4/3, dashed:\na general power" at 42,1e-11 textcolor rgb black
+set label "float, any α" at 150,1e-7 textcolor rgb green
+set label "any α" at 185,1.7e-16 textcolor rgb red
 set label "GSL's inverse\nbeta function" at 2000,1.5e-13 center textcolor rgb grey
 plot for [i=1:2] csv using 6:(error(alpha[i], "ateb_plan_saca")) with linespoints lc rgb red lw 2.2 dt dash[i] pt 9 ps 1, \
     for [i=1:2] csv_wide using 6:(error(alpha[i], "ateb_plan_saca_array")) with linespoints lc rgb purple lw 2.2 dt dash[i] pt 5 ps 0.8, \
