@@ -71,6 +71,8 @@ awk -F, '
     END {for (i = 1; i <= n; i++) print "| " order[i] " | " cell[order[i], 0] " | " cell[order[i], 1] " | " cell[order[i], 4] " |"}
     ' "$folder/streams.csv" >"$tables/streams"
 
+for table in oscillator oscillator_all rotation; do sh bench/motion_tables.sh "$folder" $table >"$tables/$table"; done
+
 awk -v tables="$tables" '
     /^<!-- end -->/ {inside = 0}
     !inside {print}
