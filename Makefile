@@ -1,7 +1,8 @@
 # varmass: nothing has to be built to use the headers. Every target that needs more than a C compiler sets it up through
 # the system's package manager where it may, and says so where it may not.
 #
-#   make run      build and run the examples, draw their figures        make bench   time everything
+#   make run      build and run the examples, draw their figures        make bench   time everything (minutes)
+#   make bench-quick   the same, roughly       make bench-count   count instructions       make cost   write docs/cost.md
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
@@ -29,7 +30,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -49,10 +50,24 @@ lint:
 	@sh tests/install.sh "command -v g++" g++; sh tests/install.sh "command -v clang++" clang; \
 	sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; $(MAKE) -s build/command; sh tests/lint.sh build $(STRICT)
 
-BENCHES = double float jacobi ateb ateb_float ateb_wide integrators pairs scenes rotation streams
-bench: $(BENCHES:%=build/bench/%)
-	@for bench in $(BENCHES); do ./build/bench/$$bench build/bench/$$bench.csv || exit 1; echo; done
-	@sh bench/plot_integrators.sh build/bench
+# bench/bench_NAME.c each; those of functions in float too, and as arrays like to be compiled
+BENCHES = $(patsubst bench/bench_%.c,%,$(sort $(wildcard bench/bench_*.c))) jacobi_float ateb_float jacobi_wide ateb_wide
+BENCH_PROGRAMS = $(BENCHES:%=build/bench/%)
+bench: $(BENCH_PROGRAMS)
+	@CC="$(CC)" FLAGS="$(CFLAGS)" sh bench/run.sh build/bench build/figures "" $(BENCHES)
+
+bench-quick: $(BENCH_PROGRAMS)
+	@CC="$(CC)" FLAGS="$(CFLAGS)" sh bench/run.sh build/bench/quick build/bench/quick quick $(BENCHES)
+
+# instructions of a call, the same in every run
+bench-count: build/bench/count/double build/bench/count/float
+	@sh tests/install.sh "command -v valgrind" valgrind && CC="$(CC)" FLAGS="$(CFLAGS)" sh bench/count.sh build/bench/count
+
+# the tables and figures of docs/cost.md from the last `make bench`, which it runs where there was none
+cost: bench-count
+	cp build/bench/count/counts.md docs
+	@[ -f build/bench/machine ] || $(MAKE) bench
+	@sh bench/cost.sh build/bench build/figures docs/cost.md docs/figures
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
@@ -127,8 +142,8 @@ scaling:
 	@sh tests/install.sh "command -v mpicc && command -v mpirun" openmpi-bin libopenmpi-dev
 	sh examples/sweep/scaling.sh build >docs/scaling.md
 
-measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float $(BENCHES:%=build/bench/%)
-	sh bench/measurements.sh build "$(TESTS)" "$(BENCHES)"
+measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float
+	sh bench/measurements.sh build "$(TESTS)"
 
 figures: run
 	for figure in $$(grep -o 'figures/[a-z0-9_]*\.svg' docs/figures.md); do cp "build/$$figure" docs/figures || exit 1; done
@@ -150,6 +165,7 @@ data:
 	python3 tests/gen/rotor_reference.py
 	python3 tests/gen/streams.py
 	python3 tests/gen/slow.py
+	python3 tests/gen/oscillator_reference.py
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h
@@ -191,35 +207,35 @@ build/tests/float/%: tests/test_%.c $(TEST_FILES)
 build/tests/exhaustive_%: tests/exhaustive_%.c tests/exhaustive_double.c tests/exhaustive.h $(TEST_FILES)
 	@$(IN_BUILD) && $(COMPILE) -c tests/exhaustive_double.c -o $@.o && $(COMPILE) $< $@.o -o $@ -lm
 
-build/tests/scan: tests/scan.c $(TEST_FILES)
+build/tests/scan: tests/scan.c tests/quad.h $(TEST_FILES)
 	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) $< -o $@ -lquadmath -lm
 
-build/tests/scan_float: tests/scan.c $(TEST_FILES)
+build/tests/scan_float: tests/scan.c tests/quad.h $(TEST_FILES)
 	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) -DVM_USE_FLOAT $< -o $@ -lquadmath -lm
 
 build/examples/%: examples/%.c build/command $(wildcard examples/*.h examples/scenes/*.h) $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
-# with GSL's functions beside ours where GSL is there
-build/bench/jacobi build/bench/ateb build/bench/integrators: build/bench/%: bench/bench_%.c $(wildcard bench/*.h) \
-    build/command $(HEADERS)
-	@$(IN_BUILD) && if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
-	$(COMPILE) $< -o $@ $$gsl -lm
+# with GSL's functions beside ours where GSL is there, with errors where the compiler has quadruple precision
+BENCH_FILES = build/bench/exact.o $(wildcard bench/*.h tests/data/*.h) build/command $(HEADERS)
+COMPILE_BENCH = $(IN_BUILD) && if sh tests/install.sh "$(GSL_CHECK)" libgsl-dev; then gsl="-DWITH_GSL -lgsl -lgslcblas"; fi; \
+    if $(QUAD_CHECK); then quad="-DWITH_QUAD -lquadmath"; fi; \
+    $(CC) -std=c99 -DTOPIC='"$(@F)"' $< build/bench/exact.o -o $@ $$gsl $$quad -lm
+QUAD_CHECK = echo '\#include <quadmath.h>' | $(CC) -E - >/dev/null 2>&1
+build/bench/exact.o: bench/exact.c bench/exact.h tests/quad.h build/command
+	@$(IN_BUILD) && if $(QUAD_CHECK); then quad=-DWITH_QUAD; fi; $(CC) -std=gnu99 -O2 -ffp-contract=off $$quad -c $< -o $@
 
-build/bench/rotation build/bench/streams build/bench/scenes: build/bench/%: bench/bench_%.c bench/timing.h build/command $(HEADERS)
+build/bench/%: bench/bench_%.c $(BENCH_FILES)
+	@$(COMPILE_BENCH) $(CFLAGS)
+
+build/bench/%_float: bench/bench_%.c $(BENCH_FILES)
+	@$(COMPILE_BENCH) $(CFLAGS) -DVM_USE_FLOAT
+
+build/bench/%_wide: bench/bench_%.c $(BENCH_FILES)
+	@$(COMPILE_BENCH) -O3 -march=native -fno-math-errno
+
+build/bench/count/double: bench/count.c build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
-build/bench/double: bench/bench.c bench/timing.h build/command $(HEADERS)
-	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
-
-build/bench/float: bench/bench.c bench/timing.h build/command $(HEADERS)
+build/bench/count/float: bench/count.c build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
-
-build/bench/ateb_float: bench/bench_ateb.c build/command ateb.h
-	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT $< -o $@ -lm
-
-build/bench/ateb_wide: bench/bench_ateb.c build/command ateb.h
-	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -fno-math-errno $< -o $@ -lm
-
-build/bench/pairs: bench/pairs.c build/command
-	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm

@@ -1,275 +1,210 @@
-/* What jacobi.h costs. First table: the time of a call, and its ratio to that of the C library's sin (float: sinf) in
-   the same run, for independent arguments (throughput) and where each argument waits for the result before (latency,
-   beside sin in a chain of the same kind). Second table: error beside time by the AGM, step by step, and beside it by
-   theta functions. With -DWITH_GSL, linked with -lgsl -lgslcblas, also GSL's functions.
-   usage: bench_jacobi [CSV] */
+/* jacobi.h: time of a call in units of the C library's sin (float: sinf), of independent arguments and in a chain, and
+   the largest error against quadruple precision; GSL's functions beside it. Errors are absolute, of K and E relative,
+   of dn by its largest value. The last lines are one quantity by every route, the AGM's with its steps as the knob. */
 #include "timing.h"
-#include <stdio.h>
-#include <unistd.h>
 #include "../jacobi.h"
+#include "arguments.h"
+#include "exact.h"
 #if defined(WITH_GSL) && !defined(VM_USE_FLOAT)
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf.h>
 #define GSL 1
 #else
 #define GSL 0
 #endif
 
-enum { COUNT = 2048 };
-static vm_real angle[COUNT], arg[COUNT], parameter[COUNT];
-static vm_real sn_out[COUNT], cn_out[COUNT], dn_out[COUNT];
+enum { IS_FLOAT = sizeof(vm_real) == sizeof(float), CHECKED = 1024 };
 static jacobi_plan plan;
 static int steps;
-static volatile vm_real sink;
-static FILE *csv;
 
-/* ---- Measuring ---- */
+/* ---- Routes ---- */
 
-static vm_real random_number(void) /* 0 <= x < 1 */
-{
-    static unsigned long state = 1;
-    state = (state * 1664525ul + 1013904223ul) & 0xfffffffful;
-    return (vm_real)(state >> 8) / 16777216;
-}
-
-/* Parameters between low and high, and arguments between +-size, or where size = 0 between +-quarters K(m) */
-static void fill(vm_real size, vm_real quarters, vm_real low, vm_real high)
-{
-    int i;
-    for (i = 0; i < COUNT; i++) {
-        parameter[i] = low + (high - low) * random_number();
-        arg[i] = (2 * random_number() - 1) * (size > 0 ? size : quarters * jacobi_K(parameter[i]));
-    }
-}
-
-/* Twice the loop over all arguments: over independent ones, and with the result before, times 0, in each argument */
-#define BODY(name, ...)                                                           \
-    static void name##_apart(void)                                                \
-    {                                                                             \
-        vm_real sum = 0, a = 0, b = 0, c = 0;                                     \
-        int i;                                                                    \
-        for (i = 0; i < COUNT; i++) {                                             \
-            const vm_real x = angle[i], u = arg[i], m = parameter[i];             \
-            (void)x, (void)u, (void)m;                                            \
-            __VA_ARGS__;                                                          \
-            sum += a + b + c;                                                     \
-        }                                                                         \
-        sink = sum;                                                               \
-    }                                                                             \
-    static void name##_chain(void)                                                \
-    {                                                                             \
-        vm_real z = 0, a = 0, b = 0, c = 0;                                       \
-        int i;                                                                    \
-        for (i = 0; i < COUNT; i++) {                                             \
-            const vm_real x = angle[i] + z, u = arg[i] + z, m = parameter[i] + z; \
-            (void)x, (void)u, (void)m;                                            \
-            __VA_ARGS__;                                                          \
-            z = 0 * (a + b + c);                                                  \
-        }                                                                         \
-        sink = z;                                                                 \
-    }
-BODY(sin, a = VM_LIBM(sin)(x))
 BODY(K, a = jacobi_K(m))
 BODY(E, a = jacobi_E(m))
-BODY(sncndn, jacobi_sncndn(u, m, &a, &b, &c))
-BODY(plan, jacobi_plan_sncndn(&plan, u, &a, &b, &c))
 BODY(am, a = jacobi_am(u, m))
 BODY(solve, a = jacobi_solve_kpK(m))
 BODY(means, jacobi_cn_means(m, &a, &b, &c))
+BODY(sncndn, jacobi_sncndn(u, m, &a, &b, &c))
+BODY(plan, jacobi_plan_sncndn(&plan, u, &a, &b, &c))
 BODY(agm, jacobi_agm_sncndn(u, m, steps, &a, &b, &c))
-#if GSL
-BODY(gsl_elljac, gsl_sf_elljac_e(u, m, &a, &b, &c))
-BODY(gsl_K, a = gsl_sf_ellint_Kcomp(m, GSL_PREC_DOUBLE))
-#endif
+BODY(agm_K, a = jacobi_agm_K(m))
 
 static void array(void)
 {
-    static int k;
-    jacobi_plan_sncndn_array(&plan, COUNT, arg, sn_out, cn_out, dn_out);
-    k = (k + 1) % COUNT;
-    sink = sn_out[k] + cn_out[k] + dn_out[k];
+    static vm_real sn[ARRAY], cn[ARRAY], dn[ARRAY];
+    jacobi_plan_sncndn_array(&plan, ARRAY, arg + next_of(ARRAY), sn, cn, dn);
+    sink = sn[0] + cn[ARRAY / 2] + dn[ARRAY - 1];
 }
 
-static void progress(const char *what)
+static vm_real by_K(vm_real m) { return jacobi_K(m); }
+static vm_real by_E(vm_real m) { return jacobi_E(m); }
+static vm_real by_agm_K(vm_real m) { return jacobi_agm_K(m); }
+static void by_plan(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    if (isatty(2)) fprintf(stderr, "\r%-70s\r", what);
+    (void)m;
+    jacobi_plan_sncndn(&plan, u, sn, cn, dn);
+}
+static void by_agm(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    jacobi_agm_sncndn(u, m, steps, sn, cn, dn);
 }
 
-/* Time of a call, beside sin, as two columns and as a line of the CSV; error < 0 where none is measured */
-static timing print_time(const char *function, const char *arguments, int chained, void (*body)(void), double error)
-{
-    const timing t = time_beside(body, COUNT, chained ? sin_chain : sin_apart, COUNT);
-    printf(" %9.1f %6.2f", t.ns, t.ratio);
-    if (!csv) return t;
-    fprintf(csv, "\"%s\",\"%s\",%s,%.2f,%.3f,", function, arguments, chained ? "latency" : "throughput", t.ns,
-            t.ratio);
-    if (error >= 0) fprintf(csv, "%.3g", error);
-    fputc('\n', csv);
-    return t;
-}
-
-/* ---- First table ---- */
-
-/* chain is NULL where the results come all at once */
-static void print_function(const char *function, const char *arguments, void (*apart)(void), void (*chain)(void))
-{
-    progress(function);
-    printf("%-24s %-30s", function, arguments);
-    print_time(function, arguments, 0, apart, -1);
-    if (chain) print_time(function, arguments, 1, chain, -1);
-    putchar('\n');
-}
-
-static void print_sncndn(void)
-{
-    static const vm_real range[4][2] = {{0, VM_C(0.5)}, {VM_C(0.5), 1}, {-1, 0}, {-30, -1}};
-    const vm_real far = sizeof(vm_real) == sizeof(float) ? VM_C(1e4) : VM_C(1e9);
-    const struct {
-        const char *label;
-        vm_real size, quarters;
-    } reach[3] = {
-        {"|u| < K/2", 0, VM_C(0.5)}, {"|u| < 2K", 0, 2}, {far > VM_C(1e5) ? "|u| < 1e9" : "|u| < 1e4", far, 0}};
-    char arguments[40];
-    int i, j;
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 4; j++) {
-            fill(reach[i].size, reach[i].quarters, range[j][0], range[j][1]);
-            snprintf(arguments, sizeof arguments, "%s, %g < m < %g", reach[i].label, (double)range[j][0],
-                     (double)range[j][1]);
-            print_function("jacobi_sncndn", arguments, sncndn_apart, sncndn_chain);
 #if GSL
-            if (range[j][0] >= 0) print_function("gsl_sf_elljac_e", arguments, gsl_elljac_apart, gsl_elljac_chain);
+BODY(gsl_elljac, gsl_sf_elljac_e(u, m, &a, &b, &c))
+BODY(gsl_K, a = gsl_sf_ellint_Kcomp(w, GSL_PREC_DOUBLE))
+BODY(gsl_E, a = gsl_sf_ellint_Ecomp(w, GSL_PREC_DOUBLE))
+static void by_gsl(double u, double m, double *sn, double *cn, double *dn) { gsl_sf_elljac_e(u, m, sn, cn, dn); }
+static double by_gsl_K(double m) { return gsl_sf_ellint_Kcomp(sqrt(m), GSL_PREC_DOUBLE); }
+static double by_gsl_E(double m) { return gsl_sf_ellint_Ecomp(sqrt(m), GSL_PREC_DOUBLE); }
 #endif
-        }
-}
 
-static void print_plans(void)
+/* ---- Arguments and errors ---- */
+
+/* Parameters between low and high, and arguments between +-size, or where size = 0 between +-quarters K(m) */
+static void fill(double size, double quarters, double low, double high)
 {
-    enum { KINDS = 4 };
-    static const vm_real m[KINDS] = {VM_C(0.3), VM_C(0.9), -20, VM_C(0.99)}; /* the last by theta functions */
-    char arguments[40];
     int i;
-    for (i = 0; i < 2 * KINDS; i++) {
-        fill(0, 2, m[i % KINDS], m[i % KINDS]);
-        jacobi_plan_init(&plan, m[i % KINDS]);
-        snprintf(arguments, sizeof arguments, "|u| < 2K, m = %g", (double)m[i % KINDS]);
-        if (i < KINDS) print_function("jacobi_plan_sncndn", arguments, plan_apart, plan_chain);
-        else print_function("jacobi_plan_sncndn_array", arguments, array, NULL);
+    for (i = 0; i < POOL; i++) {
+        parameter[i] = (vm_real)between(low, high);
+        second[i] = VM_SQRT(VM_FABS(parameter[i])); /* the modulus, which some want */
+        arg[i] = (vm_real)(between(-1, 1) * (size > 0 ? size : quarters * (double)jacobi_K(parameter[i])));
     }
 }
 
-static void print_functions(void)
-{
-    printf("%-55s    throughput         latency\n%-55s %9s %6s %9s %6s\n", "", "", "ns", "x sin", "ns", "x sin");
-    print_function("sin", "|x| < 10", sin_apart, sin_chain);
-    fill(1, 0, 0, 1);
-    print_function("jacobi_K", "0 < m < 1", K_apart, K_chain);
-#if GSL
-    print_function("gsl_sf_ellint_Kcomp", "0 < k < 1", gsl_K_apart, gsl_K_chain);
-#endif
-    print_function("jacobi_E", "0 < m < 1", E_apart, E_chain);
-    print_function("jacobi_cn_means", "0 < m < 1", means_apart, means_chain);
-    fill(1, 0, -30, -1);
-    print_function("jacobi_K", "-30 < m < -1", K_apart, K_chain);
-    print_function("jacobi_E", "-30 < m < -1", E_apart, E_chain);
-    print_function("jacobi_cn_means", "-30 < m < -1", means_apart, means_chain);
-    print_sncndn();
-    print_plans();
-    fill(0, 2, 0, 1);
-    print_function("jacobi_am", "|u| < 2K, 0 < m < 1", am_apart, am_chain);
-    fill(1, 0, 0, VM_C(1.3));
-    print_function("jacobi_solve_kpK", "0 < c < 1.3", solve_apart, solve_chain);
-    fill(1, 0, VM_C(1.32), VM_C(1.85));
-    print_function("jacobi_solve_kpK", "1.32 < c < 1.85", solve_apart, solve_chain);
-    fill(1, 0, VM_C(1.86), 20);
-    print_function("jacobi_solve_kpK", "1.86 < c < 20", solve_apart, solve_chain);
-}
-
-/* ---- Second table: error beside time ---- */
-
-static double larger(double error, vm_real x, vm_real reference)
-{
-    const double e = (double)VM_FABS(x - reference) / (double)VM_EPSILON;
-    return e > error ? e : error;
-}
-
-/* The largest difference from jacobi_sncndn in eps, by so many steps of the AGM, or where steps = 0 by the plan */
-static double largest_error(void)
+/* The largest error of some of the arguments */
+static double error_of_sncndn(void (*route)(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn))
 {
     double error = 0;
-    vm_real sn, cn, dn;
     int i;
-    for (i = 0; i < COUNT; i++) {
-        if (steps == 0) jacobi_plan_sncndn(&plan, arg[i], &sn, &cn, &dn);
-        else jacobi_agm_sncndn(arg[i], parameter[i], steps, &sn, &cn, &dn);
-        jacobi_sncndn(arg[i], parameter[i], sn_out + i, cn_out + i, dn_out + i);
-        error = larger(larger(larger(error, sn, sn_out[i]), cn, cn_out[i]), dn, dn_out[i]);
+    for (i = 0; i < CHECKED; i++) {
+        const double m = (double)parameter[i];
+        exact_value exact[4];
+        vm_real sn, cn, dn;
+        exact_sncndn((double)arg[i], m, exact);
+        route(arg[i], parameter[i], &sn, &cn, &dn);
+        error = larger(larger(error, error_of((double)sn, exact[0])), error_of((double)cn, exact[1]));
+        error = larger(error, error_of((double)dn, exact[2]) / fmax(1, sqrt(1 - m)));
     }
     return error;
 }
 
-static timing print_route(vm_real m, const char *route, double error, void (*apart)(void), void (*chain)(void))
+static double error_of_am(void)
 {
-    char arguments[40];
-    timing t;
-    progress(route);
-    snprintf(arguments, sizeof arguments, "|u| < 2K, m = %g", (double)m);
-    printf("%-22s %-19s", route, arguments);
-    if (error < 0) printf(" %12s", "reference");
-    else printf(" %12.3g", error);
-    t = print_time(route, arguments, 0, apart, error);
-    print_time(route, arguments, 1, chain, error);
-    return t;
+    double error = 0;
+    int i;
+    for (i = 0; i < CHECKED; i++) {
+        exact_value exact[4];
+        exact_sncndn((double)arg[i], (double)parameter[i], exact);
+        error = larger(error, error_of((double)jacobi_am(arg[i], parameter[i]), exact[3]));
+    }
+    return error;
 }
 
-/* Steps until one more changes nothing; at the end of a line what one step less saves (throughput) and costs */
-static void print_error_beside_time(vm_real m)
+/* which: 0 for K, 1 for E */
+static double error_of_complete(vm_real (*route)(vm_real m), int which)
 {
-    double error, error_before = 0;
-    timing t, before = {0, 0};
-    char route[24];
-    fill(0, 2, m, m);
-    jacobi_plan_init(&plan, m);
-    for (steps = 1;; steps++) {
-        error = largest_error();
-        if (steps > 1 && error == error_before) break;
-        snprintf(route, sizeof route, "AGM, %d step%s", steps, steps > 1 ? "s" : "");
-        t = print_route(m, route, error, agm_apart, agm_chain);
-        if (steps > 1) printf("   %+.1f ns, %+.3g eps", before.ns - t.ns, error_before - error);
-        putchar('\n');
-        error_before = error;
-        before = t;
+    double error = 0;
+    int i;
+    for (i = 0; i < CHECKED; i++) {
+        exact_value exact[2];
+        exact_complete((double)parameter[i], exact);
+        error = larger(error, error_of((double)route(parameter[i]), exact[which]) / exact[which].high);
     }
-    steps = 0;
-    print_route(m, "theta functions", -1, sncndn_apart, sncndn_chain);
-    putchar('\n');
-    print_route(m, "theta functions, plan", largest_error(), plan_apart, plan_chain);
-    puts("\n");
+    return error;
+}
+
+/* ---- Lines ---- */
+
+static void measure_complete(void)
+{
+    fill(1, 0, 0, 1);
+    measure_function("K, 0 < m < 1", "jacobi_K", "", error_of_complete(by_K, 0), K_apart, K_chain);
+    measure_function("K, 0 < m < 1", "jacobi_agm_K", "", error_of_complete(by_agm_K, 0), agm_K_apart, agm_K_chain);
+    measure_function("E, 0 < m < 1", "jacobi_E", "", error_of_complete(by_E, 1), E_apart, E_chain);
+#if GSL
+    measure_function("K, 0 < m < 1", "gsl_sf_ellint_Kcomp", "", error_of_complete(by_gsl_K, 0), gsl_K_apart, NULL);
+    measure_function("E, 0 < m < 1", "gsl_sf_ellint_Ecomp", "", error_of_complete(by_gsl_E, 1), gsl_E_apart, NULL);
+#endif
+    measure_function("means, 0 < m < 1", "jacobi_cn_means", "", NO_ERROR, means_apart, means_chain);
+    fill(1, 0, -30, -1);
+    measure_function("K, -30 < m < -1", "jacobi_K", "", error_of_complete(by_K, 0), K_apart, K_chain);
+    measure_function("E, -30 < m < -1", "jacobi_E", "", error_of_complete(by_E, 1), E_apart, E_chain);
+    measure_function("means, -30 < m < -1", "jacobi_cn_means", "", NO_ERROR, means_apart, means_chain);
+}
+
+static void measure_any_m(void)
+{
+    static const double range[4][2] = {{0, 0.5}, {0.5, 1}, {-1, 0}, {-30, -1}};
+    static const struct {
+        const char *label;
+        double size, quarters;
+    } reach[3] = {{"|u| < K/2", 0, 0.5},
+                  {"|u| < 2K", 0, 2},
+                  {IS_FLOAT ? "|u| < 1e4" : "|u| < 1e9", IS_FLOAT ? 1e4 : 1e9, 0}};
+    char job[80];
+    int i, j;
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < 4; j++) {
+            fill(reach[i].size, reach[i].quarters, range[j][0], range[j][1]);
+            snprintf(job, sizeof job, "sncndn, %s, %g < m < %g", reach[i].label, range[j][0], range[j][1]);
+            measure_function(job, "jacobi_sncndn", "", error_of_sncndn(jacobi_sncndn), sncndn_apart, sncndn_chain);
+#if GSL
+            if (range[j][0] >= -1) /* which it refuses below */
+                measure_function(job, "gsl_sf_elljac_e", "", error_of_sncndn(by_gsl), gsl_elljac_apart,
+                                 gsl_elljac_chain);
+#endif
+        }
+}
+
+static void measure_inverses(void)
+{
+    static const double c[3][2] = {{0, 1.3}, {1.32, 1.85}, {1.86, 20}};
+    char job[80];
+    int i;
+    fill(0, 2, 0, 1);
+    measure_function("am, |u| < 2K, 0 < m < 1", "jacobi_am", "", error_of_am(), am_apart, am_chain);
+    for (i = 0; i < 3; i++) {
+        fill(1, 0, c[i][0], c[i][1]);
+        snprintf(job, sizeof job, "m of k'K = c, %g < c < %g", c[i][0], c[i][1]);
+        measure_function(job, "jacobi_solve_kpK", "", NO_ERROR, solve_apart, solve_chain);
+    }
+}
+
+/* One quantity, one m, by every route */
+static void measure_routes(double m)
+{
+    char job[80], knob[16];
+    snprintf(job, sizeof job, "sncndn, |u| < 2K, m = %g", m);
+    fill(0, 2, m, m);
+    jacobi_plan_init(&plan, (vm_real)m);
+    for (steps = 1; steps < (IS_FLOAT ? 5 : 7) && m > 0; steps++) {
+        snprintf(knob, sizeof knob, "%d", steps);
+        measure_function(job, "jacobi_agm_sncndn", knob, error_of_sncndn(by_agm), agm_apart, agm_chain);
+    }
+    measure_function(job, "jacobi_sncndn", "", error_of_sncndn(jacobi_sncndn), sncndn_apart, sncndn_chain);
+    measure_function(job, "jacobi_plan_sncndn", "", error_of_sncndn(by_plan), plan_apart, plan_chain);
+    measure_array(job, "jacobi_plan_sncndn_array", "", error_of_sncndn(by_plan), array);
+#if GSL
+    if (m >= -1)
+        measure_function(job, "gsl_sf_elljac_e", "", error_of_sncndn(by_gsl), gsl_elljac_apart, gsl_elljac_chain);
+#endif
 }
 
 int main(int argc, char **argv)
 {
-    static const vm_real m[4] = {VM_C(0.1), VM_C(0.5), VM_C(0.9), VM_C(0.99)};
-    int i;
-    if (argc > 1) {
-        csv = fopen(argv[1], "w");
-        if (!csv) {
-            perror(argv[1]);
-            return 1;
-        }
-        fputs("function,arguments,kind,ns,per_sin,error_eps\n", csv);
-    }
-    for (i = 0; i < COUNT; i++) angle[i] = 20 * random_number() - 10;
-    printf("jacobi.h, %s, medians of %d, %d random arguments\n\n",
-           sizeof(vm_real) == sizeof(float) ? "float" : "double", REPEATS, COUNT);
-    print_functions();
-    puts("\nError beside time, |u| < 2K: largest difference from jacobi_sncndn, itself within 4 eps\n");
-    printf("%-55s    throughput         latency\n%-42s %12s %9s %6s %9s %6s   a step less\n", "", "", "error/eps",
-           "ns", "x sin", "ns", "x sin");
-    for (i = 0; i < 4; i++) print_error_beside_time(m[i]);
-    progress("");
-    if (csv && fclose(csv) != 0) {
-        perror(argv[1]);
-        return 1;
-    }
-    return 0;
+    static const double m[] = {0.5, 0.1, 0.9, 0.99, -20};
+    size_t i;
+#if GSL
+    gsl_set_error_handler_off();
+#endif
+    bench_start(argc, argv, "jacobi.h, beside the C library's sin of arguments that rise from -10 to 10");
+    fill_angles();
+    fill(10, 0, 0, 1);
+    measure_function("sin, |x| < 10, rising", "sin", "", NO_ERROR, sin_apart, sin_chain);
+    measure_function("sin, |x| < 10, random", "sin", "", NO_ERROR, random_sin_apart, random_sin_chain);
+    measure_complete();
+    measure_any_m();
+    measure_inverses();
+    for (i = 0; i < sizeof m / sizeof *m; i += bench_quick ? 2 : 1) measure_routes(m[i]);
+    return bench_end();
 }

@@ -1,28 +1,50 @@
-/* varmass.h: free rotation in closed form beside rk45 and rk87 (integrators.h) and the C library's sin: the error
-   of attitude after so many turns against the time that it took, and what preparing a motion costs. Each row: a
-   body, a method, the tolerance, turns, error (rad), microseconds. Errors are taken against the closed form, which
-   tests/test_rotation compares with 60-digit values; a CSV file of the table is written where one is named. */
+/* varmass.h: free rotation in closed form beside integration by rk4, rk45, rk87 (integrators.h) and GSL's rk8pd: the
+   error of attitude after 1 to 1e6 turns, in rad, and the time that it took, from the body's numbers to the attitude
+   then; of the closed form also what each further time costs. All integrate Euler's equations and q' = q omega/2, the
+   kit with the right-hand side inlined, GSL through a pointer, its driver allocated beforehand; knob: the tolerance,
+   or steps in a turn. Errors are taken against 60-digit values (tests/gen/rotation_reference.py). What would take
+   longer than LIMIT seconds is left out; what takes more than 0.05 s is timed once, its spread is 0.
+
+   usage: rotation [out.csv [quick]] */
 #include "timing.h"
 
 #include "../varmass.h"
-#include <stdio.h>
+#include "arguments.h"
+#ifdef WITH_GSL
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#endif
 
-enum { POINTS = 256 };
+enum { DECADES = 7, TIMES = 256 };
+static const double LIMIT = 10, QUICK_LIMIT = 0.02; /* s, of one run; of all but the first body LIMIT/20 */
 
-typedef struct case_of {
+typedef struct turned_body {
     const char *name;
     vm_vec3 moments, omega;
-} case_of;
+    struct {
+        double t;
+        vm_quat q;
+    } after[DECADES];
+} turned_body;
+#include "../tests/data/rotation_turns.h"
 
 static const vm_quat unit = {1, 0, 0, 0};
-static const case_of *body;
+static const turned_body *body;
+static vm_vec3 moments;
+static double t_end, turns, knob, some_times[TIMES];
 static vm_free_motion motion;
-static vm_real times[POINTS], sink;
-static double t_end, tolerance, sines[POINTS];
 static vm_quat reached;
-static FILE *csv;
 
-static int free_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+/* ---- Routes: from the body's numbers to the attitude at t_end ---- */
+
+static void by_closed_form(void)
+{
+    vm_vec3 omega;
+    vm_free_init_principal(&motion, body->moments, unit, body->omega, 0);
+    vm_free_attitude(&motion, t_end, &reached, &omega);
+}
+
+static int free_rhs(double t, const double *y, double *dydt, void *ctx)
 {
     const vm_vec3 J = *(const vm_vec3 *)ctx;
     (void)t;
@@ -36,152 +58,176 @@ static int free_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
-static void start(vm_real *y, rk45_options *options, vm_vec3 *J)
+static void start(double *y)
 {
-    static const rk45_options none;
-    *options = none;
-    options->rtol = options->atol = (vm_real)tolerance;
-    options->max_steps = 100000000;
-    *J = body->moments;
     y[0] = body->omega.x, y[1] = body->omega.y, y[2] = body->omega.z;
     y[3] = 1, y[4] = y[5] = y[6] = 0;
 }
 
-static void take(const vm_real *y) { reached.w = y[3], reached.x = y[4], reached.y = y[5], reached.z = y[6]; }
-
-static void by_rk45(void)
+static void take(const double *y, int ok)
 {
-    vm_real y[7], work[RK45_WORK(7)];
-    rk45_options options;
-    vm_vec3 J;
-    rk45 s;
-    start(y, &options, &J);
-    rk45_init(&s, free_rhs, &J, 7, 0, y, &options, work);
-    if (rk45_solve_with(&s, free_rhs, 7, (vm_real)t_end) < 0) puts("rk45 failed");
-    take(s.y);
+    reached.w = ok ? y[3] : VM_NAN, reached.x = y[4], reached.y = y[5], reached.z = y[6];
 }
 
-static void by_rk87(void)
+static void by_rk4(void)
 {
-    vm_real y[7], work[RK87_WORK(7)];
-    rk87_options options;
-    vm_vec3 J;
-    rk87 s;
-    start(y, &options, &J);
-    rk87_init(&s, free_rhs, &J, 7, 0, y, &options, work);
-    if (rk87_solve_with(&s, free_rhs, 7, (vm_real)t_end) < 0) puts("rk87 failed");
-    take(s.y);
+    double y[7], work[RK4_WORK(7)], t = 0;
+    start(y);
+    take(y, rk4_solve(free_rhs, &moments, 7, &t, t_end, (long)(knob * turns), y, work) >= 0);
 }
 
-static void by_closed_form(void) /* in one call, prepared for this one time */
+#define BY_PAIR(name, WORK)                                           \
+    static void by_##name(void)                                       \
+    {                                                                 \
+        double y[7], work[WORK(7)];                                   \
+        rk45_options options = {0};                                   \
+        rk45 s;                                                       \
+        start(y);                                                     \
+        options.rtol = options.atol = knob, options.max_steps = -1;   \
+        name##_init(&s, free_rhs, &moments, 7, 0, y, &options, work); \
+        take(s.y, name##_solve_with(&s, free_rhs, 7, t_end) >= 0);    \
+    }
+BY_PAIR(rk45, RK45_WORK)
+BY_PAIR(rk87, RK87_WORK)
+
+#ifdef WITH_GSL
+static gsl_odeiv2_driver *driver;
+
+static void prepare_gsl(void)
 {
-    vm_vec3 omega;
-    vm_free_init_principal(&motion, body->moments, unit, body->omega, 0);
-    vm_free_attitude(&motion, (vm_real)t_end, &reached, &omega);
+    static gsl_odeiv2_system system;
+    if (driver) gsl_odeiv2_driver_free(driver);
+    system.function = free_rhs, system.dimension = 7, system.params = &moments;
+    driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-2, knob, knob);
 }
+
+static void by_rk8pd(void)
+{
+    double y[7], t = 0;
+    start(y);
+    gsl_odeiv2_driver_reset_hstart(driver, 1e-2);
+    take(y, gsl_odeiv2_driver_apply(driver, &t, t_end, y) == GSL_SUCCESS);
+}
+#endif
+
+/* ---- Error and time over turns ---- */
+
+/* The angle between an attitude and the one that was reached */
+static double error_of(vm_quat q)
+{
+    const vm_quat r = reached;
+    const double w = r.w * q.w + r.x * q.x + r.y * q.y + r.z * q.z,
+                 x = q.w * r.x - q.x * r.w + q.z * r.y - q.y * r.z;
+    const double y = q.w * r.y - q.y * r.w + q.x * r.z - q.z * r.x,
+                 z = q.w * r.z - q.z * r.w + q.y * r.x - q.x * r.y;
+    return 2 * atan2(sqrt(x * x + y * y + z * z), fabs(w));
+}
+
+/* The first run; long ones are not repeated */
+static timing time_once(void (*run)(void), double sin_ns)
+{
+    const double from = seconds();
+    timing t;
+    run();
+    t.ns = (seconds() - from) * 1e9, t.ratio = t.ns / sin_ns, t.spread = 0;
+    return t.ns < 5e7 ? time_beside(run, 1, sin_apart, WINDOW) : t;
+}
+
+static void over_turns(const char *name, const char *knob_text, void (*run)(void))
+{
+    const double sin_ns = call_ns(sin_apart, WINDOW), limit = bench_quick             ? QUICK_LIMIT
+                                                              : body == turned_bodies ? LIMIT
+                                                                                      : LIMIT / 20;
+    timing t = {0, 0, 0};
+    int i;
+    for (i = 0, turns = 1; i < DECADES && t.ns * 10 < limit * 1e9; i++, turns *= 10) {
+        char job[64];
+        t_end = body->after[i].t;
+        snprintf(job, sizeof job, "%s 1e%d", body->name, i);
+        progress(name);
+        t = time_once(run, sin_ns);
+        bench_row(job, name, knob_text, error_of(body->after[i].q), t, "sin");
+    }
+}
+
+static void compare(void)
+{
+    static const struct {
+        const char *name, *knob;
+        void (*run)(void);
+    } integrators[] = {{"rk4_solve", "32", by_rk4},      {"rk4_solve", "128", by_rk4},
+                       {"rk45_solve", "1e-06", by_rk45}, {"rk45_solve", "1e-09", by_rk45},
+                       {"rk45_solve", "1e-12", by_rk45}, {"rk87_solve", "1e-06", by_rk87},
+                       {"rk87_solve", "1e-09", by_rk87}, {"rk87_solve", "1e-12", by_rk87},
+#ifdef WITH_GSL
+                       {"GSL rk8pd", "1e-06", by_rk8pd}, {"GSL rk8pd", "1e-09", by_rk8pd},
+                       {"GSL rk8pd", "1e-12", by_rk8pd}
+#endif
+    };
+    size_t i;
+    moments = body->moments;
+    over_turns("exact", "", by_closed_form);
+    for (i = 0; i < sizeof integrators / sizeof *integrators; i++) {
+        knob = atof(integrators[i].knob);
+#ifdef WITH_GSL
+        if (integrators[i].run == by_rk8pd) prepare_gsl();
+#endif
+        over_turns(integrators[i].name, integrators[i].knob, integrators[i].run);
+    }
+}
+
+/* ---- The closed form alone: at any time, and its preparation ---- */
 
 static void evaluate(void)
 {
+    double sum = 0;
     int i;
-    for (i = 0; i < POINTS; i++) {
+    for (i = 0; i < TIMES; i++) {
         vm_vec3 omega;
-        vm_free_attitude(&motion, times[i], &reached, &omega);
-        sink += omega.x;
+        vm_free_attitude(&motion, some_times[i], &reached, &omega);
+        sum += omega.x;
     }
+    sink = sum;
 }
 
 static void prepare(void) { vm_free_init_principal(&motion, body->moments, unit, body->omega, 0); }
 
 static void prepare_tilted(void)
 {
-    static const vm_inertia tilted = {3, 2, VM_C(2.5), VM_C(0.1), VM_C(0.2), VM_C(-0.3)};
+    static const vm_inertia tilted = {3, 2, 2.5, 0.1, 0.2, -0.3};
     vm_body b = {1, {0, 0, 0, 0, 0, 0}, {1, 2, 3, 4}, {0, 0, 0}, {0, 0, 0}, {1, 2, 3}};
-    vm_free_motion m;
     b.inertia = tilted;
-    if (!vm_free_init(&m, &b, 0)) sink += m.phase_rate.hi;
+    if (vm_free_init(&motion, &b, 0) == VM_OK) sink = motion.phase_rate.hi;
 }
 
-static void library_sin(void)
+static void closed_form(void)
 {
+    static const turned_body bodies[] = {
+        {"triaxial", {3, 2, 1}, {0.25, 0.5, 1.5}, {{0, {0, 0, 0, 0}}}},
+        {"m > 1/2", {3, 2, 1}, {0.2, 1, 0.5}, {{0, {0, 0, 0, 0}}}},
+        {"middle axis", {3, 2, 1}, {1e-6, 1, 1e-6}, {{0, {0, 0, 0, 0}}}},
+        {"symmetric", {2, 2, 1}, {0.5, 1.25, -0.75}, {{0, {0, 0, 0, 0}}}},
+    };
     int i;
-    for (i = 0; i < POINTS; i++) sink += (vm_real)sin(sines[i]);
-}
-
-static double error_of(vm_quat q)
-{
-    const double w = (double)(q.w - reached.w), x = (double)(q.x - reached.x), y = (double)(q.y - reached.y);
-    const double z = (double)(q.z - reached.z);
-    return 2 * sqrt(w * w + x * x + y * y + z * z);
-}
-
-/* The least of some, in microseconds: what disturbs only adds */
-static double least_us(void (*body_of_loop)(void))
-{
-    double least = call_ns(body_of_loop, 1);
-    int i;
-    for (i = 0; i < 6 && least < 2e7; i++) {
-        const double ns = call_ns(body_of_loop, 1);
-        if (ns < least) least = ns;
+    for (i = 0; i < TIMES; i++) some_times[i] = between(0, 1e4);
+    for (i = 0; i < 4; i++) {
+        body = bodies + i;
+        prepare();
+        measure(body->name, "prepared motion", "", NO_ERROR, evaluate, TIMES, "sin", sin_apart, WINDOW);
+        measure(body->name, "preparation", "", NO_ERROR, prepare, 1, "sin", sin_apart, WINDOW);
     }
-    return least / 1e3;
-}
-
-static void report(const char *method, double tol, double turns, double error, double us)
-{
-    printf("%-12s %-8s %7.0e %9.0f %10.1e %12.2f\n", body->name, method, tol, turns, error, us);
-    if (csv) fprintf(csv, "%s,%s,%g,%g,%g,%g\n", body->name, method, tol, turns, error, us);
-}
-
-static void compare(double turns)
-{
-    static const double tolerances[] = {1e-6, 1e-9, 1e-12};
-    const double speed = sqrt((double)vmi_dot(body->omega, body->omega));
-    vm_quat exact;
-    int i;
-    t_end = turns * 8 * atan(1) / speed;
-    by_closed_form();
-    exact = reached;
-    report("exact", 0, turns, 0, least_us(by_closed_form));
-    for (i = 0; i < 3; i++) {
-        double us;
-        tolerance = tolerances[i];
-        us = least_us(by_rk45);
-        report("rk45", tolerance, turns, error_of(exact), us);
-        us = least_us(by_rk87);
-        report("rk87", tolerance, turns, error_of(exact), us);
-    }
+    measure("with products of inertia", "preparation", "", NO_ERROR, prepare_tilted, 1, "sin", sin_apart, WINDOW);
 }
 
 int main(int argc, char **argv)
 {
-    static const case_of cases[] = {
-        {"triaxial", {3, 2, 1}, {VM_C(0.25), VM_C(0.5), VM_C(1.5)}},
-        {"m > 1/2", {3, 2, 1}, {VM_C(0.2), VM_C(1.0), VM_C(0.5)}},
-        {"middle axis", {3, 2, 1}, {VM_C(1e-6), 1, VM_C(1e-6)}},
-        {"symmetric", {2, 2, 1}, {VM_C(0.5), VM_C(1.25), VM_C(-0.75)}},
-    };
-    int i, k;
-    csv = argc > 1 ? fopen(argv[1], "w") : NULL;
-    if (csv) fputs("body,method,tolerance,turns,error,microseconds\n", csv);
-    for (k = 0; k < POINTS; k++)
-        sines[k] = 20.0 * rand() / RAND_MAX - 10, times[k] = (vm_real)(1e4 * rand() / RAND_MAX);
-    printf("free rotation: a prepared motion at any time, and its preparation\n%-12s %10s %8s %12s\n", "body",
-           "at, ns", "sin", "prepare, us");
-    for (i = 0; i < 4; i++) {
-        timing at;
-        body = cases + i;
-        prepare();
-        at = time_beside(evaluate, POINTS, library_sin, POINTS);
-        printf("%-12s %10.0f %8.1f %12.2f\n", body->name, at.ns, at.ratio, least_us(prepare));
+    size_t i;
+    bench_start(argc, argv, "free rotation in closed form and integrated; error in rad");
+    fill_angles();
+    closed_form();
+    for (i = 0; i < sizeof turned_bodies / sizeof *turned_bodies; i++) {
+        body = turned_bodies + i;
+        if (i == 0 || !bench_quick) compare();
     }
-    printf("with products of inertia and an attitude: prepare %.2f us\n\n", least_us(prepare_tilted));
-    printf("%-12s %-8s %7s %9s %10s %12s\n", "body", "method", "tol", "turns", "error, rad", "us");
-    for (i = 0; i < 3; i += 2) {
-        body = cases + i;
-        compare(1), compare(100);
-    }
-    body = cases;
-    compare(2000);
-    if (csv) fclose(csv);
-    return sink == 1;
+    return bench_end();
 }

@@ -1,8 +1,6 @@
-/* varmass.h, scenes: what an effect costs. The right-hand side of a body on a line with none to five effects,
-   written by hand, by the kit's inline functions, and as a scene; medians of ratios to the hand-written one and to
-   the C library's sin in the same run; then steps of the whole run. Writes effects, ns of each to the CSV file. */
+/* varmass.h, scenes: what an effect costs. A right-hand side of a body on a line with none to five effects, written by
+   hand, by the kit's inline functions, and as a scene, beside the hand-written one. */
 #include "timing.h"
-#include <stdio.h>
 #include "../varmass.h"
 
 enum { COUNT = 2000, MOST = 5 };
@@ -51,14 +49,6 @@ static vm_scene scene;
 
 static void as_scene(void) { LOOP(vm_scene_rhs(0, y, d, &scene)) }
 
-static void sines(void)
-{
-    vm_real sum = 0, x = (vm_real)0.1;
-    long i;
-    for (i = 0; i < COUNT; i++) sum += VM_LIBM(sin)(x), x += (vm_real)1e-3;
-    sink = sum;
-}
-
 static void set_up(void)
 {
     body[0] = vm_scene_line(1, (vm_real)0.3, (vm_real)0.1);
@@ -74,29 +64,19 @@ int main(int argc, char **argv)
 {
     static void (*const hand[])(void) = {hand_0, hand_1, hand_2, hand_3, hand_4, hand_5};
     static void (*const inlined[])(void) = {inline_0, inline_1, inline_2, inline_3, inline_4, inline_5};
-    static const char *const names[] = {"-", "spring", "damper", "Van der Pol", "gravity", "drive"};
-    FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    static const char *const jobs[] = {"no effect", "1: spring",  "2: and damper", "3: and Van der Pol",
+                                       "4: and gravity", "5: and drive"};
     vm_real y[2];
-    double before = 0;
     set_up();
-    puts("scenes: a right-hand side of a line body, ns; inlined: ratio to hand-written; effect: added by it to the "
-         "scene");
-    printf("%-14s %10s %10s %8s %10s %14s\n", "effect added", "by hand", "inlined", "ratio", "scene",
-           "effect x sin");
-    if (csv) fprintf(csv, "effects,hand,inlined,scene\n");
+    bench_start(argc, argv, "scenes, a right-hand side of a body on a line, beside one written by hand");
     for (effects = 0; effects <= MOST; effects++) {
-        timing h, in, s;
+        const char *job = jobs[effects];
+        void (*by_hand)(void) = hand[effects];
         scene.n_effects = effects;
         vm_scene_start(&scene, 0, y, NULL);
-        h = time_beside(hand[effects], COUNT, sines, COUNT);
-        in = time_beside(inlined[effects], COUNT, hand[effects], COUNT);
-        s = time_beside(as_scene, COUNT, sines, COUNT);
-        printf("%-14s %10.2f %10.2f %8.2f %10.2f", names[effects], h.ns, in.ns, in.ratio, s.ns);
-        if (effects) printf(" %14.2f", s.ratio - before);
-        puts("");
-        if (csv) fprintf(csv, "%d,%.4g,%.4g,%.4g\n", effects, h.ns, in.ns, s.ns);
-        before = s.ratio;
+        measure(job, "by hand", "", NO_ERROR, by_hand, COUNT, "by hand", by_hand, COUNT);
+        measure(job, "inline functions", "", NO_ERROR, inlined[effects], COUNT, "by hand", by_hand, COUNT);
+        measure(job, "scene", "", NO_ERROR, as_scene, COUNT, "by hand", by_hand, COUNT);
     }
-    if (csv) fclose(csv);
-    return 0;
+    return bench_end();
 }

@@ -1,11 +1,7 @@
-/* Time of a right-hand side of chapter 5 for each level and number of streams, as a ratio to one written by hand
-   for just that: the same states and equations in scalars, streams of relative velocity only, no laws, no stores,
-   no checks but that of mass and pivots. Medians of repeats. For counts of instructions:
-     valgrind --tool=callgrind --toggle-collect='count_*' build/bench/streams count
-   usage: streams [CSV FILE | count] */
+/* varmass.h, streams: a right-hand side of chapter 5 for each level and number of streams beside one written by hand
+   for just that: the same states and equations in scalars, streams of relative velocity only, no laws, no stores, no
+   checks but that of mass and pivots. */
 #include "timing.h"
-#include <stdio.h>
-#include <string.h>
 #include "../varmass.h"
 
 enum { COUNT = 256, MOST = 4, STATES = VM_RHS };
@@ -158,15 +154,15 @@ RUN(count_carried, vm_rhs_carried, flow)
 RUN(count_balanced, vm_rhs_balanced, flow)
 
 static const struct level {
-    const char *name;
+    const char *name, *route;
     void (*kit)(void), (*hand)(void);
 } levels[] = {
-    {"one degree of freedom, fixed axle", count_1, count_1_hand},
-    {"translation", count_translation, count_translation_hand},
-    {"plane", count_2, count_2_hand},
-    {"space", count_3, count_3_hand},
-    {"space, laws given", count_given, count_3_hand},
-    {"space, all carried, laws given", count_carried, count_3_hand},
+    {"one degree of freedom, fixed axle", "vm_rhs1", count_1, count_1_hand},
+    {"translation", "vm_rhs_translation", count_translation, count_translation_hand},
+    {"plane", "vm_rhs2", count_2, count_2_hand},
+    {"space", "vm_rhs", count_3, count_3_hand},
+    {"space, laws given", "vm_rhs_given", count_given, count_3_hand},
+    {"space, all carried, laws given", "vm_rhs_carried", count_carried, count_3_hand},
 };
 
 static double between(double low, double high)
@@ -201,29 +197,19 @@ static void set_streams(int n) { flow.n = flow1.n = flow2.n = n; }
 int main(int argc, char **argv)
 {
     static const int numbers[] = {0, 1, 4};
-    timing balanced;
-    FILE *csv;
+    char knob[16];
     size_t i, k;
     set_up();
-    if (argc > 1 && strcmp(argv[1], "count") == 0) {
-        set_streams(argc > 2 ? atoi(argv[2]) : 1);
-        for (i = 0; i < sizeof levels / sizeof *levels; i++) levels[i].kit(), levels[i].hand();
-        return 0;
-    }
-    csv = argc > 1 ? fopen(argv[1], "w") : NULL;
-    printf("A right-hand side of chapter 5, double, medians of %d\n\n%-34s %8s %9s %12s\n", REPEATS, "level",
-           "streams", "ns", "x by hand");
+    bench_start(argc, argv, "a right-hand side of chapter 5, streams as the knob, beside one written by hand");
     for (i = 0; i < sizeof levels / sizeof *levels; i++)
         for (k = 0; k < sizeof numbers / sizeof *numbers; k++) {
-            timing t;
             set_streams(numbers[k]);
-            t = time_beside(levels[i].kit, COUNT, levels[i].hand, COUNT);
-            printf("%-34s %8d %9.1f %12.2f\n", levels[i].name, numbers[k], t.ns, t.ratio);
-            if (csv) fprintf(csv, "%s,%d,%.2f,%.3f\n", levels[i].name, numbers[k], t.ns, t.ratio);
+            snprintf(knob, sizeof knob, "%d", numbers[k]);
+            measure(levels[i].name, levels[i].route, knob, NO_ERROR, levels[i].kit, COUNT, "by hand", levels[i].hand,
+                    COUNT);
         }
     set_streams(1);
-    balanced = time_beside(count_balanced, COUNT, count_3, COUNT);
-    printf("%-34s %8d %9.1f %12.2f of vm_rhs\n", "space with the account", 1, balanced.ns, balanced.ratio);
-    if (csv) fclose(csv);
-    return sink != 0;
+    measure("space, with the account", "vm_rhs_balanced", "1", NO_ERROR, count_balanced, COUNT, "vm_rhs", count_3,
+            COUNT);
+    return bench_end() || sink != 0;
 }

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Write docs/measurements.md from what the test and bench programs print, on the machine at hand; some minutes.
-# usage: measurements.sh BUILD_FOLDER "TESTS" "BENCHES", from the top of the project
+# Write docs/measurements.md from what the test programs print; some minutes. Times are in docs/cost.md (make cost).
+# usage: measurements.sh BUILD_FOLDER "TESTS", from the top of the project
 build=$1
 block() { printf '```\n'; cat; printf '```\n\n'; }
 {
     printf '# Measurements\n\n'
-    printf 'Written by `make measurements`: what `make test`, `make scan` and `make bench` print.\n\n'
+    printf 'Written by `make measurements`: what `make test` and `make scan` print. Times: [cost.md](cost.md).\n\n'
     printf '## Accuracy\n\n'
     printf 'Worst errors over the stored arbitrary-precision tables (inputs taken as exact), identities and random bodies.\n'
     printf 'eps: of the type, times the function'"'"'s largest value; ulp: of the true value; eps\\*: eps times what an eps\n'
@@ -18,6 +18,4 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
     printf '## Random arguments against quadruple precision\n\n'
     "$build/tests/scan" 300000 | block
     "$build/tests/scan_float" 300000 | block
-    printf '## Time\n\n%s, %s\n\n' "$(awk -F': ' '/model name/ {print $2; exit}' /proc/cpuinfo)" "$(cc --version | head -n 1)"
-    for bench in $3; do "$build/bench/$bench" | block; done
 } >docs/measurements.md

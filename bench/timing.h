@@ -1,19 +1,43 @@
-/* Timing shared by the bench programs; include it before any header of the C library. Medians of repeats, a function
-   always beside a yardstick, so that what slows the machine slows both. */
+/* timing.h - what the bench programs share: the clock, a line of the table, a line of the CSV file. Include it before
+   any header of the C library.
+
+   A function is always timed beside a yardstick (the C library's sin, a hand-written loop). After a warm-up, slices
+   of 0.1 ms and more of the one and the other take turns. The least of SLICES slices of each makes a repeat: what
+   disturbs only adds, and few disturbances last as long. The median of REPEATS repeats is the result, of the times and
+   of the quotients; `spread` is the distance between the quartiles of the quotients, by their median.
+
+   A program is called as `program [out.csv [quick]]`: bench_start, a `measure` for each line, bench_end. The columns of
+   the CSV: topic, job, route, knob, error, ns, ratio, spread, yardstick; job: what is computed of which arguments,
+   route: by what, knob: the setting by which the route trades accuracy for time, if it has one (; for , in all of them). error:
+   the largest, empty where none is measured. */
 #ifndef VARMASS_TIMING_H
 #define VARMASS_TIMING_H
 
 #if !defined(_POSIX_C_SOURCE)
-#define _POSIX_C_SOURCE 199309L
+#define _POSIX_C_SOURCE 200112L
 #endif
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
+#include <unistd.h>
 
-enum { REPEATS = 15 };
+#ifndef TOPIC
+#define TOPIC "bench" /* the name of the program, by its build */
+#endif
+
+enum { REPEATS = 15, SLICES = 7, QUICK_REPEATS = 3, QUICK_SLICES = 3 };
+static const double SLICE = 1e-4, LONGEST = 0.5; /* seconds: of a slice at least, of a measurement about at most */
 
 typedef struct timing {
     double ns, ratio; /* of a call, and to a call of the yardstick */
+    double spread;    /* distance of the quartiles of ratio, by ratio */
 } timing;
+
+static const double NO_ERROR = -1; /* none was measured; NAN: what the function gave was no number */
+static FILE *bench_csv;
+static int bench_quick;
 
 static double seconds(void)
 {
@@ -28,40 +52,121 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static double median(double *x)
+static double slice(void (*body)(void), long runs)
 {
-    qsort(x, REPEATS, sizeof *x, ascending);
-    return x[REPEATS / 2];
+    const double start = seconds();
+    long run;
+    for (run = 0; run < runs; run++) body();
+    return (seconds() - start) / (double)runs;
 }
 
-/* A call of body, which makes so many, from as many runs of it as take a millisecond and more */
-static double call_ns(void (*body)(void), double calls)
+/* As many runs of body as take a slice; the better of two tries, lest a disturbance makes them few. Warms up too. */
+static long runs_of(void (*body)(void))
 {
-    double start, elapsed;
-    int run, runs = 1;
-    body(); /* warm up */
-    do {
-        for (start = seconds(), run = 0; run < runs; run++) body();
-        elapsed = seconds() - start;
-        runs *= 2;
-    } while (elapsed < 1e-3);
-    return elapsed / (runs / 2) / calls * 1e9;
+    long runs = 1;
+    while (fmin(slice(body, runs), slice(body, runs)) * (double)runs < SLICE) runs *= 2;
+    return runs;
 }
 
-/* Medians of the time of a call of body, and of its ratio to a call of the yardstick measured just before */
+/* Quartile 1, 2 or 3 of n numbers in order */
+static double quartile(const double *x, int n, int which) { return x[(n - 1) * which / 4]; }
+
+/* Nanoseconds of a call of body, which makes so many, and their quotient by those of a call of the yardstick */
 static timing time_beside(void (*body)(void), double calls, void (*yardstick)(void), double yardstick_calls)
 {
+    const int repeats = bench_quick ? QUICK_REPEATS : REPEATS, slices = bench_quick ? QUICK_SLICES : SLICES;
+    const long runs = runs_of(body), yardstick_runs = runs_of(yardstick);
+    const double start = seconds();
     double ns[REPEATS], ratio[REPEATS];
     timing result;
-    int i;
-    for (i = 0; i < REPEATS; i++) {
-        double base = call_ns(yardstick, yardstick_calls);
-        ns[i] = call_ns(body, calls);
-        ratio[i] = ns[i] / base;
+    int n, k;
+    for (n = 0; n < repeats && (n < 3 || seconds() - start < LONGEST); n++) {
+        double least = HUGE_VAL, base = HUGE_VAL;
+        for (k = 0; k < slices && (k < 2 || seconds() - start < LONGEST); k++) {
+            base = fmin(base, slice(yardstick, yardstick_runs));
+            least = fmin(least, slice(body, runs));
+        }
+        ns[n] = least / calls * 1e9;
+        ratio[n] = ns[n] / (base / yardstick_calls * 1e9);
     }
-    result.ns = median(ns);
-    result.ratio = median(ratio);
+    qsort(ns, (size_t)n, sizeof *ns, ascending);
+    qsort(ratio, (size_t)n, sizeof *ratio, ascending);
+    result.ns = quartile(ns, n, 2), result.ratio = quartile(ratio, n, 2);
+    result.spread = (quartile(ratio, n, 3) - quartile(ratio, n, 1)) / result.ratio;
     return result;
+}
+
+/* Nanoseconds of a call of body, which makes so many: for what needs no yardstick */
+static inline double call_ns(void (*body)(void), double calls) { return time_beside(body, calls, body, calls).ns; }
+
+/* ---- Programs ------------------------------------------------------------------------------------------------- */
+
+/* What runs, to the screen and not into the output */
+static inline void progress(const char *what)
+{
+    if (isatty(2)) fprintf(stderr, "\r%-78s\r", what);
+}
+
+/* Opens the CSV file where one is named and prints the heading. */
+static inline void bench_start(int argc, char **argv, const char *title)
+{
+    bench_quick = argc > 2 && strcmp(argv[2], "quick") == 0;
+    bench_csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    if (argc > 1 && !bench_csv) perror(argv[1]), exit(1);
+    if (bench_csv) fputs("topic,job,route,knob,error,ns,ratio,spread,yardstick\n", bench_csv);
+    fprintf(stderr, "%s ...\n", TOPIC);
+    printf("%s: %s\n\n%-34s %-26s %-9s %9s %12s %9s %6s\n", TOPIC, title, "job", "route", "knob", "error", "ns",
+           "ratio", "spread");
+}
+
+/* A field of the CSV file, where a comma ends it */
+static inline void bench_write(const char *field)
+{
+    for (; *field; field++) putc(*field == ',' ? ';' : *field, bench_csv);
+    putc(',', bench_csv);
+}
+
+/* A line of the CSV file; knob: "" or a setting; error: NO_ERROR where none was measured */
+static inline void bench_write_row(const char *job, const char *route, const char *knob, double error, timing t,
+                                   const char *yardstick)
+{
+    if (!bench_csv) return;
+    bench_write(TOPIC), bench_write(job), bench_write(route), bench_write(knob);
+    if (!(error < 0)) fprintf(bench_csv, "%.2g", error);
+    fprintf(bench_csv, ",%.4g,%.4g,%.3g,%s\n", t.ns, t.ratio, t.spread, yardstick);
+}
+
+/* The same, and a line of the table */
+static inline void bench_row(const char *job, const char *route, const char *knob, double error, timing t,
+                             const char *yardstick)
+{
+    char number[16] = "";
+    if (!(error < 0)) snprintf(number, sizeof number, "%.2g", error);
+    progress("");
+    printf("%-34s %-26s %-9s %9s %12.2f %9.3f %5.1f%% x %s\n", job, route, knob, number, t.ns, t.ratio,
+           100 * t.spread, yardstick);
+    fflush(stdout);
+    bench_write_row(job, route, knob, error, t, yardstick);
+}
+
+/* Times body beside a yardstick, with its line */
+static inline timing measure(const char *job, const char *route, const char *knob, double error, void (*body)(void),
+                             double calls, const char *yardstick_name, void (*yardstick)(void),
+                             double yardstick_calls)
+{
+    timing t;
+    progress(route);
+    t = time_beside(body, calls, yardstick, yardstick_calls);
+    bench_row(job, route, knob, error, t, yardstick_name);
+    return t;
+}
+
+/* 0, or 1 where the CSV file could not be written: the exit status */
+static inline int bench_end(void)
+{
+    progress("");
+    putchar('\n');
+    return bench_csv && fclose(bench_csv) != 0 ? (perror("CSV"), 1) : 0;
 }
 
 #endif

@@ -29,7 +29,7 @@ for compiler in gcc clang; do
                 compile $compiler $standard "$build/$header.c" -Wstrict-prototypes $precision
             done
         done
-        for source in tests/test_*.c bench/bench.c bench/bench_jacobi.c bench/bench_ateb.c bench/bench_scenes.c examples/*_plan.c; do
+        for source in tests/test_*.c bench/bench_jacobi.c bench/bench_ateb.c bench/count.c examples/*_plan.c; do
             [ $source = tests/test_gsl.c ] || compile $compiler c99 $source -Wstrict-prototypes $precision
         done
     done

@@ -6,6 +6,8 @@ axes in the rows without products of inertia, along the inertial axes in the oth
 single precision, which the float build of the tests uses. By Jacobi's functions and the theta series for the attitude
 (secular rate included; the header has it from the integral of the third kind); each row is checked to satisfy Euler's
 equations and q' = q omega/2 by differences, and to start where it must.
+
+And tests/data/rotation_turns.h: attitudes of bodies after 1, 10 ... 1e6 turns, which bench/bench_rotation.c compares with.
 """
 import random
 import struct
@@ -213,8 +215,26 @@ def row(kind, count):
     return "    {" + ", ".join(x if "," not in x else "{" + x + "}" for x in texts) + "},"
 
 
+def turns():
+    lines = ["/* Written by tests/gen/rotation_reference.py: body, moments, omega at q = 1, then t and q after 10^i turns */",
+             "static const turned_body turned_bodies[] = {"]
+    for name, J, w in (("triaxial", (3.0, 2.0, 1.0), (0.25, 0.5, 1.5)), ("middle axis", (3.0, 2.0, 1.0), (1e-6, 1.0, 1e-6))):
+        body = Body((*J, 0, 0, 0), (mpf(1), mpf(0), mpf(0), mpf(0)), [mpf(x) for x in w])
+        body.verify(mpf(2.5))
+        lines.append(f'    {{"{name}", {{{J[0]}, {J[1]}, {J[2]}}}, {{{w[0]}, {w[1]}, {w[2]}}},\n     {{')
+        for i in range(7):
+            t = float(10**i * 2 * pi / sqrt(sum(mpf(x)**2 for x in w)))
+            q = ", ".join(mp.nstr(x, 20) for x in body.at(mpf(t))[1])
+            lines.append(f"         {{{t!r}, {{{q}}}}},")
+        lines.append("     }},")
+    with open("tests/data/rotation_turns.h", "w") as file:
+        file.write("\n".join(lines) + "\n};\n")
+    print("rotation_turns.h", 2)
+
+
 def main():
     spec_cases()
+    turns()
     rows = []
     for kind, number in (("tensor", 84), ("plain", 24), ("needle", 40), ("alike", 40), ("separatrix", 60), ("middle", 24)):
         rows.append(f"static const row {kind}[] = {{")

@@ -1,0 +1,70 @@
+/* The functions of tests/quad.h for programs that are compiled as C99 */
+#include "exact.h"
+
+#ifdef WITH_QUAD
+#include "../tests/quad.h"
+
+static exact_value words(quad x)
+{
+    exact_value value;
+    value.high = (double)x, value.low = (double)(x - (quad)value.high);
+    return value;
+}
+
+void exact_complete(double m, exact_value K_E[2])
+{
+    quad E, K = quarter_period(1 - (quad)m, &E);
+    K_E[0] = words(K), K_E[1] = words(E);
+}
+
+void exact_sncndn(double u, double m, exact_value sn_cn_dn_am[4])
+{
+    quad sn, cn, dn, E, half_turns = rintq(u / (2 * quarter_period(1 - (quad)m, &E)));
+    const int odd = fmodq(half_turns, 2) != 0;
+    sncndn(u, 1 - (quad)m, &sn, &cn, &dn);
+    sn_cn_dn_am[0] = words(sn), sn_cn_dn_am[1] = words(cn), sn_cn_dn_am[2] = words(dn);
+    sn_cn_dn_am[3] = words(half_turns * M_PIq + atan2q(odd ? -sn : sn, odd ? -cn : cn));
+}
+
+void exact_saca(double s, double alpha, exact_value sa_ca_pi[3])
+{
+    quad sa, ca, pi;
+    saca(s, alpha, &sa, &ca, &pi);
+    sa_ca_pi[0] = words(sa), sa_ca_pi[1] = words(ca), sa_ca_pi[2] = words(pi);
+}
+
+exact_value exact_beta(double a, double b) { return words(beta(a, b)); }
+
+exact_value exact_beta_inc(double x, double a, double b) { return words(beta_inc(x, a, b)); }
+
+double exact_beta_inc_inv(double p, double a, double b, double x)
+{
+    const quad density = powq(x, (quad)a - 1) * powq(1 - (quad)x, (quad)b - 1) / beta(a, b);
+    return (double)(x - (beta_inc(x, a, b) - p) / density);
+}
+
+exact_value exact_lambert_w0(double x)
+{
+    quad w = log1pq(x);
+    int i;
+    for (i = 0; i < 12; i++) w -= (w - x * expq(-w)) / (1 + w);
+    return words(w);
+}
+
+#else
+static const exact_value none = {(double)NAN, 0};
+
+void exact_complete(double m, exact_value K_E[2]) { (void)m, K_E[0] = K_E[1] = none; }
+
+void exact_sncndn(double u, double m, exact_value r[4]) { (void)u, (void)m, r[0] = r[1] = r[2] = r[3] = none; }
+
+void exact_saca(double s, double alpha, exact_value r[3]) { (void)s, (void)alpha, r[0] = r[1] = r[2] = none; }
+
+exact_value exact_beta(double a, double b) { return (void)a, (void)b, none; }
+
+exact_value exact_beta_inc(double x, double a, double b) { return (void)x, (void)a, (void)b, none; }
+
+double exact_beta_inc_inv(double p, double a, double b, double x) { return p + a + b + x + none.high; }
+
+exact_value exact_lambert_w0(double x) { return (void)x, none; }
+#endif
