@@ -1330,6 +1330,10 @@ typedef struct VM_TAG(vm_load) {
     vm_real mass_rate; /* of a mass that is a state */
     vm_real force[6];  /* of each coordinate; 3 to 5 the torque on a free body, inertial axes */
     vm_real by_v, own; /* M'(v), and the velocity of what joins or leaves then */
+    /* only of growing bodies: of r' beyond v, m/s, inertial axes; of the mass centre in the body, of the inertia,
+       body axes */
+    vm_vec3 drift, centre_rate;
+    vm_inertia inertia_rate;
     /* only where there is a book: */
     vm_real reactive[6], brought[6]; /* of force, what is reactive; momentum that streams bring, by the second */
     vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
@@ -1337,22 +1341,26 @@ typedef struct VM_TAG(vm_load) {
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 struct VM_TAG(vm_scene_body) {
-    int motion;        /* VM_LINE, ... */
-    int mass_is_state; /* so that vm_effect_stream can change it */
-    int absent;        /* not there until an event brings it in */
-    vm_body start;  /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle ... */
-    vm_real angle;  /* rad, of an axle or in the plane */
-    int at;         /* where its state begins; set by vm_scene_start, as all that follows */
-    vm_load load;   /* what acts on it now */
-    int away;       /* not there now */
-    vm_real mass;   /* now, where neither a state nor a law says it */
-    vm_real jumped; /* what jumps have added to the mass of a law */
-    vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
+    int motion;                 /* VM_LINE, ... */
+    int mass_is_state;          /* so that streams can change it */
+    int grows;                  /* so are the mass centre in the body and the inertia */
+    int absent;                 /* not there until an event brings it in */
     int positions, coordinates; /* numbers of the state that are positions, velocities */
-    /* what the motion needs, so that others are not linked */
+    int at, mass_at;            /* where its state begins, the mass in it; set by vm_scene_start, as all that follows */
+    int away;                   /* not there now */
+    vm_load load;               /* what acts on it now */
+    /* what the motion needs, so that others are not linked; begin, of growing bodies, before the effects */
+    int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
+    void (*begin)(vm_scene_body *b, const vm_real *state);
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
-    int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
+    vm_body start;              /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
+    vm_real angle;              /* rad, of an axle or in the plane */
+    vm_real mass;               /* now, where neither a state nor a law says it */
+    vm_real jumped;             /* what jumps have added to the mass of a law */
+    vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
+    vmi_mat3 axes;              /* of a growing body, now */
+    int acted;                  /* a mark of vm_scene_check */
 };
 
 /* Position (m), velocity and acceleration of a point that moves as given */
@@ -1369,6 +1377,9 @@ typedef struct VM_TAG(vm_mass_now) {
 
 struct VM_TAG(vm_effect) {
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene);
+    int idle; /* now: 1 switched off, 2 since a body is not there, 3 both; set by vm_scene_start, as x to other_load */
+    int x, v, other_x, other_v;  /* y[x], y[v]: position and velocity on which it acts, and those against which */
+    vm_load *load, *other_load;  /* of the bodies; null for the ground */
     int body, coordinate;        /* on what it acts */
     int other, other_coordinate; /* against what: another body or VM_GROUND */
     vm_real p[6];                /* parameters, in the order of the constructor's arguments */
@@ -1380,7 +1391,6 @@ struct VM_TAG(vm_effect) {
     int needs_mass_state;            /* streams do */
     int order;                       /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
     int off;                         /* at the start it is switched off */
-    int idle; /* now, set by vm_scene_start: 1 switched off, 2 since a body is not there, 3 both */
 };
 
 struct VM_TAG(vm_event) {
@@ -1458,6 +1468,11 @@ VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real 
 VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega);     /* torque - kappa omega */
 VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t);
 VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v); /* rate (u + share v - v) */
+VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g);                          /* mass g */
+VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm_real *fx, vm_real *fy);
+VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
+                                  vm_real *fy);
+VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy);
 
 /* Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other
    body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction. A mass law of a body stands
@@ -1532,8 +1547,8 @@ typedef struct VM_TAG(vm_culprit) {
     int index;        /* which one, -1 for the scene itself */
 } vm_culprit;
 
-/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. Takes a time
-   that grows as the square of the number of effects, some ms for a thousand. */
+/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. One pass over
+   bodies, effects, events; it marks the bodies. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit);
 VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state */
 enum { VM_BOOK = 15 };
@@ -7316,24 +7331,26 @@ enum { VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, VMI_NOT_FREE = VMI_ALL_MOTIONS 
 
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
-VM_INLINE int vmi_scene_body_size(const vm_scene_body *b) { return vmi_scene_mass_at(b) + (b->mass_is_state != 0); }
-
-/* Position and velocity along a coordinate; the ground's are 0 */
-VM_INLINE vm_real vmi_scene_x(const vm_scene *s, const vm_real *y, int body, int coordinate)
+VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
 {
-    return body < 0 ? 0 : y[s->bodies[body].at + coordinate];
+    return vmi_scene_mass_at(b) + (b->mass_is_state != 0) + (b->grows ? b->motion == VM_PLANE ? 3 : 9 : 0);
 }
-VM_INLINE vm_real vmi_scene_v(const vm_scene *s, const vm_real *y, int body, int coordinate)
+
+/* Position and velocity on which an effect acts, relative to those against which; the ground's are 0 */
+VM_INLINE vm_real vmi_effect_x(const vm_effect *e, const vm_real *y)
 {
-    const vm_scene_body *b = s->bodies + body;
-    return body < 0 ? 0 : y[b->at + b->positions + coordinate];
+    return e->other_load ? y[e->x] - y[e->other_x] : y[e->x];
+}
+VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
+{
+    return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
 /* f on the body of e, -f on what it acts against */
-VM_INLINE void vmi_scene_act(vm_scene *s, const vm_effect *e, vm_real f)
+VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
-    s->bodies[e->body].load.force[e->coordinate] += f;
-    if (e->other >= 0) s->bodies[e->other].load.force[e->other_coordinate] -= f;
+    e->load->force[e->coordinate] += f;
+    if (e->other_load) e->other_load->force[e->other_coordinate] -= f;
 }
 
 /* ---- Scenes: bodies ----------------------------------------------------------------------------------------- */
@@ -7564,6 +7581,24 @@ VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_rea
 {
     return rate * (u + (share - 1) * v);
 }
+VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
+VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm_real *fx, vm_real *fy)
+{
+    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(k, alpha, r) / r : 0;
+    *fx = f * x, *fy = f * y;
+}
+VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
+                                  vm_real *fy)
+{
+    const vm_real size = unbalance * (frequency * frequency);
+    vm_real s, c;
+    vmi_sincos(frequency * t + phase, &s, &c);
+    *fx = size * c, *fy = size * s;
+}
+VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy)
+{
+    *fx = -coupling * vy, *fy = coupling * vx;
+}
 
 /* An effect on one coordinate, against another */
 VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coordinate, unsigned motions, vm_real p0,
@@ -7580,9 +7615,8 @@ VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coord
 
 VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_load *load = &s->bodies[e->body].load;
-    (void)t, (void)y;
-    load->force[e->coordinate] += load->mass * e->p[0];
+    (void)t, (void)y, (void)s;
+    e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[0]);
 }
 
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
@@ -7594,9 +7628,8 @@ VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 
 VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    const vm_real x = vmi_scene_x(s, y, e->body, e->coordinate) - vmi_scene_x(s, y, e->other, e->other_coordinate);
-    (void)t;
-    vmi_scene_act(s, e, vm_force_spring(e->p[0], e->p[1], x - e->p[2]));
+    (void)t, (void)s;
+    vmi_effect_act(e, vm_force_spring(e->p[0], e->p[1], vmi_effect_x(e, y) - e->p[2]));
 }
 
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
@@ -7609,9 +7642,8 @@ VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other
 
 VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    const vm_real v = vmi_scene_v(s, y, e->body, e->coordinate) - vmi_scene_v(s, y, e->other, e->other_coordinate);
-    (void)t;
-    vmi_scene_act(s, e, vm_force_damper(e->p[0], v));
+    (void)t, (void)s;
+    vmi_effect_act(e, vm_force_damper(e->p[0], vmi_effect_v(e, y)));
 }
 
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b)
@@ -7623,10 +7655,8 @@ VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other
 
 VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t;
-    vmi_scene_act(s, e,
-                  vm_force_van_der_pol(e->p[0], e->p[1], vmi_scene_x(s, y, e->body, e->coordinate),
-                                       vmi_scene_v(s, y, e->body, e->coordinate)));
+    (void)t, (void)s;
+    vmi_effect_act(e, vm_force_van_der_pol(e->p[0], e->p[1], vmi_effect_x(e, y), vmi_effect_v(e, y)));
 }
 
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
@@ -7638,8 +7668,8 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
 
 VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t;
-    vmi_scene_act(s, e, vm_force_drive(e->p[0], e->p[1], vmi_scene_v(s, y, e->body, e->coordinate)));
+    (void)t, (void)s;
+    vmi_effect_act(e, vm_force_drive(e->p[0], e->p[1], vmi_effect_v(e, y)));
 }
 
 VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa)
@@ -7651,8 +7681,8 @@ VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_re
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)y;
-    vmi_scene_act(s, e, vm_force_harmonic(e->p[0], e->p[1], e->p[2], t));
+    (void)y, (void)s;
+    vmi_effect_act(e, vm_force_harmonic(e->p[0], e->p[1], e->p[2], t));
 }
 
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
@@ -7664,9 +7694,8 @@ VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_
 
 VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vmi_scene_act(
-        s, e,
-        e->force(t, vmi_scene_x(s, y, e->body, e->coordinate), vmi_scene_v(s, y, e->body, e->coordinate), e->ctx));
+    (void)s;
+    vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
 VM_API vm_effect vm_effect_user(int body, int coordinate,
@@ -7690,12 +7719,10 @@ VM_API vm_effect vm_effect_callback(int body, int other,
 
 VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_scene_body *b = s->bodies + e->body;
-    const vm_real *r = y + b->at, size = VM_SQRT(r[0] * r[0] + r[1] * r[1]);
-    const vm_real k = size > 0 ? vm_force_spring(e->p[0], e->p[1], size) / size : 0;
-    (void)t;
-    b->load.force[0] += k * r[0];
-    b->load.force[1] += k * r[1];
+    vm_real fx, fy;
+    (void)t, (void)s;
+    vm_force_shaft(e->p[0], e->p[1], y[e->x], y[e->x + 1], &fx, &fy);
+    e->load->force[0] += fx, e->load->force[1] += fy;
 }
 
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
@@ -7707,11 +7734,10 @@ VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 
 VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_real *force = s->bodies[e->body].load.force, sine, cosine;
-    (void)y;
-    vmi_sincos(e->p[1] * t + e->p[2], &sine, &cosine);
-    force[0] += e->p[0] * (e->p[1] * e->p[1]) * cosine;
-    force[1] += e->p[0] * (e->p[1] * e->p[1]) * sine;
+    vm_real fx, fy;
+    (void)y, (void)s;
+    vm_force_unbalance(e->p[0], e->p[1], e->p[2], t, &fx, &fy);
+    e->load->force[0] += fx, e->load->force[1] += fy;
 }
 
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
@@ -7723,11 +7749,10 @@ VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real freque
 
 VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_scene_body *b = s->bodies + e->body;
-    const vm_real *v = y + b->at + b->positions;
-    (void)t;
-    b->load.force[0] -= e->p[0] * v[1];
-    b->load.force[1] += e->p[0] * v[0];
+    vm_real fx, fy;
+    (void)t, (void)s;
+    vm_force_gyroscopic(e->p[0], y[e->v], y[e->v + 1], &fx, &fy);
+    e->load->force[0] += fx, e->load->force[1] += fy;
 }
 
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
@@ -7739,39 +7764,41 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
 
 /* ---- Scenes: mass that varies ------------------------------------------------------------------------------- */
 
-/* rate (u + (share - 1) v) on each coordinate that moves the mass; p = u, share */
-VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate)
+/* rate (u + (share - 1) v) on each coordinate that moves the mass */
+VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
+                                  vm_real share)
 {
-    vm_scene_body *b = s->bodies + e->body;
-    const vm_real *v = y + b->at + b->positions, share = e->p[3];
-    const int n = b->motion <= VM_AXLE ? 1 : b->motion == VM_PLANE ? 2 : 3;
+    vm_load *load = e->load;
+    const vm_real *v = y + e->v;
+    const int motion = s->bodies[e->body].motion, n = motion <= VM_AXLE ? 1 : motion == VM_PLANE ? 2 : 3;
     int i;
     for (i = 0; i < n; i++) {
-        const vm_real own = e->p[i] + share * v[i];
-        b->load.force[i] += rate * (own - v[i]);
+        const vm_real own = u[i] + share * v[i], push = rate * (own - v[i]);
+        load->force[i] += push;
         if (!s->book) continue;
-        b->load.reactive[i] += rate * (own - v[i]);
-        b->load.brought[i] += rate * own;
-        b->load.brought_energy += rate * own * own / 2;
-        b->load.mixing += rate * (own - v[i]) * (own - v[i]) / 2;
+        load->reactive[i] += push;
+        load->brought[i] += rate * own;
+        load->brought_energy += rate * own * own / 2;
+        load->mixing += push * (own - v[i]) / 2;
     }
 }
 
 /* The mass is now that of the law; M' = by_t + by_x v + by_v v' */
-VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now)
+VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
+                                const vm_real *u, vm_real share)
 {
-    vm_scene_body *b = s->bodies + e->body;
-    const vm_real v = y[b->at + b->positions];
-    b->load.mass = now->mass + b->jumped;
-    b->load.extra = now->by_v * ((1 - e->p[3]) * v - e->p[0]);
-    b->load.by_v = now->by_v, b->load.own = e->p[0] + e->p[3] * v;
-    vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v);
+    vm_load *load = e->load;
+    const vm_real v = y[e->v];
+    load->mass = now->mass + s->bodies[e->body].jumped;
+    load->extra = now->by_v * ((1 - share) * v - u[0]);
+    load->by_v = now->by_v, load->own = u[0] + share * v;
+    vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v, u, share);
 }
 
 VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    const vm_mass_now now = e->law(t, vmi_scene_x(s, y, e->body, 0), vmi_scene_v(s, y, e->body, 0), e->ctx);
-    vmi_scene_follow(e, y, s, &now);
+    const vm_mass_now now = e->law(t, y[e->x], y[e->v], e->ctx);
+    vmi_scene_follow(e, y, s, &now, e->p, e->p[3]);
 }
 
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
@@ -7787,13 +7814,13 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_r
 
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    const vm_real x = vmi_scene_x(s, y, e->body, 0), v = vmi_scene_v(s, y, e->body, 0), c = e->p[4];
+    const vm_real x = y[e->x], v = y[e->v], c = e->p[4];
     vm_mass_now now = {0, 0, 0, 0};
     now.mass = s->bodies[e->body].start.mass;
     if (e->other_coordinate == VM_MASS_OF_T) now.mass += c * t, now.by_t = c;
     else if (e->other_coordinate == VM_MASS_OF_X) now.mass += c * x, now.by_x = c;
     else now.mass += c * v * v, now.by_v = 2 * c * v;
-    vmi_scene_follow(e, y, s, &now);
+    vmi_scene_follow(e, y, s, &now, e->p, e->p[3]);
 }
 
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)
@@ -7809,8 +7836,8 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
-    s->bodies[e->body].load.mass_rate += e->p[4];
-    vmi_scene_reactive(e, y, s, e->p[4]);
+    e->load->mass_rate += e->p[4];
+    vmi_scene_reactive(e, y, s, e->p[4], e->p, e->p[3]);
 }
 
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
@@ -7905,7 +7932,7 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
 {
     const vm_scene_body *b = scene->bodies + body;
     *now = b->start;
-    now->mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b)] : b->load.mass;
+    now->mass = b->mass_is_state ? y[b->mass_at] : b->load.mass;
     now->inertia = b->inertia;
     b->get(b, y + b->at, now);
 }
@@ -7915,14 +7942,19 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
 {
     vm_scene_body *b = s->bodies + body;
     b->mass = now->mass, b->inertia = now->inertia;
-    if (b->mass_is_state) y[b->at + vmi_scene_mass_at(b)] = now->mass;
+    if (b->mass_is_state) y[b->mass_at] = now->mass;
     b->put(b, now, angle, y + b->at);
 }
 
-/* Effects on bodies that are not there do not act */
+/* Effects on bodies that are not there do not act; where a law of a mass no longer does, the mass is that of the body */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
+    for (i = 0; i < s->n_bodies; i++) {
+        vm_scene_body *b = s->bodies + i;
+        b->load.mass = b->mass;
+        b->load.extra = b->load.by_v = b->load.mass_rate = 0;
+    }
     for (i = 0; i < s->n_effects; i++) {
         vm_effect *e = s->effects + i;
         const int gone = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
@@ -7932,16 +7964,19 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 /* ---- Scenes: the right-hand side ---------------------------------------------------------------------------- */
 
+/* Before the effects of an evaluation; a mass that is no state stays as the law or the last jump left it */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
 {
-    const int n = b->coordinates;
-    int i;
-    b->load.mass = b->mass_is_state ? y[b->at + vmi_scene_mass_at(b)] : b->mass;
-    b->load.extra = b->load.by_v = b->load.mass_rate = 0;
-    for (i = 0; i < n; i++) b->load.force[i] = 0;
-    if (!book) return;
-    for (i = 0; i < 6; i++) b->load.brought[i] = b->load.reactive[i] = 0;
-    b->load.brought_energy = b->load.mixing = 0;
+    vm_load *load = &b->load;
+    load->force[0] = 0;
+    if (b->coordinates > 1) load->force[1] = load->force[2] = 0;
+    if (b->coordinates > 3) load->force[3] = load->force[4] = load->force[5] = 0;
+    if (b->mass_is_state) load->mass = y[b->mass_at], load->mass_rate = 0;
+    if (b->begin) b->begin(b, y + b->at);
+    if (book) {
+        memset(load->reactive, 0, sizeof load->reactive), memset(load->brought, 0, sizeof load->brought);
+        load->brought_energy = load->mixing = 0;
+    }
 }
 
 /* What acts on each body now */
@@ -7949,8 +7984,10 @@ VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
-    for (i = 0; i < s->n_effects; i++)
-        if (!s->effects[i].idle) s->effects[i].apply(s->effects + i, t, y, s);
+    for (i = 0; i < s->n_effects; i++) {
+        const vm_effect *e = s->effects + i;
+        if (!e->idle) e->apply(e, t, y, s);
+    }
 }
 
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
@@ -7958,7 +7995,7 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     const vm_load *load = &b->load;
     if (!(load->mass > 0)) return VM_BAD_MASS;
     if (!(load->mass + load->extra > 0)) return VM_SINGULAR;
-    if (b->mass_is_state) dydt[b->at + vmi_scene_mass_at(b)] = load->mass_rate;
+    if (b->mass_is_state) dydt[b->mass_at] = load->mass_rate;
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
@@ -8132,18 +8169,16 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return s->bodies[body].motion == VM_FREE && coordinate > 2 ? VM_NO_SUCH_COORDINATE : VM_OK;
 }
 
-/* Mass laws (order 0) first, links (order 2) last, at most one of either kind for a body */
-VM_API int vmi_scene_check_order(const vm_scene *s, const vm_effect *e)
+/* Mass laws (order 0) first, links (order 2) last, at most one of either kind for a body, which keeps as marks the
+   orders of the effects so far */
+VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
-    const vm_effect *before;
-    if (e->order == 0 && s->bodies[e->body].mass_is_state) return VM_TWO_MASS_LAWS;
-    for (before = s->effects; before < e; before++) {
-        if (before->body != e->body && before->other != e->body && (e->other < 0 || before->body != e->other))
-            continue;
-        if (before->order == e->order && e->order != 1) return VM_TWO_MASS_LAWS;
-        if (before->order > e->order) return VM_BAD_ORDER;
-    }
-    return VM_OK;
+    const int law = 1, others = 2, link = 4, so_far = b->acted;
+    b->acted |= 1 << order;
+    if (order == 0 && ((so_far & law) || b->mass_is_state)) return VM_TWO_MASS_LAWS;
+    if (order == 2 && (so_far & link)) return VM_TWO_MASS_LAWS;
+    if (order == 0 && (so_far & (others | link))) return VM_BAD_ORDER;
+    return order == 1 && (so_far & link) ? VM_BAD_ORDER : VM_OK;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
@@ -8157,7 +8192,8 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
-    return vmi_scene_check_order(s, e);
+    status = vmi_scene_check_order(s->bodies + e->body, e->order);
+    return status || e->other < 0 ? status : vmi_scene_check_order(s->bodies + e->other, e->order);
 }
 
 /* A body takes up only what it can move as: on a line or an axle its own kind, a point no spin */
@@ -8212,8 +8248,10 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit)
     int i, status = vmi_scene_check_arrays(scene);
     if (culprit) *culprit = c;
     if (status) return status;
-    for (i = 0; !status && i < scene->n_bodies; i++)
+    for (i = 0; !status && i < scene->n_bodies; i++) {
+        scene->bodies[i].acted = 0;
         if ((status = vmi_scene_check_body(scene->bodies + i)) != 0) c.kind = "body", c.index = i;
+    }
     for (i = 0; !status && i < scene->n_effects; i++)
         if ((status = vmi_scene_check_effect(scene, scene->effects + i)) != 0) c.kind = "effect", c.index = i;
     for (i = 0; !status && i < scene->n_events; i++)
@@ -8238,19 +8276,29 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     located->action = ODE_STOP;
 }
 
+/* Where an effect finds what it needs, so that it need not look for it at each evaluation */
+VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
+{
+    vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : b;
+    e->idle = e->off != 0;
+    e->load = &b->load, e->other_load = e->other >= 0 ? &other->load : NULL;
+    e->x = b->at + e->coordinate, e->v = e->x + b->positions;
+    e->other_x = other->at + e->other_coordinate, e->other_v = e->other_x + other->positions;
+}
+
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *culprit)
 {
-    int i, at = 0, status = vm_scene_check(scene, culprit);
+    int i, k, at = 0, status = vm_scene_check(scene, culprit);
     if (status) return status;
     if (!y) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     for (i = 0; i < scene->n_bodies; i++) {
         vm_scene_body *b = scene->bodies + i;
-        b->at = at, b->away = b->absent, b->jumped = 0;
-        at += vmi_scene_body_size(b);
+        b->at = at, b->mass_at = at + vmi_scene_mass_at(b), b->away = b->absent, b->jumped = 0;
+        for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
         vmi_scene_put(scene, i, &b->start, b->angle, y);
     }
-    for (i = 0; i < scene->n_effects; i++) scene->effects[i].idle = scene->effects[i].off != 0;
+    for (i = 0; i < scene->n_effects; i++) vmi_scene_bind(scene, scene->effects + i);
     for (i = 0; i < scene->n_events; i++) {
         vm_event *e = scene->events + i;
         e->scene = scene, e->count = e->seen = 0;
@@ -8285,7 +8333,7 @@ VM_API vm_event vm_event_at(vm_real time)
 VM_API vm_real vmi_when_position(const vm_event *e, vm_real t, const vm_real *y)
 {
     (void)t;
-    return vmi_scene_x(e->scene, y, e->body, e->coordinate) - e->value;
+    return y[e->scene->bodies[e->body].at + e->coordinate] - e->value;
 }
 
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction)
@@ -8297,8 +8345,9 @@ VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int d
 
 VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
 {
+    const vm_scene_body *b = e->scene->bodies + e->body;
     (void)t;
-    return vmi_scene_v(e->scene, y, e->body, e->coordinate) - e->value;
+    return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
@@ -8311,7 +8360,7 @@ VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int d
 VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
 {
     const vm_scene_body *b = e->scene->bodies + e->body;
-    if (b->mass_is_state) return y[b->at + vmi_scene_mass_at(b)] - e->value;
+    if (b->mass_is_state) return y[b->mass_at] - e->value;
     vmi_scene_load(e->scene, t, y);
     return b->load.mass - e->value;
 }
@@ -8352,6 +8401,7 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
     vm_effect *effect = e->scene->effects + e->effect;
     (void)t, (void)y;
     effect->idle = (effect->idle & 2) | e->off;
+    vmi_scene_presence(e->scene);
     return VM_OK;
 }
 
