@@ -7946,15 +7946,10 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Effects on bodies that are not there do not act; where a law of a mass no longer does, the mass is that of the body */
+/* Effects on bodies that are not there do not act */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) {
-        vm_scene_body *b = s->bodies + i;
-        b->load.mass = b->mass;
-        b->load.extra = b->load.by_v = b->load.mass_rate = 0;
-    }
     for (i = 0; i < s->n_effects; i++) {
         vm_effect *e = s->effects + i;
         const int gone = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
@@ -7964,14 +7959,15 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 /* ---- Scenes: the right-hand side ---------------------------------------------------------------------------- */
 
-/* Before the effects of an evaluation; a mass that is no state stays as the law or the last jump left it */
+/* Before the effects of an evaluation */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
 {
     vm_load *load = &b->load;
     load->force[0] = 0;
     if (b->coordinates > 1) load->force[1] = load->force[2] = 0;
     if (b->coordinates > 3) load->force[3] = load->force[4] = load->force[5] = 0;
-    if (b->mass_is_state) load->mass = y[b->mass_at], load->mass_rate = 0;
+    load->mass = b->mass_is_state ? y[b->mass_at] : b->mass;
+    load->extra = load->by_v = load->mass_rate = 0;
     if (b->begin) b->begin(b, y + b->at);
     if (book) {
         memset(load->reactive, 0, sizeof load->reactive), memset(load->brought, 0, sizeof load->brought);
@@ -8401,7 +8397,6 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
     vm_effect *effect = e->scene->effects + e->effect;
     (void)t, (void)y;
     effect->idle = (effect->idle & 2) | e->off;
-    vmi_scene_presence(e->scene);
     return VM_OK;
 }
 
