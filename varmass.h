@@ -1317,7 +1317,8 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
    in space 13; one more where the mass is itself a state. Positions come first, from bodies[i].at on:
      line   x, v                                     point  r (3), v (3)
      axle   angle, omega                             free   r (3), q (4), v (3), omega (3, in body axes)
-     plane  x, y, angle, vx, vy, omega               then the mass (the inertia in the plane stays)
+     plane  x, y, angle, vx, vy, omega               then the mass; of a growing body the mass centre in its axes, from
+   where it was first, 2 in the plane or 3, and the inertia about it, 1 or 6 (xx, yy, zz, xy, xz, yz).
    An effect acts on coordinates: 0 of a line or an axle; x, y, angle = 0, 1, 2 in the plane; x, y, z = 0, 1, 2 of a
    point or a free body. What is called mass is the moment of inertia on an axle, and then a force is a torque. */
 
@@ -1386,9 +1387,12 @@ struct VM_TAG(vm_effect) {
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_user, N or N m */
     vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
     vm_moving_point point;                                          /* of vm_effect_link */
+    const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
+    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* null, or of vm_effect_varying */
+    int (*check)(const vm_effect *effect);                                   /* null, or of the parameters */
     void *ctx;
     unsigned motions, other_motions; /* bit (1 << motion) for each motion that it can act on, against */
-    int needs_mass_state;            /* streams do */
+    int needs_mass_state;            /* streams do, some of them a growing body (2) */
     int order;                       /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
     int off;                         /* at the start it is switched off */
 };
@@ -1458,6 +1462,9 @@ VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v);
 VM_API vm_scene_body vm_scene_free(const vm_body *start);
 VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, its mass a state */
 VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
+/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points */
+VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body);
+VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body);
 
 /* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
    rate. A spring's force (248), alpha >= 0; that of Van der Pol's damper (404); force cos(frequency t + phase),
@@ -1482,16 +1489,22 @@ VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g);
 /* vm_force_spring of x - rest */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest);
+VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
+                                         vm_real rest); /* the same with alpha = 1: no power is linked */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b);
+VM_API vm_effect vm_effect_rotational_damper(int body, vm_real b); /* -b omega: on an axle, in the plane, free */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c);
 VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa);
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase);
 /* a force of one's own, which depends on t and the coordinate, and on what ctx points to */
 VM_API vm_effect vm_effect_user(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
-/* an effect of one's own, which may depend on everything: apply adds to scene->bodies[effect->body].load.force, or
-   to load.mass_rate where the mass is a state, and may read load.mass, other bodies, the state y from
-   bodies[...].at on, effect->p and effect->ctx. other, or VM_GROUND: a body without which it does not act either */
+VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int other_coordinate,
+                                        vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
+/* an effect of one's own, which may depend on everything: apply adds to effect->load->force, to load->mass_rate
+   where the mass is a state, to load->mass where it is neither a state nor of a law; it may read load->mass,
+   y[effect->x] and y[effect->v], the first coordinate's, y[scene->bodies[i].at] and what follows of body i, effect->p
+   and effect->ctx. other, or VM_GROUND: a body without which it does not act either, effect->other_load and so on */
 VM_API vm_effect vm_effect_callback(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -1516,8 +1529,40 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_r
                                     void *ctx, vm_vec3 u, vm_real share);
 enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share);
-/* A stream, for a body whose mass is a state: rate kg/s */
+/* A stream, for a body whose mass is a state: rate kg/s; it crosses at the mass centre and leaves the inertia as it
+   is */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share);
+/* A stream of chapter 5 that crosses at a point of a growing body and is put there (in body axes from where the mass
+   centre was at first; a stream with a store is refused). Each of what it does is an effect, and each may be left
+   out: mass (the mass M, its centre, the inertia; r' = v + (M'/M) d), reactive force M' (u - v) (156), moment
+   d x M' (u - v) (158), torque M' kappa omega2 - I' omega (157). A book's mixing is that of streams whose effects are
+   all listed. The stream is the caller's; what an event changes in it has changed. */
+VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream);
+VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream);
+VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream);
+VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream);
+/* The same, of a stream that varies: vary writes what is otherwise than in effect.stream at t and y, the point of
+   contact that moves in the body, the rate, the velocity */
+VM_API vm_effect vm_effect_varying(vm_effect effect,
+                                   void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
+                                   void *ctx);
+/* A band that is wound up on a drum on an axle, or unwound from it (chapter 5.2), layer upon layer. At the angle phi,
+   0 where the drum, of the inertia with which the body was made, is bare, the band comes or goes at the radius
+   R + h phi/(2 pi), a spiral, or where by_layer is set at R + h n, n turns being complete; its inertia grows by
+   rho b h radius^3 a radian. Its own velocity is speed + share (radius omega): share = 1 and speed = 0 if it moves
+   with the drum. By layers the torque has kinks at full turns. */
+typedef struct VM_TAG(vm_band) {
+    vm_real radius;           /* R of the bare drum, m */
+    vm_real thickness, width; /* h, b, m */
+    vm_real density;          /* rho, kg/m^3 */
+    vm_real speed, share;     /* m/s */
+    int by_layer;
+} vm_band;
+typedef struct VM_TAG(vm_band_now) {
+    vm_real radius, rate, mass, inertia; /* m; kg/rad, mu (181) of this radius; of what is wound up, kg, kg m^2 */
+} vm_band_now;
+VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band); /* phi < 0: the bare drum */
+VM_API vm_effect vm_effect_band(int body, const vm_band *band);
 
 /* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
    event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
@@ -7442,6 +7487,7 @@ VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm
     vm_scene_body b = vmi_scene_body(VM_PLANE, 3, 3);
     b.start.mass = mass, b.start.inertia.zz = inertia;
     b.start.r = r, b.start.v = v, b.start.omega.z = omega, b.angle = angle;
+    b.start.r.z = b.start.v.z = 0;
     b.put = vmi_plane_put, b.get = vmi_plane_get, b.accelerate = vmi_plane_accelerate;
     return b;
 }
@@ -7559,6 +7605,144 @@ VM_API vm_scene_body vm_scene_absent(vm_scene_body body)
     return body;
 }
 
+/* Numbers by coordinate as vectors: the part that moves the mass centre, the part that turns, inertial axes */
+VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) return vmi_vec3(a[0], 0, 0);
+    return vmi_vec3(a[0], a[1], b->motion == VM_PLANE ? 0 : a[2]);
+}
+VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, a[2]);
+    return b->motion == VM_FREE ? vmi_vec3(a[3], a[4], a[5]) : vmi_vec3(0, 0, 0);
+}
+VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
+{
+    const vm_vec3 w = vmi_scene_turning(b, y + b->at + b->positions);
+    vmi_mat3 axes;
+    if (b->motion != VM_FREE) return w;
+    axes = vmi_rotation(vmi_free_quat(y + b->at));
+    return vmi_times(&axes, w);
+}
+
+/* The way back: a += these */
+VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
+{
+    if (b->motion == VM_AXLE) {
+        a[0] += turning.z;
+        return;
+    }
+    a[0] += moving.x, a[1] += moving.y;
+    a[2] += b->motion == VM_PLANE ? turning.z : moving.z;
+    if (b->motion == VM_FREE) a[3] += turning.x, a[4] += turning.y, a[5] += turning.z;
+}
+
+/* ---- Scenes: growing bodies --------------------------------------------------------------------------------- */
+
+/* After the mass: where the mass centre is in the body, 2 or 3 numbers, then the inertia, 1 or 6 */
+VM_INLINE int vmi_growth(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
+
+VM_API void vmi_growth_begin(vm_scene_body *b)
+{
+    const vm_inertia none = {0, 0, 0, 0, 0, 0};
+    b->load.drift = b->load.centre_rate = vmi_vec3(0, 0, 0);
+    b->load.inertia_rate = none;
+}
+
+VM_API vm_vec3 vmi_growth_centre(const vm_scene_body *b, const vm_real *state)
+{
+    const vm_real *c = state + vmi_growth(b);
+    return vmi_vec3(c[0], c[1], b->motion == VM_PLANE ? 0 : c[2]);
+}
+
+VM_API void vmi_growth_put_centre(const vm_scene_body *b, vm_vec3 centre, vm_real *state)
+{
+    vm_real *c = state + vmi_growth(b);
+    c[0] = centre.x, c[1] = centre.y;
+    if (b->motion != VM_PLANE) c[2] = centre.z;
+}
+
+VM_API void vmi_plane_growing_begin(vm_scene_body *b, const vm_real *state)
+{
+    vm_real s, c;
+    vmi_growth_begin(b);
+    vmi_sincos(state[2], &s, &c);
+    b->axes.x = vmi_vec3(c, s, 0), b->axes.y = vmi_vec3(-s, c, 0), b->axes.z = vmi_vec3(0, 0, 1);
+    b->inertia.zz = state[vmi_growth(b) + 2];
+}
+
+VM_API int vmi_plane_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    const vm_load *load = &b->load;
+    if (!(b->inertia.zz > 0)) return VM_BAD_INERTIA;
+    vmi_plane_accelerate(b, state, rates);
+    rates[0] += load->drift.x, rates[1] += load->drift.y;
+    vmi_growth_put_centre(b, load->centre_rate, rates);
+    rates[vmi_growth(b) + 2] = load->inertia_rate.zz;
+    return VM_OK;
+}
+
+VM_API void vmi_plane_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    vmi_plane_put(b, now, angle, state);
+    state[vmi_growth(b) + 2] = now->inertia.zz;
+}
+
+VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    now->inertia.zz = state[vmi_growth(b) + 2];
+    vmi_plane_get(b, state, now);
+}
+
+VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body)
+{
+    body.mass_is_state = body.grows = 1;
+    body.begin = vmi_plane_growing_begin, body.accelerate = vmi_plane_growing_accelerate;
+    body.put = body.motion == VM_PLANE ? vmi_plane_growing_put : NULL; /* NULL is refused by vm_scene_check */
+    body.get = vmi_plane_growing_get;
+    return body;
+}
+
+VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
+{
+    vmi_growth_begin(b);
+    b->axes = vmi_rotation(vmi_free_quat(state));
+    b->inertia = b->filled = vmi_stream_load_inertia(state + vmi_growth(b) + 3);
+}
+
+VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+{
+    const vm_load *load = &b->load;
+    vmi_growth_put_centre(b, load->centre_rate, rates);
+    vmi_stream_store_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
+    if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
+    rates[0] += load->drift.x, rates[1] += load->drift.y, rates[2] += load->drift.z;
+    return VM_OK;
+}
+
+VM_API void vmi_free_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+{
+    vmi_free_put(b, now, angle, state);
+    vmi_stream_store_inertia(state + vmi_growth(b) + 3, &now->inertia);
+}
+
+VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+{
+    now->inertia = vmi_stream_load_inertia(state + vmi_growth(b) + 3);
+    vmi_free_get(b, state, now);
+}
+
+VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body)
+{
+    body.mass_is_state = body.grows = 1;
+    body.begin = vmi_free_growing_begin, body.accelerate = vmi_free_growing_accelerate;
+    body.put = body.motion == VM_FREE ? vmi_free_growing_put : NULL;
+    body.get = vmi_free_growing_get;
+    return body;
+}
+
 /* ---- Scenes: effects ---------------------------------------------------------------------------------------- */
 
 VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
@@ -7640,6 +7824,20 @@ VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other
     return e;
 }
 
+VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    (void)t, (void)s;
+    vmi_effect_act(e, -e->p[0] * (vmi_effect_x(e, y) - e->p[2]));
+}
+
+VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
+                                         vm_real rest)
+{
+    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, 1, rest);
+    e.apply = vmi_apply_linear_spring;
+    return e;
+}
+
 VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t, (void)s;
@@ -7650,6 +7848,21 @@ VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other
 {
     vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, b, 0, 0);
     e.apply = vmi_apply_damper;
+    return e;
+}
+
+VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_scene_body *b = s->bodies + e->body;
+    const vm_vec3 torque = vmi_scale(-e->p[0], vmi_scene_spin(b, y));
+    (void)t;
+    vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
+}
+
+VM_API vm_effect vm_effect_rotational_damper(int body, vm_real b)
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_FREE, b, 0, 0);
+    e.apply = vmi_apply_rotational_damper;
     return e;
 }
 
@@ -7698,13 +7911,19 @@ VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-VM_API vm_effect vm_effect_user(int body, int coordinate,
-                                vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
+VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int other_coordinate,
+                                        vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, 0, 0, 0);
+    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, 0, 0, 0);
     e.apply = force ? vmi_apply_user : NULL;
     e.force = force, e.ctx = ctx;
     return e;
+}
+
+VM_API vm_effect vm_effect_user(int body, int coordinate,
+                                vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
+{
+    return vm_effect_user_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
 VM_API vm_effect vm_effect_callback(int body, int other,
@@ -7804,7 +8023,7 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real share)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_NOT_FREE, u.x, u.y, u.z);
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_ALL_MOTIONS, u.x, u.y, u.z);
     e.p[3] = share;
     e.order = 0;
     e.apply = law ? vmi_apply_mass_law : NULL;
@@ -7825,7 +8044,7 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)
 {
-    const unsigned motions = kind == VM_MASS_OF_T ? VMI_NOT_FREE : 1 << VM_LINE | 1 << VM_AXLE;
+    const unsigned motions = kind == VM_MASS_OF_T ? VMI_ALL_MOTIONS : 1 << VM_LINE | 1 << VM_AXLE;
     vm_effect e = vmi_effect(body, 0, VM_GROUND, kind, motions, u, 0, 0);
     e.p[3] = share, e.p[4] = c;
     e.order = 0;
@@ -7842,10 +8061,195 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_NOT_FREE, u.x, u.y, u.z);
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_ALL_MOTIONS, u.x, u.y, u.z);
     e.p[3] = share, e.p[4] = rate;
     e.needs_mass_state = 1;
     e.apply = vmi_apply_stream;
+    return e;
+}
+
+/* A stream at a point of a growing body: the body as the stream sees it, and what section 5 makes of it. The book
+   has what the stream brings with the mass; as mixing, what of that does not go into the body's energy. */
+typedef struct VM_TAG(vmi_crossing) {
+    vmi_stream_seen seen;
+    vmi_stream_sum sum;
+} vmi_crossing;
+
+VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, const vm_scene *s, vmi_crossing *c)
+{
+    const vm_scene_body *b = s->bodies + e->body;
+    vm_stream stream = *e->stream;
+    if (e->vary) e->vary(t, y, &stream, e->ctx);
+    c->seen.turn = &b->axes, c->seen.slip = vmi_vec3(0, 0, 0), c->seen.energy = s->book != NULL;
+    c->seen.v = vmi_scene_moving(b, y + e->v), c->seen.omega = vmi_scene_turning(b, y + e->v);
+    c->seen.centre = vmi_growth_centre(b, y + b->at);
+    vmi_stream_sums(1, &stream, &c->seen, &c->sum);
+}
+
+/* A reactive force and a moment or torque, inertial axes */
+VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
+{
+    const vm_scene_body *b = s->bodies + e->body;
+    vm_load *load = e->load;
+    vmi_scene_add(b, load->force, force, torque);
+    if (!s->book) return;
+    vmi_scene_add(b, load->reactive, force, torque);
+    vmi_scene_add(b, load->brought, force, torque);
+    load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
+}
+
+VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_scene_body *b = s->bodies + e->body;
+    vm_load *load = e->load;
+    vmi_crossing c;
+    vm_vec3 shift, spin;
+    vmi_crossing_now(e, t, y, s, &c);
+    shift = vmi_scale(1 / load->mass, c.sum.crossing);
+    load->mass_rate += c.sum.rate;
+    load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
+    load->centre_rate = vmi_add(load->centre_rate, shift);
+    load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
+    if (!s->book) return;
+    spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
+    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v),
+                  vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v)));
+    load->brought_energy += c.sum.brought / 2;
+    load->mixing += (c.sum.brought - c.sum.rate * vmi_dot(c.seen.v, c.seen.v) - vmi_dot(spin, c.seen.omega)) / 2;
+}
+
+VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vmi_crossing c;
+    vm_vec3 force;
+    vmi_crossing_now(e, t, y, s, &c);
+    force = vmi_sub(c.sum.absolute, vmi_scale(c.sum.rate - c.sum.carried, c.seen.v));
+    vmi_crossing_push(e, s, &c, vmi_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
+}
+
+VM_API void vmi_apply_stream_moment(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vmi_crossing c;
+    vmi_crossing_now(e, t, y, s, &c);
+    vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, c.sum.moment));
+}
+
+VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vmi_crossing c;
+    vm_vec3 torque;
+    vmi_crossing_now(e, t, y, s, &c);
+    torque = vmi_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
+    vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
+}
+
+VM_API int vmi_crossing_check(const vm_effect *e)
+{
+    if (!e->stream || e->stream->from) return VM_BAD_ARGUMENT;
+    return vmi_stream_good(e->stream);
+}
+
+VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
+                                     void (*apply)(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s))
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_PLANE | 1 << VM_FREE, 0, 0, 0);
+    e.needs_mass_state = 2;
+    e.stream = stream, e.check = vmi_crossing_check, e.apply = apply;
+    return e;
+}
+
+VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
+{
+    return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
+}
+
+VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
+{
+    return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
+}
+
+VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
+{
+    return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
+}
+
+VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
+{
+    return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
+}
+
+VM_API vm_effect vm_effect_varying(vm_effect effect,
+                                   void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
+                                   void *ctx)
+{
+    effect.vary = vary, effect.ctx = ctx;
+    if (!effect.stream) effect.apply = NULL; /* which vm_scene_check refuses */
+    return effect;
+}
+
+/* rho b h integral of radius^k over phi, k = 1 the mass, 3 the inertia; d: what has been added to R. With n layers
+   complete sum (R + i h)^k, i < n, is by sum i, i^2, i^3 */
+VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
+{
+    const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
+    const vm_real s1 = n * (n - 1) / 2, s2 = s1 * (2 * n - 1) / 3, r = R + n * h;
+    vm_band_now now;
+    now.radius = r;
+    now.rate = line * r;
+    now.mass = line * (2 * VM_PI * (n * R + h * s1) + r * rest);
+    now.inertia = line * (2 * VM_PI * (n * R * R * R + 3 * R * h * (R * s1 + h * s2) + h * h * h * s1 * s1) +
+                          r * r * r * rest);
+    return now;
+}
+
+VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
+{
+    const vm_real line = band->density * band->width * band->thickness, R = band->radius;
+    const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
+    vm_band_now now;
+    now.radius = R, now.rate = now.mass = now.inertia = 0;
+    if (phi < 0) return now;
+    if (band->by_layer) return vmi_band_by_layer(phi, band, line);
+    now.radius = r;
+    now.rate = line * r;
+    now.mass = line * phi * (r + R) / 2;
+    now.inertia = line * phi * ((r + R) * (r * r + R * R)) / 4;
+    return now;
+}
+
+VM_API vm_band vmi_band_of(const vm_effect *e)
+{
+    vm_band b;
+    b.radius = e->p[0], b.thickness = e->p[1], b.width = e->p[2], b.density = e->p[3];
+    b.speed = e->p[4], b.share = e->p[5], b.by_layer = e->other_coordinate;
+    return b;
+}
+
+VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_band band = vmi_band_of(e);
+    const vm_band_now wound = vm_band_at(y[e->x], &band);
+    const vm_real u = band.speed / wound.radius;
+    vm_mass_now now = {0, 0, 0, 0};
+    (void)t;
+    now.mass = s->bodies[e->body].start.mass + wound.inertia;
+    now.by_x = wound.rate * wound.radius * wound.radius;
+    vmi_scene_follow(e, y, s, &now, &u, band.share);
+}
+
+VM_API int vmi_band_check(const vm_effect *e)
+{
+    return e->p[0] > 0 && e->p[1] >= 0 && e->p[2] >= 0 && e->p[3] >= 0 ? VM_OK : VM_BAD_ARGUMENT;
+}
+
+VM_API vm_effect vm_effect_band(int body, const vm_band *band)
+{
+    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_AXLE, 0, 0, 0);
+    e.order = 0;
+    e.apply = band ? vmi_apply_band : NULL, e.check = vmi_band_check;
+    if (!band) return e;
+    e.p[0] = band->radius, e.p[1] = band->thickness, e.p[2] = band->width, e.p[3] = band->density;
+    e.p[4] = band->speed, e.p[5] = band->share, e.other_coordinate = band->by_layer != 0;
     return e;
 }
 
@@ -8017,28 +8421,6 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* ---- Scenes: balance ---------------------------------------------------------------------------------------- */
 
-/* Numbers by coordinate as vectors: the part that moves the mass centre, the part that turns, inertial axes */
-VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
-{
-    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
-    if (b->motion == VM_LINE) return vmi_vec3(a[0], 0, 0);
-    return vmi_vec3(a[0], a[1], b->motion == VM_PLANE ? 0 : a[2]);
-}
-VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
-{
-    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
-    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, a[2]);
-    return b->motion == VM_FREE ? vmi_vec3(a[3], a[4], a[5]) : vmi_vec3(0, 0, 0);
-}
-VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
-{
-    const vm_vec3 w = vmi_scene_turning(b, y + b->at + b->positions);
-    vmi_mat3 axes;
-    if (b->motion != VM_FREE) return w;
-    axes = vmi_rotation(vmi_free_quat(y + b->at));
-    return vmi_times(&axes, w);
-}
-
 VM_INLINE void vmi_scene_store(vm_vec3 a, vm_real *d) { d[0] += a.x, d[1] += a.y, d[2] += a.z; }
 
 /* What a body's load adds to the book by the second: impulse, angular impulse, momentum and angular momentum brought,
@@ -8188,6 +8570,8 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
+    if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_MASS_IS_NO_STATE;
+    if (e->check && (status = e->check(e)) != 0) return status;
     status = vmi_scene_check_order(s->bodies + e->body, e->order);
     return status || e->other < 0 ? status : vmi_scene_check_order(s->bodies + e->other, e->order);
 }
@@ -8489,6 +8873,17 @@ VM_API void vmi_scene_settle_mass(vm_scene *s, int body, const vm_body *now)
     b->jumped += now->mass - b->load.mass;
 }
 
+/* The mass centre of a growing body, which a jump moves to r, moves in the body, too */
+VM_API void vmi_scene_shift(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
+{
+    const vm_scene_body *b = s->bodies + body;
+    vm_real *state = y + b->at;
+    vm_vec3 step;
+    if (!b->grows) return;
+    step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
+    vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
+}
+
 VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new, const vm_body *b,
                              const vm_body *other)
 {
@@ -8497,6 +8892,9 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     if (s->book) s->book->totals(s, y, &before);
     s->bodies[e->other].away = !into_is_new;
+    vmi_scene_shift(s, e->jump_body, b->r, y);
+    if (into_is_new && s->bodies[e->other].grows)
+        vmi_growth_put_centre(s->bodies + e->other, vmi_vec3(0, 0, 0), y + s->bodies[e->other].at);
     if (into_is_new) vmi_scene_put(s, e->other, other, angle + s->bodies[e->other].angle, y);
     vmi_scene_put(s, e->jump_body, b, angle, y);
     vmi_scene_presence(s);
