@@ -1349,15 +1349,15 @@ struct VM_TAG(vm_scene_body) {
     int positions, coordinates; /* numbers of the state that are positions, velocities */
     int at, mass_at;            /* where its state begins, the mass in it; set by vm_scene_start, as all that follows */
     int away;                   /* not there now */
-    vm_load load;               /* what acts on it now */
     /* what the motion needs, so that others are not linked; begin, of growing bodies, before the effects */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
+    vm_real mass; /* now, where neither a state nor a law says it */
+    vm_load load; /* what acts on it now */
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
     vm_body start;              /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
     vm_real angle;              /* rad, of an axle or in the plane */
-    vm_real mass;               /* now, where neither a state nor a law says it */
     vm_real jumped;             /* what jumps have added to the mass of a law */
     vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
     vmi_mat3 axes;              /* of a growing body, now */
@@ -1405,7 +1405,12 @@ struct VM_TAG(vm_event) {
     int watches, body, coordinate; /* set where it watches a body: what passes */
     vm_real value;                 /* this value */
     int switches, effect, off;     /* set where it switches an effect on or off */
-    int jumps, jump_body, other;   /* 1 where other separates from jump_body, -1 where it is attached to it */
+    /* null, or of a jump: what it is on a line, in the plane, or any, and on what motions; 1 where other separates
+       from jump_body, -1 where it is attached to it */
+    int (*check)(const vm_scene *scene, const vm_event *event);
+    int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
+    unsigned motions;
+    int jumps, jump_body, other;
     vm_body part; /* what separates; its motion relative to the body, in its axes, where relative is set */
     int relative;
     vm_impulse external; /* acts during the jump */
@@ -1585,6 +1590,11 @@ VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative);
 VM_API vm_event vm_then_attach(vm_event event, int body, int added);
+/* The same, of bodies on a line or on an axle, or in the plane, which link no more than that (docs/scene-sizes.md) */
+VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative);
+VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added);
+VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative);
+VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added);
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx);
 
 typedef struct VM_TAG(vm_culprit) {
@@ -7372,7 +7382,7 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
 /* ---- Scenes ------------------------------------------------------------------------------------------------- */
 
 enum { VMI_ALL_MOTIONS = 1 << VM_LINE | 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_POINT | 1 << VM_FREE };
-enum { VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, VMI_NOT_FREE = VMI_ALL_MOTIONS & ~(1 << VM_FREE) };
+enum { VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE };
 
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
@@ -7748,7 +7758,7 @@ VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body)
 VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
 {
     if (alpha == 1) return -k * x;
-    if (alpha == 3) return -k * (x * x * x);
+    if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
     return -VM_COPYSIGN(k, x) * vmi_raised(VM_FABS(x), alpha) * (x != 0);
 }
@@ -8044,7 +8054,7 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)
 {
-    const unsigned motions = kind == VM_MASS_OF_T ? VMI_ALL_MOTIONS : 1 << VM_LINE | 1 << VM_AXLE;
+    const unsigned motions = kind == VM_MASS_OF_T ? VMI_ALL_MOTIONS : VMI_SINGLE;
     vm_effect e = vmi_effect(body, 0, VM_GROUND, kind, motions, u, 0, 0);
     e.p[3] = share, e.p[4] = c;
     e.order = 0;
@@ -8592,6 +8602,7 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
     if (!status && e->jump_body == e->other) status = VM_NO_SUCH_BODY;
     if (status) return status;
     if (!vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion)) return VM_BAD_MOTION;
+    if (!(e->motions >> s->bodies[e->jump_body].motion & 1)) return VM_BAD_MOTION;
     if (!vmi_vec3_finite(j->linear) || !vmi_vec3_finite(j->couple) || !vmi_vec3_finite(j->at)) return VM_NOT_FINITE;
     if (e->jumps < 0) return VM_OK;
     part = s->bodies[e->other], part.start = e->part;
@@ -8605,7 +8616,7 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
     if (!e->then) return VM_BAD_ARGUMENT;
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
-    return e->jumps ? vmi_scene_check_jump(s, e) : status;
+    return e->check ? e->check(s, e) : status;
 }
 
 VM_API int vmi_scene_check_arrays(const vm_scene *s)
@@ -8800,22 +8811,46 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     return event;
 }
 
-/* On a line or an axle a jump is one of a single number: (M v + sign m v2 + impulse)/(M + sign m) */
-VM_API int vmi_scene_jump_line(const vm_body *body, const vm_body *other, vm_real sign, vm_real impulse, vm_body *b)
-{
-    *b = *body;
-    b->mass = body->mass + sign * other->mass;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
-    b->v.x = (body->mass * body->v.x + sign * other->mass * other->v.x + impulse) / b->mass;
-    b->r.x = body->r.x + sign * other->mass / b->mass * (other->r.x - body->r.x);
-    return VM_OK;
-}
-
 /* The angle of a body in the plane or on an axle, which may be more than a turn */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     return b->motion == VM_PLANE ? y[b->at + 2] : y[b->at];
+}
+
+/* (M v + sign m v2 + impulse)/(M + sign m), and so much of the way to the other's mass centre */
+VM_API int vmi_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
+{
+    const vm_real sign = e->jumps > 0 ? -1 : 1, mass = body->mass + sign * other->mass, share = sign * other->mass / mass;
+    *b = *body;
+    if (!(mass > 0)) return VM_BAD_MASS;
+    b->mass = mass;
+    b->v.x = (body->mass * body->v.x + sign * other->mass * other->v.x + e->external.linear.x) / mass;
+    b->omega.z = (body->mass * body->omega.z + sign * other->mass * other->omega.z + e->external.couple.z) / mass;
+    b->r.x = body->r.x + share * (other->r.x - body->r.x);
+    return VM_OK;
+}
+
+/* On a line and on an axle, whose own numbers the other's formulas leave alone: they are 0 */
+VM_API int vmi_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
+{
+    if (e->relative) {
+        other->r.x += body->r.x, other->v.x += body->v.x;
+        other->omega.z += body->omega.z;
+    }
+    return vmi_jump_single(e, body, other, b);
+}
+
+/* Where a part is whose motion is relative to the body */
+VM_API void vmi_jump_place(const vm_body *body, vm_body *part)
+{
+    const vmi_mat3 turn = vmi_rotation(body->q);
+    const int as_body = part->q.w == 0 && part->q.x == 0 && part->q.y == 0 && part->q.z == 0;
+    const vm_vec3 d = vmi_times(&turn, part->r);
+    part->r = vmi_add(body->r, d);
+    part->v = vmi_add(vmi_times(&turn, part->v), vmi_add(body->v, vmi_cross(body->omega, d)));
+    part->omega = vmi_add(vmi_times(&turn, part->omega), body->omega);
+    part->q = as_body ? body->q : vmi_quat_times(body->q, part->q);
 }
 
 VM_API vm_body2 vmi_scene_flat(const vm_body *b)
@@ -8827,16 +8862,17 @@ VM_API vm_body2 vmi_scene_flat(const vm_body *b)
     return flat;
 }
 
-VM_API int vmi_scene_jump_plane(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external,
-                                vm_body *b)
+VM_API int vmi_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
-    const vm_body2 one = vmi_scene_flat(body), two = vmi_scene_flat(other);
+    const vm_impulse *external = &e->external;
+    vm_body2 one, two, flat;
     vm_impulse2 blow;
-    vm_body2 flat;
     int status;
+    if (e->relative) vmi_jump_place(body, other);
+    one = vmi_scene_flat(body), two = vmi_scene_flat(other);
     blow.jx = external->linear.x, blow.jy = external->linear.y, blow.couple = external->couple.z;
     blow.x = external->at.x, blow.y = external->at.y;
-    status = sign < 0 ? vm_separate2(&one, &two, &blow, &flat) : vm_attach2(&one, &two, &blow, &flat);
+    status = e->jumps > 0 ? vm_separate2(&one, &two, &blow, &flat) : vm_attach2(&one, &two, &blow, &flat);
     if (status < 0) return status;
     *b = *body;
     b->mass = flat.mass, b->inertia.zz = flat.inertia;
@@ -8844,26 +8880,13 @@ VM_API int vmi_scene_jump_plane(const vm_body *body, const vm_body *other, vm_re
     return flat.inertia > 0 ? VM_OK : VM_BAD_INERTIA; /* a rest that is a point cannot move on as a body */
 }
 
-VM_API int vmi_scene_jump_axle(const vm_body *body, const vm_body *other, vm_real sign, vm_real impulse, vm_body *b)
+VM_API int vmi_jump_any(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
-    vm_body p = *body, q = *other; /* angular velocities by way of v */
-    int status;
-    p.v.x = p.omega.z, q.v.x = q.omega.z, p.r.x = q.r.x = 0;
-    status = vmi_scene_jump_line(&p, &q, sign, impulse, b);
-    b->omega.z = b->v.x;
-    b->r = body->r, b->v = body->v;
-    return status;
-}
-
-VM_API int vmi_scene_jump(const vm_event *e, const vm_body *body, const vm_body *other, vm_real sign, vm_body *b)
-{
-    const vm_impulse *j = &e->external;
-    switch (e->scene->bodies[e->jump_body].motion) {
-    case VM_LINE: return vmi_scene_jump_line(body, other, sign, j->linear.x, b);
-    case VM_AXLE: return vmi_scene_jump_axle(body, other, sign, j->couple.z, b);
-    case VM_PLANE: return vmi_scene_jump_plane(body, other, sign, j, b);
-    default: return sign < 0 ? vm_separate(body, other, j, b) : vm_attach(body, other, j, b);
-    }
+    const int motion = e->scene->bodies[e->jump_body].motion;
+    if (motion == VM_LINE || motion == VM_AXLE) return vmi_jump_on_line(e, body, other, b);
+    if (motion == VM_PLANE) return vmi_jump_in_plane(e, body, other, b);
+    if (e->relative) vmi_jump_place(body, other);
+    return e->jumps > 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
 }
 
 /* The body moves on as now; its mass by a law has jumped, too */
@@ -8917,26 +8940,32 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     if (!e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_NO_SUCH_BODY;
     vmi_scene_load(e->scene, t, y);
     vm_scene_body_at(e->scene, e->jump_body, y, &body);
-    if (e->relative) {
-        const vmi_mat3 turn = vmi_rotation(body.q);
-        const int as_body = part.q.w == 0 && part.q.x == 0 && part.q.y == 0 && part.q.z == 0;
-        const vm_vec3 d = vmi_times(&turn, part.r);
-        part.r = vmi_add(body.r, d);
-        part.v = vmi_add(vmi_times(&turn, part.v), vmi_add(body.v, vmi_cross(body.omega, d)));
-        part.omega = vmi_add(vmi_times(&turn, part.omega), body.omega);
-        part.q = as_body ? body.q : vmi_quat_times(body.q, part.q);
-    }
-    status = vmi_scene_jump(e, &body, &part, -1, &rest);
+    status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
     vmi_scene_jumped(e, t, y, 1, &rest, &part);
     return VM_OK;
 }
 
-VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
+VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = part ? vmi_then_separate : NULL;
+    event.check = vmi_scene_check_jump, event.jump = vmi_jump_on_line, event.motions = VMI_SINGLE;
     event.jump_body = body, event.other = into, event.jumps = 1, event.relative = relative;
     if (part) event.part = *part;
+    return event;
+}
+
+VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
+{
+    event = vm_then_separate_on_line(event, body, into, part, relative);
+    event.jump = vmi_jump_in_plane, event.motions = 1 << VM_PLANE;
+    return event;
+}
+
+VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
+{
+    event = vm_then_separate_on_line(event, body, into, part, relative);
+    event.jump = vmi_jump_any, event.motions = VMI_ALL_MOTIONS;
     return event;
 }
 
@@ -8948,16 +8977,31 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_load(e->scene, t, y);
     vm_scene_body_at(e->scene, e->jump_body, y, &body);
     vm_scene_body_at(e->scene, e->other, y, &added);
-    status = vmi_scene_jump(e, &body, &added, 1, &whole);
+    status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
     vmi_scene_jumped(e, t, y, 0, &whole, NULL);
     return VM_OK;
 }
 
-VM_API vm_event vm_then_attach(vm_event event, int body, int added)
+VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
-    event.jump_body = body, event.other = added, event.jumps = -1;
+    event.check = vmi_scene_check_jump, event.jump = vmi_jump_on_line, event.motions = VMI_SINGLE;
+    event.jump_body = body, event.other = added, event.jumps = -1, event.relative = 0;
+    return event;
+}
+
+VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
+{
+    event = vm_then_attach_on_line(event, body, added);
+    event.jump = vmi_jump_in_plane, event.motions = 1 << VM_PLANE;
+    return event;
+}
+
+VM_API vm_event vm_then_attach(vm_event event, int body, int added)
+{
+    event = vm_then_attach_on_line(event, body, added);
+    event.jump = vmi_jump_any, event.motions = VMI_ALL_MOTIONS;
     return event;
 }
 

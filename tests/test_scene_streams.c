@@ -266,8 +266,8 @@ static void check_layers(void)
             agrees("band", "mass", now.mass, exact_m, exact_m, 1e-13);
             agrees("band", "inertia", now.inertia, exact_J, exact_J, 1e-13);
             agrees("band", "radius", now.radius, 0.2 + 0.01 * (by_layer ? floor(x) : x), 1, 1e-14);
-            agrees("band", "mu", now.rate,
-                   (double)vm_drum_band(now.radius, b.thickness, b.width, b.density), 1, 1e-14);
+            agrees("band", "mu", now.rate, (double)vm_drum_band(now.radius, b.thickness, b.width, b.density), 1,
+                   1e-14);
         }
 }
 
@@ -284,7 +284,7 @@ static void check_winding(int by_layer)
     begin(&s);
     CHECK(vm_scene_size(&s.scene) == 2 + VM_BOOK);
     run(&s, 100, VM_STOPPED);
-    agrees("winding", "omega", s.y[1],
+    agrees(by_layer ? "layers" : "winding", "omega", s.y[1],
            (0.8 * 9 + 1.5 * line * radius_integral(phi, 2, by_layer)) /
                (0.8 + line * radius_integral(phi, 3, by_layer)),
            9, by_layer ? 1e-8 : 1e-9); /* at each layer the torque jumps */
