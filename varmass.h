@@ -1356,6 +1356,7 @@ struct VM_TAG(vm_scene_body) {
     vm_load load; /* what acts on it now */
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
+    int (*check)(const vm_body *start); /* null, or of its inertia */
     vm_body start;              /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
     vm_real angle;              /* rad, of an axle or in the plane */
     vm_real jumped;             /* what jumps have added to the mass of a law */
@@ -7466,6 +7467,8 @@ VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega
     return b;
 }
 
+VM_API int vmi_plane_check(const vm_body *start) { return start->inertia.zz > 0 ? VM_OK : VM_BAD_INERTIA; }
+
 VM_API int vmi_plane_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -7498,8 +7501,15 @@ VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm
     b.start.mass = mass, b.start.inertia.zz = inertia;
     b.start.r = r, b.start.v = v, b.start.omega.z = omega, b.angle = angle;
     b.start.r.z = b.start.v.z = 0;
-    b.put = vmi_plane_put, b.get = vmi_plane_get, b.accelerate = vmi_plane_accelerate;
+    b.put = vmi_plane_put, b.get = vmi_plane_get, b.accelerate = vmi_plane_accelerate, b.check = vmi_plane_check;
     return b;
+}
+
+VM_API int vmi_point_check(const vm_body *start)
+{
+    const vm_inertia *i = &start->inertia;
+    const int none = i->xx == 0 && i->yy == 0 && i->zz == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
+    return none ? VM_OK : VM_BAD_INERTIA;
 }
 
 VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
@@ -7529,7 +7539,7 @@ VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
     b.start.mass = mass, b.start.r = r, b.start.v = v;
-    b.put = vmi_point_put, b.get = vmi_point_get, b.accelerate = vmi_point_accelerate;
+    b.put = vmi_point_put, b.get = vmi_point_get, b.accelerate = vmi_point_accelerate, b.check = vmi_point_check;
     return b;
 }
 
@@ -7599,7 +7609,7 @@ VM_API vm_scene_body vm_scene_free(const vm_body *start)
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
     if (!start) return b; /* which vm_scene_check refuses */
     b.start = *start;
-    b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate;
+    b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate, b.check = vmi_check_body;
     return b;
 }
 
@@ -8534,19 +8544,12 @@ VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_boo
 
 /* ---- Scenes: the check -------------------------------------------------------------------------------------- */
 
-VM_API int vmi_no_inertia(const vm_inertia *i)
-{
-    return i->xx == 0 && i->yy == 0 && i->zz == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
-}
-
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
-    if (b->motion == VM_PLANE && !(b->start.inertia.zz > 0)) return VM_BAD_INERTIA;
-    if (b->motion == VM_POINT && !vmi_no_inertia(&b->start.inertia)) return VM_BAD_INERTIA;
-    return b->motion == VM_FREE ? vmi_check_body(&b->start) : (int)VM_OK;
+    return b->check ? b->check(&b->start) : (int)VM_OK;
 }
 
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
