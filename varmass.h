@@ -1311,7 +1311,9 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
 
    With events, scene.events and scene.located (as many) and scene.n_events are set as well, before the start. Bodies,
    effects and events are known by their index. A start begins everything anew, as the bodies, effects and events were
-   made; a second vm_scene_run goes on where the first ended.
+   made; a second vm_scene_run goes on where the first ended. From the start on all arrays stay where they are.
+   An evaluation takes some 80 instructions a line body and 20 to 40 an effect, beyond what its force takes: 3 and 0.3
+   times the C library's sin.
 
    The state has so many numbers a body: a line, an axle 2 (angle and angular velocity), the plane 6, a point 6, free
    in space 13; one more where the mass is itself a state. Positions come first, from bodies[i].at on:
@@ -7382,8 +7384,11 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
 
 /* ---- Scenes ------------------------------------------------------------------------------------------------- */
 
-enum { VMI_ALL_MOTIONS = 1 << VM_LINE | 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_POINT | 1 << VM_FREE };
-enum { VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE };
+enum {
+    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE,
+    VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
+    VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
+};
 
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
