@@ -1,5 +1,6 @@
 /* varmass.h, scenes: streams that cross at points of growing bodies, whole and each of their loads alone, against the
    equations of chapter 5; a contact that moves, the drum of chapter 5.2; bands in layers by closed forms; jumps. */
+#include "../examples/scenes/reel.h"
 #include "stage_check.h"
 
 static vm_inertia inertia(double xx, double yy, double zz, double xy, double xz, double yz)
@@ -233,14 +234,6 @@ static void check_rocket(void)
 
 /* ---- Bands in layers ---- */
 
-static vm_band paper(int by_layer, double speed, double share)
-{
-    vm_band b;
-    b.radius = REAL(0.2), b.thickness = REAL(0.01), b.width = REAL(0.5), b.density = 800;
-    b.speed = REAL(speed), b.share = REAL(share), b.by_layer = by_layer;
-    return b;
-}
-
 /* integral of radius^k over phi, by the sum of its layers or by the spiral's antiderivative */
 static double radius_integral(double phi, int k, int by_layer)
 {
@@ -257,7 +250,7 @@ static void check_layers(void)
     int i, by_layer;
     for (by_layer = 0; by_layer < 2; by_layer++)
         for (i = 0; i < 5; i++) {
-            const vm_band b = paper(by_layer, 0, 0);
+            const vm_band b = reel_band(by_layer, 0, 0);
             const double x = turns[i] + 1e-4; /* not at a kink */
             const vm_real phi = REAL(x * 2 * acos(-1.0));
             const vm_band_now now = vm_band_at(phi, &b);
@@ -274,13 +267,9 @@ static void check_layers(void)
 /* J omega = J0 omega0 + speed rho b h integral of radius^2; the time only for the first layer, section 5.2 */
 static void check_winding(int by_layer)
 {
-    const vm_band b = paper(by_layer, 1.5, 0);
     const double line = 0.01 * 0.5 * 800, phi = 40;
     stage s;
-    stage_clear(&s, 100);
-    stage_body(&s, vm_scene_axle(REAL(0.8), 0, 9));
-    stage_effect(&s, vm_effect_band(0, &b));
-    stage_event(&s, vm_then_stop(vm_event_position(0, 0, REAL(phi), 1)));
+    reel(&s, by_layer, phi);
     begin(&s);
     CHECK(vm_scene_size(&s.scene) == 2 + VM_BOOK);
     run(&s, 100, VM_STOPPED);
@@ -293,7 +282,7 @@ static void check_winding(int by_layer)
 
 static void check_first_layer(void)
 {
-    const vm_band b = paper(1, 1.5, 0);
+    const vm_band b = reel_band(1, 1.5, 0);
     vm_drum d;
     stage s;
     memset(&d, 0, sizeof d);
@@ -313,7 +302,7 @@ static void check_first_layer(void)
 static void check_unwinding(void)
 {
     const double line = 0.01 * 0.5 * 800, start = 100, end = 20;
-    vm_band b = paper(0, 0, 1);
+    vm_band b = reel_band(0, 0, 1);
     stage s;
     stage_clear(&s, 100);
     stage_body(&s, vm_scene_axle(REAL(0.8), REAL(start), -5));
@@ -321,7 +310,7 @@ static void check_unwinding(void)
     stage_event(&s, vm_then_stop(vm_event_position(0, 0, REAL(end), -1)));
     begin(&s), run(&s, 100, VM_STOPPED);
     agrees("unwinding", "t", s.t, 16, 16, 1e-10), agrees("unwinding", "omega", s.y[1], -5, 5, 1e-12);
-    b = paper(0, -1, 0), s.effects[0] = vm_effect_band(0, &b);
+    b = reel_band(0, -1, 0), s.effects[0] = vm_effect_band(0, &b);
     begin(&s), run(&s, 100, VM_STOPPED);
     agrees("unwinding", "drawn", s.y[1],
            (-5 * (0.8 + line * radius_integral(start, 3, 0)) +
@@ -405,7 +394,7 @@ static void check_refusals(void)
     const vm_body body = probe();
     const vm_store tank = {{0, 0, 0}, {0, 0, 0, 0, 0, 0}};
     vm_stream stream = jet(1, VM_RELATIVE);
-    vm_band band = paper(0, 0, 0);
+    vm_band band = reel_band(0, 0, 0);
     stage s;
     stage_clear(&s, 1);
     stage_body(&s, vm_scene_growing_free(vm_scene_free(&body))), stage_body(&s, vm_scene_axle(1, 0, 0));

@@ -3,8 +3,6 @@
    bodies and a spring (Fig. 32).
 
      (m x')' + k x |x|^(alpha-1) = what else acts: what joins or leaves has no velocity */
-#ifndef OSCILLATORS_H
-#define OSCILLATORS_H
 #include "stage.h"
 #include "stator.h"
 
@@ -72,5 +70,3 @@ static inline void figure32(stage *s) /* (530) to (532) */
     s->effects[1] = vm_effect_mass(y, VM_MASS_OF_T, REAL(0.01), 0, 0);
     stage_effect(s, vm_effect_spring(x, 0, y, 0, 1, 3, 0));
 }
-
-#endif

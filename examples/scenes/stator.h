@@ -2,6 +2,8 @@
    sin psi).
 
      x'' + w2 x = -s w2 cos psi,  y'' + w2 y = -s w2 sin psi,  psi'' + k psi' = M + s p2 w2 (x sin psi - y cos psi) */
+#ifndef STATOR_H
+#define STATOR_H
 #include "stage.h"
 
 typedef struct stator_data {
@@ -39,3 +41,5 @@ static inline void stator(stage *s, const stator_data *a)
     stage_effect(s, vm_effect_callback(rotor, VM_GROUND, stator_shaft, NULL));
     stage_event(s, vm_then_stop(vm_event_user(stator_gap, (void *)a, 1)));
 }
+
+#endif
