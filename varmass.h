@@ -1349,8 +1349,8 @@ struct VM_TAG(vm_scene_body) {
     int grows;                  /* so are the mass centre in the body and the inertia */
     int absent;                 /* not there until an event brings it in */
     int positions, coordinates; /* numbers of the state that are positions, velocities */
-    int at, mass_at;            /* where its state begins, the mass in it; set by vm_scene_start, as all that follows */
-    int away;                   /* not there now */
+    int at, mass_at; /* where its state begins, the mass in it; set by vm_scene_start, as all that follows */
+    int away;        /* not there now */
     /* what the motion needs, so that others are not linked; begin, of growing bodies, before the effects */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
@@ -1359,9 +1359,9 @@ struct VM_TAG(vm_scene_body) {
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
     int (*check)(const vm_body *start); /* null, or of its inertia */
-    vm_body start;              /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
-    vm_real angle;              /* rad, of an axle or in the plane */
-    vm_real jumped;             /* what jumps have added to the mass of a law */
+    vm_body start;  /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
+    vm_real angle;  /* rad, of an axle or in the plane */
+    vm_real jumped; /* what jumps have added to the mass of a law */
     vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
     vmi_mat3 axes;              /* of a growing body, now */
     int acted;                  /* a mark of vm_scene_check */
@@ -8128,7 +8128,7 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     const vm_scene_body *b = s->bodies + e->body;
     vm_load *load = e->load;
     vmi_crossing c;
-    vm_vec3 shift, spin;
+    vm_vec3 shift, spin, turning;
     vmi_crossing_now(e, t, y, s, &c);
     shift = vmi_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
@@ -8137,8 +8137,8 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->book) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
-    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v),
-                  vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v)));
+    turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
+    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
     load->brought_energy += c.sum.brought / 2;
     load->mixing += (c.sum.brought - c.sum.rate * vmi_dot(c.seen.v, c.seen.v) - vmi_dot(spin, c.seen.omega)) / 2;
 }
@@ -8826,16 +8826,16 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + 2] : y[b->at];
 }
 
-/* (M v + sign m v2 + impulse)/(M + sign m), and so much of the way to the other's mass centre */
+/* (M v + m v2 + impulse)/(M + m), m < 0 for a part that separates, and m/(M + m) of the way to its mass centre */
 VM_API int vmi_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
 {
-    const vm_real sign = e->jumps > 0 ? -1 : 1, mass = body->mass + sign * other->mass, share = sign * other->mass / mass;
+    const vm_real m = e->jumps > 0 ? -other->mass : other->mass, mass = body->mass + m;
     *b = *body;
     if (!(mass > 0)) return VM_BAD_MASS;
     b->mass = mass;
-    b->v.x = (body->mass * body->v.x + sign * other->mass * other->v.x + e->external.linear.x) / mass;
-    b->omega.z = (body->mass * body->omega.z + sign * other->mass * other->omega.z + e->external.couple.z) / mass;
-    b->r.x = body->r.x + share * (other->r.x - body->r.x);
+    b->v.x = (body->mass * body->v.x + m * other->v.x + e->external.linear.x) / mass;
+    b->omega.z = (body->mass * body->omega.z + m * other->omega.z + e->external.couple.z) / mass;
+    b->r.x = body->r.x + m / mass * (other->r.x - body->r.x);
     return VM_OK;
 }
 

@@ -485,6 +485,58 @@ static void check_rod(void)
     CHECK(VM_FABS(rod.inertia.xx) < 100 * VM_EPSILON);
 }
 
+/* Jumps that link only what a line, an axle or the plane needs are the same to the last bit */
+static void check_bound_jumps(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_body part = part_of(0.5, 0);
+    vm_real any[STAGE_STATE];
+    int bound, k;
+    part.r = stage_vec(0.25, 0.125, 0), part.v.x = 1, part.omega.z = REAL(0.5);
+    for (bound = 0; bound < 2; bound++) {
+        stage s;
+        stage_clear(&s, 3);
+        stage_body(&s, vm_scene_plane(2, 1, zero, REAL(0.5), stage_vec(1, 2, 0), 3));
+        stage_body(&s, vm_scene_absent(vm_scene_point(1, zero, zero)));
+        stage_body(&s, vm_scene_line(3, 1, 2)), stage_body(&s, vm_scene_absent(vm_scene_line(1, 0, 0)));
+        stage_event(&s, bound ? vm_then_separate_in_plane(vm_event_at(1), 0, 1, &part, 1)
+                              : vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
+        stage_event(&s,
+                    bound ? vm_then_attach_in_plane(vm_event_at(2), 0, 1) : vm_then_attach(vm_event_at(2), 0, 1));
+        stage_event(&s, bound ? vm_then_separate_on_line(vm_event_at(1), 2, 3, &part, 1)
+                              : vm_then_separate(vm_event_at(1), 2, 3, &part, 1));
+        stage_event(&s,
+                    bound ? vm_then_attach_on_line(vm_event_at(2), 2, 3) : vm_then_attach(vm_event_at(2), 2, 3));
+        begin(&s), run(&s, 1.5, VM_OK);
+        agrees("bound jumps", "line", s.y[s.bodies[3].at + 1], 3, 3, 1e-14); /* 2 m/s, and 1 m/s relative to it */
+        agrees("bound jumps", "line", s.y[s.bodies[3].at], 1 + 2 + 0.25 + 0.5 * 3, 3, 1e-13);
+        agrees("bound jumps", "line", s.y[s.bodies[2].at + 1], (3 * 2 - 0.5 * 3) / 2.5, 2, 1e-14);
+        balanced(&s, "bound jumps", 10, 10);
+        run(&s, 3, VM_OK), balanced(&s, "bound jumps", 10, 10);
+        for (k = 0; k < vm_scene_size(&s.scene); k++)
+            if (bound) CHECK(s.y[k] == any[k]);
+            else any[k] = s.y[k];
+    }
+}
+
+/* An axle loses half of its inertia, which turns on 1 rad/s faster, and gets a blow */
+static void check_axle_jump(void)
+{
+    vm_body part = part_of(1, 0);
+    stage s;
+    part.omega.z = 1;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_axle(2, REAL(0.5), 3)), stage_body(&s, vm_scene_absent(vm_scene_axle(1, 0, 0)));
+    stage_event(&s, vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1));
+    s.events[0].external.couple.z = REAL(0.25);
+    begin(&s), run(&s, 2, VM_OK);
+    agrees("axle jump", "omega", s.y[1], 3 * 2 - 4 + 0.25, 1, 1e-14),
+        agrees("axle jump", "omega", s.y[3], 4, 1, 1e-14);
+    agrees("axle jump", "angle", s.y[0], 0.5 + 3 + 2.25, 1, 1e-13);
+    agrees("axle jump", "angle", s.y[2], 0.5 + 3 + 4, 1, 1e-13);
+    balanced(&s, "axle jump", 10, 10);
+}
+
 /* ---- Runs that are refused, or end early ---- */
 
 static void refused(stage *s, int status, const char *kind, int index)
@@ -494,6 +546,39 @@ static void refused(stage *s, int status, const char *kind, int index)
 }
 
 static vm_real any_time(vm_real t, const vm_real *y, void *ctx) { return (void)y, (void)ctx, t + 1; }
+
+/* Laws first, links last, one of either for a body, whichever end of the link it is */
+static void check_orders(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_effect law[3], link[3], spring[3]; /* of body i; the link and the spring against body 2, of 2 against 0 */
+    stage s;
+    int i;
+    stage_clear(&s, 1);
+    for (i = 0; i < 3; i++) {
+        stage_body(&s, vm_scene_point(1, stage_vec(i, 0, 0), zero));
+        law[i] = vm_effect_mass(i, VM_MASS_OF_T, 1, 0, 0);
+        spring[i] = vm_effect_linear_spring(i, 0, i < 2 ? 2 : 0, 0, 1, 0);
+        link[i] = vm_effect_link(i, i < 2 ? 2 : 0, NULL, NULL, 1, 0, 1);
+    }
+#define ORDER(a, b) (s.scene.n_effects = 2, s.effects[0] = (a), s.effects[1] = (b))
+    ORDER(law[0], spring[0]), begin(&s), ORDER(law[0], law[1]), begin(&s), ORDER(spring[0], link[0]), begin(&s);
+    ORDER(law[0], link[0]), begin(&s), ORDER(spring[0], spring[0]), begin(&s), ORDER(spring[0], law[1]), begin(&s);
+    ORDER(law[0], law[0]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
+    ORDER(link[0], link[0]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
+    ORDER(link[0], link[1]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1); /* both pull at body 2 */
+    ORDER(link[0], link[2]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
+    ORDER(link[0], spring[0]), refused(&s, VM_BAD_ORDER, "effect", 1);
+    ORDER(link[0], spring[1]), refused(&s, VM_BAD_ORDER, "effect", 1); /* it loads body 2 */
+    ORDER(spring[0], law[0]), refused(&s, VM_BAD_ORDER, "effect", 1);
+    ORDER(spring[0], law[2]), refused(&s, VM_BAD_ORDER, "effect", 1);
+    ORDER(link[1], law[2]), refused(&s, VM_BAD_ORDER, "effect", 1);
+    stage_clear(&s, 1);
+    stage_body(&s, vm_scene_plane(1, 1, zero, 0, zero, 0)), stage_body(&s, vm_scene_absent(s.bodies[0]));
+    stage_event(&s, vm_then_attach_on_line(vm_event_at(1), 0, 1)), refused(&s, VM_BAD_MOTION, "event", 0);
+    s.events[0] = vm_then_attach_in_plane(vm_event_at(1), 0, 1), begin(&s);
+    s.bodies[0] = s.bodies[1] = vm_scene_line(1, 0, 0), refused(&s, VM_BAD_MOTION, "event", 0);
+}
 
 static void check_refusals(void)
 {
@@ -554,6 +639,9 @@ int main(void)
     check_plane();
     check_satellite();
     check_rod();
+    check_bound_jumps();
+    check_axle_jump();
+    check_orders();
     check_refusals();
     return check_finish("scene effects");
 }
