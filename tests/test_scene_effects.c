@@ -364,6 +364,8 @@ static void check_presence(void)
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
     stage_event(&s, vm_then_switch(vm_event_at(2), 1, 1));
     stage_event(&s, vm_then_attach(vm_event_at(3), 0, 1));
+    stage_event(&s,
+                vm_then_switch(vm_event_at(REAL(0.25)), 1, 0)); /* on, but there is no body yet at the other end */
     for (again = 0; again < 2; again++) {
         begin(&s), run(&s, 0.5, VM_OK);
         CHECK(s.y[1] == 2 && s.y[2] == 5 && s.y[3] == 9); /* what is not there does not move */
