@@ -69,7 +69,7 @@ static void sines(void)
     sink = sum;
 }
 
-/* ns of a call: the least of repeats, since differences are wanted */
+/* ns of a call: the least of repeats, since differences are wanted, which medians on a busy machine are not fit for */
 static double least_ns(void (*function)(void), double calls)
 {
     double least = call_ns(function, calls);
@@ -86,18 +86,17 @@ static double sine_ns, base_hand, base_scene; /* the latter with the damper alon
 static void measure(FILE *csv, const char *name, void (*hand)(void), void (*inlined)(void), vm_effect added)
 {
     const int more = hand != hand_damper, law = added.order == 0;
-    double h, s, ratio;
+    double h, in, s;
     scene.n_effects = 1 + more;
     effect[0] = effect[1] = vm_effect_damper(0, 0, VM_GROUND, 0, parameter[1]);
     if (more) effect[!law] = added; /* a mass law stands first */
     vm_scene_start(&scene, 0, state, NULL);
-    h = least_ns(hand, COUNT), s = least_ns(as_scene, COUNT);
-    ratio = time_beside(inlined, COUNT, hand, COUNT).ratio;
+    h = least_ns(hand, COUNT), in = least_ns(inlined, COUNT), s = least_ns(as_scene, COUNT);
     if (!more) base_hand = h, base_scene = s;
-    printf("%-18s %8.2f %8.2f %10.2f", name, h, ratio, s);
+    printf("%-18s %8.2f %8.2f %10.2f", name, h, in / h, s);
     if (more) printf(" %10.2f %12.2f", (s - base_scene) / sine_ns, (s - base_scene - (h - base_hand)) / sine_ns);
     puts("");
-    if (csv) fprintf(csv, "%s,%.4g,%.4g,%.4g\n", name, h, ratio * h, s);
+    if (csv) fprintf(csv, "%s,%.4g,%.4g,%.4g\n", name, h, in, s);
 }
 
 static void chain(int n)
@@ -121,6 +120,7 @@ int main(int argc, char **argv)
     memset(&scene, 0, sizeof scene);
     body[0] = vm_scene_line(1, VM_C(0.3), VM_C(0.1));
     scene.bodies = body, scene.n_bodies = 1, scene.effects = effect;
+    (void)time_beside;
     sine_ns = least_ns(sines, COUNT);
     puts("scenes: a right-hand side of a line body, ns; inlined: ratio to hand-written; added by the effect, x "
          "sin: to\n"
