@@ -1319,8 +1319,8 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
    in space 13; one more where the mass is itself a state. Positions come first, from bodies[i].at on:
      line   x, v                                     point  r (3), v (3)
      axle   angle, omega                             free   r (3), q (4), v (3), omega (3, in body axes)
-     plane  x, y, angle, vx, vy, omega               then the mass; of a growing body the mass centre in its axes, from
-   where it was first, 2 in the plane or 3, and the inertia about it, 1 or 6 (xx, yy, zz, xy, xz, yz).
+     plane  x, y, angle, vx, vy, omega               then the mass; of a growing body the mass centre in its axes
+   from where it was first, 2 in the plane or 3, and the inertia about it, 1 or 6 (xx, yy, zz, xy, xz, yz).
    An effect acts on coordinates: 0 of a line or an axle; x, y, angle = 0, 1, 2 in the plane; x, y, z = 0, 1, 2 of a
    point or a free body. What is called mass is the moment of inertia on an axle, and then a force is a torque. */
 
@@ -1381,7 +1381,7 @@ typedef struct VM_TAG(vm_mass_now) {
 
 struct VM_TAG(vm_effect) {
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene);
-    int idle; /* now: 1 switched off, 2 since a body is not there, 3 both; set by vm_scene_start, as x to other_load */
+    int idle; /* now: 1 switched off, 2 since a body is not there, 3 both; of vm_scene_start, as x to other_load */
     int x, v, other_x, other_v;  /* y[x], y[v]: position and velocity on which it acts, and those against which */
     vm_load *load, *other_load;  /* of the bodies; null for the ground */
     int body, coordinate;        /* on what it acts */
@@ -8104,11 +8104,11 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, co
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_stream stream = *e->stream;
-    if (e->vary) e->vary(t, y, &stream, e->ctx);
+    if (e->vary) e->vary(t, y, &stream, e->ctx), stream.from = NULL;
     c->seen.turn = &b->axes, c->seen.slip = vmi_vec3(0, 0, 0), c->seen.energy = s->book != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v), c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
-    vmi_stream_sums(1, &stream, &c->seen, &c->sum);
+    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) e->load->mass = VM_NAN; /* unknown motion: VM_BAD_MASS */
 }
 
 /* A reactive force and a moment or torque, inertial axes */

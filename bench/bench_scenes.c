@@ -1,7 +1,7 @@
-/* varmass.h, scenes: what an effect costs, and what a body. The right-hand side of a body on a line with a damper, or with
-   a damper and one effect more, written by hand, by the kit's inline functions, and as a scene made at run time; what
-   the effect adds to the scene less what it adds by hand, over the C library's sin in the same run. Then chains of
-   bodies between springs. Writes effect, ns of each to the CSV file. */
+/* varmass.h, scenes: what an effect costs, and what a body. The right-hand side of a body on a line with a damper, or
+   with a damper and one effect more, written by hand, by the kit's inline functions, and as a scene made at run time;
+   what the effect adds to the scene less what it adds by hand, over the C library's sin in the same run. Then chains
+   of bodies between springs. Writes effect, ns of each to the CSV file. */
 #include "timing.h"
 #include <stdio.h>
 #include "../varmass.h"
@@ -69,7 +69,7 @@ static void sines(void)
     sink = sum;
 }
 
-/* ns of a call: the least of repeats, since differences are wanted, which medians on a busy machine are not fit for */
+/* ns of a call: the least of repeats, since differences are wanted, for which medians on a busy machine do not do */
 static double least_ns(void (*function)(void), double calls)
 {
     double least = call_ns(function, calls);

@@ -1,5 +1,5 @@
-/* The machines of chapter 1 and numerical examples of the dissertation as scenes: what each comes to, beside the reference (36-digit integration or a closed
-   form), and its curves.
+/* The machines of chapter 1 and numerical examples of the dissertation as scenes: what each comes to, beside the
+   reference (36-digit integration or a closed form), and its curves.
 
    usage: scenes [file.csv]      for each machine file_NAME.csv: t, then the state */
 #include "scenes/chains.h"

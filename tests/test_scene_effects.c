@@ -1,5 +1,6 @@
 /* varmass.h, scenes: each effect against its force written by hand at random states, the dissertation's
-   numerical examples, links and cords by closed forms; events, jumps and restarts that could go wrong, and what is refused. */
+   numerical examples, links and cords by closed forms; events, jumps and restarts that could go wrong, and what is
+   refused. */
 #include "../examples/scenes/oscillators.h"
 #include "stage_check.h"
 

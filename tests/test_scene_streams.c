@@ -150,7 +150,7 @@ static void check_plane(int motion)
     balanced(&s, "plane", 10, 10);
 }
 
-/* ---- A contact that moves in the body: the drum on an elastic shaft, which a band winds up on, as vm_drum_rhs ---- */
+/* ---- A contact that moves in the body: a band winds up on a drum on an elastic shaft, as vm_drum_rhs ---- */
 
 static vm_vec3 shaft_of(const stage *s, const vm_real *y) /* from the mass centre to S, inertial axes */
 {
@@ -383,6 +383,25 @@ static void check_small(void)
              vmi_scale(REAL(-0.25), omega), 1, 1e-14);
 }
 
+static void to_nowhere(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
+{
+    (void)y, (void)ctx;
+    if (t > 1) stream->motion = 9;
+}
+
+/* A stream that becomes one of no kind ends the run at the last good instant */
+static void check_gone_wrong(void)
+{
+    const vm_body body = probe();
+    const vm_stream stream = jet(-0.5, VM_RELATIVE);
+    stage s;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+    stage_effect(&s, vm_effect_varying(vm_effect_stream_mass(0, &stream), to_nowhere, NULL));
+    begin(&s), run(&s, 2, VM_BAD_MASS);
+    agrees("gone wrong", "t", s.t, 1, 1, 1e-9);
+}
+
 static void refused(stage *s, int status)
 {
     vm_culprit found = {NULL, -2};
@@ -432,6 +451,7 @@ int main(void)
     check_unwinding();
     check_jump(0), check_jump(1);
     check_small();
+    check_gone_wrong();
     check_refusals();
     return check_finish("scene streams");
 }

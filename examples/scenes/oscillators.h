@@ -1,6 +1,6 @@
-/* The numerical examples of the dissertation as scenes: the rest of a broken rotor (Fig. 18), an oscillator that loses
-   mass and is damped (Fig. 21), Examples 1 and 2, Van der Pol's oscillator (Figs 26 to 29), Laval's rotor (Fig. 30), two
-   bodies and a spring (Fig. 32).
+/* The numerical examples of the dissertation as scenes: the rest of a broken rotor (Fig. 18), an oscillator that
+   loses mass and is damped (Fig. 21), Examples 1 and 2, Van der Pol's oscillator (Figs 26 to 29), Laval's rotor
+   (Fig. 30), two bodies and a spring (Fig. 32).
 
      (m x')' + k x |x|^(alpha-1) = what else acts: what joins or leaves has no velocity */
 #include "stage.h"

@@ -1,5 +1,5 @@
-/* A band that is wound up on a drum, layer upon layer (chapter 5.2): it comes with the speed v, the drum turns freely;
-   r grows by h at each full turn, or as a spiral.
+/* A band that is wound up on a drum, layer upon layer (chapter 5.2): it comes with the speed v, the drum turns
+   freely; r grows by h at each full turn, or as a spiral.
 
        v --> ____________        (J0 + J(phi)) omega' = mu r (v - r omega) omega,  mu = rho b h r
      J omega = J0 omega0 + rho b h v integral of r^2 over phi: the band's momentum is taken over */
