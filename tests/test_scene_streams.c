@@ -87,7 +87,7 @@ static void check_alone(int motion)
     const vm_vec3 zero = {0, 0, 0};
     vm_reactive all = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0, 0, 0, 0}}, one;
     vm_real dydt[STAGE_STATE];
-    int part;
+    int part, k;
     CHECK(vm_reactive_loads(&body, zero, 1, &stream, &all) == VM_OK);
     for (part = 0; part < 4; part++) {
         vm_vec3 a = zero, alpha = zero, got;
@@ -100,6 +100,7 @@ static void check_alone(int motion)
         if (part == 1) stage_effect(&s, vm_effect_stream_moment(0, &stream)), one.moment = all.moment;
         if (part == 2) stage_effect(&s, vm_effect_stream_torque(0, &stream)), one.torque = all.torque;
         if (part == 3) stage_effect(&s, vm_effect_stream_mass(0, &stream));
+        for (k = 0; k < STAGE_STATE; k++) s.y[k] = 7; /* what was there before is nothing to the start */
         begin(&s);
         vm_scene_body_at(&s.scene, 0, s.y, &now);
         CHECK(vm_accelerations(&body, &one, zero, zero, &a, &alpha) == VM_OK);
@@ -162,10 +163,12 @@ static vm_vec3 shaft_of(const stage *s, const vm_real *y) /* from the mass centr
 
 static void band_now(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
+    static const vm_store far_away = {{9, 9, 9}, {9, 9, 9, 0, 0, 0}};
     const vm_drum *d = (const vm_drum *)ctx;
     vm_real s, c;
     (void)t;
     vmi_sincos(y[2], &s, &c);
+    stream->from = &far_away;                                /* which is not looked at */
     stream->at = vmi_vec3(d->radius * c, -d->radius * s, 0); /* stays at (R, 0) from S in space */
     stream->rate = d->band * y[5];
 }
