@@ -10,7 +10,7 @@
 #   make first-steps   ten short programs, docs/first-steps.md
 #   make wasm      an oscillator for the browser, build/wasm
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
-#   make firmware   a controller on an emulated Cortex-M4F
+#   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
 #   make test-cross   the same bits on every target (minutes)
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
@@ -23,14 +23,14 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects
+TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams
 SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost
+.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -125,6 +125,10 @@ wasm:
 	    -o build/wasm/leaking.wasm -lm
 	wc -c build/wasm/leaking.wasm
 	node examples/wasm/leaking.mjs build/wasm/leaking.wasm
+
+scene-sizes:
+	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
+	sh examples/firmware/scene_sizes.sh build >build/scene-sizes.md && mv build/scene-sizes.md docs/scene-sizes.md
 
 # a Monte-Carlo of break-ups over all cores, and by MPI where it is
 sweep:

@@ -1,5 +1,5 @@
-/* The machines of chapter 1 as scenes: what each comes to, beside the reference (36-digit integration or a closed
-   form), and its curves.
+/* The machines of chapter 1 and numerical examples of the dissertation as scenes: what each comes to, beside the
+   reference (36-digit integration or a closed form), and its curves.
 
    usage: scenes [file.csv]      for each machine file_NAME.csv: t, then the state */
 #include "scenes/chains.h"
@@ -7,6 +7,8 @@
 #include "scenes/dosing.h"
 #include "scenes/mechanism.h"
 #include "scenes/mill.h"
+#include "scenes/oscillators.h"
+#include "scenes/reel.h"
 #include "scenes/regulator.h"
 #include "scenes/scoop.h"
 #include "scenes/stator.h"
@@ -82,5 +84,13 @@ int main(int argc, char **argv)
         play(&s, "winding", "a chain winds on a drum: rad/s", 1, 4.16723798047598732, 3.54964786985976963);
     stator(&s, &gap),
         play(&s, "stator", "a broken rotor meets the stator: rad", 2, 10.0667375197206978, 18.8738526581898339);
+    reel(&s, 1, 40),
+        play(&s, "reel", "a band winds up, layer by layer: rad/s", 1, 4.96711418419346504, 7.25340764780580859);
+    puts("Numerical examples of the dissertation as scenes: where they are (reference)");
+    figure18(&s, 0.625), s.end = 10,
+                         play(&s, "fig18", "the rest of a broken rotor: rad", 2, 10, 4.84962146546119455);
+    example1(&s), s.end = 10, play(&s, "example1", "(398): m", 0, 10, 0.832947674575421393);
+    figure30(&s), s.end = 10, play(&s, "fig30", "Laval's rotor, (514): m", 0, 10, -0.494339964193726892);
+    figure32(&s), s.end = 5, play(&s, "fig32", "two bodies and a spring, (530): m", 0, 5, 1.35739338901332805);
     return 0;
 }

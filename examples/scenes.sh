@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draw a figure of each machine of chapter 1 from the CSV files in the folder named, as SVG beside them.
+# Draw a figure of each machine and numerical example from the CSV files in the folder named, as SVG beside them.
 folder=$1
 if ! sh tests/install.sh "command -v gnuplot" gnuplot-nox; then
     echo "no gnuplot: the curves are in $folder/scenes_*.csv, no figures drawn"
@@ -23,4 +23,8 @@ draw weighing 2 "Fig. 13: automatic weighing" "bar, rad"
 draw heap 3 "Cayley's chain from a heap" "m/s"
 draw winding 3 "A chain winds on a drum" "rad/s"
 draw stator 4 "A broken rotor meets the stator" "psi, rad"
-echo "  $folder/scenes_*.svg   the machines of chapter 1, Figs 2 to 13"
+draw reel 3 "A band winds up on a drum, layer by layer" "rad/s"
+draw fig18 4 "Fig. 18: the rest of a broken rotor" "psi, rad"
+draw fig30 2 "Fig. 30: Laval's rotor" "x, m"
+draw fig32 2 "Fig. 32: one of two bodies and a spring" "x, m"
+echo "  $folder/scenes_*.svg   the machines of chapter 1, Figs 2 to 13, and numerical examples"

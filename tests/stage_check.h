@@ -34,7 +34,8 @@ static inline vm_real size_of(vm_vec3 a) { return VM_SQRT(vmi_dot(a, a)); }
 static inline void balanced(stage *s, const char *machine, double momentum, double energy)
 {
     vm_book b;
-    vm_scene_balance(&s->scene, s->t, s->y, &b);
+    memset(&b, 0, sizeof b);
+    CHECK(vm_scene_balance(&s->scene, s->t, s->y, &b) == VM_OK);
     agrees(machine, "momentum", size_of(b.momentum_defect), 0, momentum, 1e-9);
     agrees(machine, "angular", size_of(b.angular_defect), 0, momentum, 1e-9);
     agrees(machine, "energy", b.energy_defect, 0, energy, 1e-9);

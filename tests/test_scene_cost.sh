@@ -1,6 +1,7 @@
 #!/bin/sh
 # A scene pays for the effects that it lists: an executable holds no other effect, and a right-hand side takes as many
-# instructions whatever else the program knows, and with each effect those of that effect.
+# instructions whatever else the program knows, and with each effect those of that effect; of a chain of bodies start
+# and right-hand side take as many a body, however long it is.
 # usage: CC=compiler test_scene_cost.sh BUILD_FOLDER, from the top of the project
 cc=${CC:-cc} build=$1/scene_cost
 . tests/check.sh
@@ -31,8 +32,8 @@ int main(int argc, char **argv)
 END
     $cc -std=c99 $4 -I. "$build/$1.c" -o "$build/$1" -lm
 }
-zero="{NULL, 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}, NULL, NULL, NULL, NULL, 0, 0, 0, 0}"
-spring="vm_effect_spring(0, 0, VM_GROUND, 0, 2, 3, 0)"
+zero="{0}"
+spring="vm_effect_linear_spring(0, 0, VM_GROUND, 0, 2, 0)"
 damper="vm_effect_damper(0, 0, VM_GROUND, 0, 1)"
 drive="vm_effect_drive(0, 0, 1, 1)"
 unlisted="vm_effect_unbalance(0, 1, 1, 0), vm_effect_van_der_pol(0, 0, 1, 1)"
@@ -41,7 +42,7 @@ has_only() { # has_only PROGRAM WORD... : of the functions that belong to effect
     file=$build/$1
     shift
     wanted=$(echo "$*" | tr ' ' '|')
-    nm "$file" | awk '{print $NF}' | grep -E '^vmi_(apply|axle|plane|point|free|then|link)|^vmi_scene_(totals|rates)' |
+    nm "$file" | awk '{print $NF}' | grep -E '^vmi_(apply|axle|plane|point|free|growth|crossing|band|then|jump|link)|^vmi_scene_(totals|rates)' |
         sort >"$build/linked"
     cat "$build/linked"
     ! grep -vE "$wanted" "$build/linked"
@@ -53,6 +54,43 @@ count() { # count PROGRAM : instructions of a right-hand side
     done | awk 'NR == 1 {a = $1} NR == 2 {print ($1 - a)/2000}'
 }
 
+# the chain: N bodies between springs, started once, its right-hand side evaluated so often
+chain() {
+    cat >"$build/chain.c" <<END
+#include <stdlib.h>
+#include "varmass.h"
+enum { MOST = 1000 };
+static vm_scene_body bodies[MOST];
+static vm_effect effects[MOST];
+static vm_real y[2 * MOST], d[2 * MOST];
+int main(int argc, char **argv)
+{
+    const int n = atoi(argv[1]);
+    vm_scene scene;
+    int i;
+    memset(&scene, 0, sizeof scene);
+    for (i = 0; i < n; i++) bodies[i] = vm_scene_line(1, 0, i == 0);
+    for (i = 0; i < n; i++) effects[i] = vm_effect_linear_spring(i, 0, i - 1, 0, 1, 0);
+    scene.bodies = bodies, scene.n_bodies = n, scene.effects = effects, scene.n_effects = n;
+    for (i = atoi(argv[2]); i > 0; i--) if (vm_scene_start(&scene, 0, y, NULL)) return 1;
+    for (i = argc > 3 ? atoi(argv[3]) : 0; i > 0; i--) vm_scene_rhs(0, y, d, &scene);
+    return 0;
+}
+END
+    $cc -std=c99 -O2 -I. "$build/chain.c" -o "$build/chain" -lm
+}
+collected() { valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1 | awk '/Collected/ {print $NF}'; }
+of_chain() { # of_chain N start|rhs : instructions a body
+    case $2 in
+    start) echo "$(collected "$build/chain" "$1" 1) $(collected "$build/chain" "$1" 3)" ;;
+    rhs) echo "$(collected "$build/chain" "$1" 1 1) $(collected "$build/chain" "$1" 1 3)" ;;
+    esac | awk -v n="$1" '{print ($2 - $1)/2/n}'
+}
+linear() { # linear start|rhs : as many a body in a chain of 1000 as in one of 100, to 5 %
+    echo "$(of_chain 100 "$1") $(of_chain 1000 "$1")"
+    awk -v a="$(of_chain 100 "$1")" -v b="$(of_chain 1000 "$1")" 'BEGIN {exit !(b > 10 && b <= 1.05*a && b >= 0.95*a)}'
+}
+
 same_count() { [ "$(count "$1")" = "$(count "$2")" ] && echo "$(count "$1") instructions"; }
 more_by() { # more_by A B LEAST MOST : B takes so many more than A
     echo "$(count "$1") $(count "$2")"
@@ -60,17 +98,19 @@ more_by() { # more_by A B LEAST MOST : B takes so many more than A
 }
 
 check "two effects: builds" program two "$spring, $damper" "$zero" -Os
-check "two effects: no other is linked" has_only two vmi_apply_spring vmi_apply_damper
+check "two effects: no other is linked" has_only two vmi_apply_linear_spring vmi_apply_damper
 check "three effects: builds" program three "$spring, $damper, $drive" "$zero" -Os
-check "three effects: no other is linked" has_only three vmi_apply_spring vmi_apply_damper vmi_apply_drive
+check "three effects: no other is linked" has_only three vmi_apply_linear_spring vmi_apply_damper vmi_apply_drive
 check "the third is linked" grep -q vmi_apply_drive "$build/linked"
 if command -v valgrind >/dev/null; then
     check "counted: builds" program two "$spring, $damper" "$zero" -O2
     check "with effects that are not listed: builds" program named "$spring, $damper" "$unlisted" -O2
     check "with a third: builds" program three "$spring, $damper, $drive" "$zero" -O2
     check "effects that are not listed take no instruction" same_count two named
-    check "a listed one takes its own" more_by two three 5 60
-    skipped=0
+    check "a listed one takes its own" more_by two three 5 35
+    check "chain: builds" chain
+    check "a chain's right-hand side: linear in its length" linear rhs
+    check "a chain's start: linear in its length" linear start
 else
     echo "no valgrind: instructions are not counted"
 fi

@@ -10,14 +10,12 @@ static const double belt_R = 0.8, belt_nu = 0.25, belt_q = 5, belt_w = 1.5, belt
 /* One's own effect on an axle whose moment of inertia J0 + m R^2 is a state */
 static inline void belt_feed(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
-    vm_load *load = &scene->bodies[e->body].load;
-    const double R = belt_R, m = ((double)load->mass - 12) / (R * R), theta = (double)y[scene->bodies[e->body].at];
+    const double R = belt_R, m = ((double)e->load->mass - 12) / (R * R), theta = (double)y[e->x];
     const double opening = 1 - theta / belt_gate, q = belt_q * (opening < 0 ? 0 : opening > 2 ? 2 : opening);
-    const double omega = (double)y[scene->bodies[e->body].at + 1],
-                 balance = belt_q / belt_nu + belt_q * belt_w / gravity;
-    (void)t;
-    load->mass_rate += REAL(R * R * (q - belt_nu * m));
-    load->force[0] += REAL(gravity * R * (m - balance) + q * (R * belt_w - R * R * omega));
+    const double omega = (double)y[e->v], balance = belt_q / belt_nu + belt_q * belt_w / gravity;
+    (void)t, (void)scene;
+    e->load->mass_rate += REAL(R * R * (q - belt_nu * m));
+    e->load->force[0] += REAL(gravity * R * (m - balance) + q * (R * belt_w - R * R * omega));
 }
 
 static inline void dosing(stage *s, double damping)

@@ -28,12 +28,11 @@ static inline void regulator(stage *s)
 /* The shaft is body 0, the mercury body 1: an effect of one's own reads the one and loads the other */
 static inline void mercury_coupling(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
-    const vm_scene_body *shaft = scene->bodies + e->body, *mercury = scene->bodies + e->other;
-    const vm_real w = y[shaft->at + 1], k = REAL(mercury_nA * mercury_R * mercury_R);
-    (void)t;
-    scene->bodies[e->body].load.mass += k * y[mercury->at];
-    scene->bodies[e->body].load.force[0] -= k * y[mercury->at + 1] * w;
-    scene->bodies[e->other].load.force[0] += k * w * w / 2;
+    const vm_real w = y[e->v], k = REAL(mercury_nA * mercury_R * mercury_R);
+    (void)t, (void)scene;
+    e->load->mass += k * y[e->other_x];
+    e->load->force[0] -= k * y[e->other_v] * w;
+    e->other_load->force[0] += k * w * w / 2;
 }
 
 static inline void regulator_full(stage *s)

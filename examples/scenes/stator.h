@@ -2,6 +2,8 @@
    sin psi).
 
      x'' + w2 x = -s w2 cos psi,  y'' + w2 y = -s w2 sin psi,  psi'' + k psi' = M + s p2 w2 (x sin psi - y cos psi) */
+#ifndef STATOR_H
+#define STATOR_H
 #include "stage.h"
 
 typedef struct stator_data {
@@ -13,14 +15,13 @@ static const double stator_s = 0.5, stator_p2 = 4;
 /* The shaft pulls W towards the origin, and has an arm about S1 */
 static inline void stator_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
-    vm_scene_body *b = scene->bodies + e->body;
-    const vm_real *r = y + b->at, k = b->load.mass;
+    const vm_real *r = y + e->x, k = e->load->mass;
     vm_real sine, cosine;
-    (void)t;
+    (void)t, (void)scene;
     vmi_sincos(r[2], &sine, &cosine);
-    b->load.force[0] -= k * (r[0] + REAL(stator_s) * cosine);
-    b->load.force[1] -= k * (r[1] + REAL(stator_s) * sine);
-    b->load.force[2] += k * REAL(stator_s) * (r[0] * sine - r[1] * cosine);
+    e->load->force[0] -= k * (r[0] + REAL(stator_s) * cosine);
+    e->load->force[1] -= k * (r[1] + REAL(stator_s) * sine);
+    e->load->force[2] += k * REAL(stator_s) * (r[0] * sine - r[1] * cosine);
 }
 
 static inline vm_real stator_gap(vm_real t, const vm_real *y, void *ctx)
@@ -40,3 +41,5 @@ static inline void stator(stage *s, const stator_data *a)
     stage_effect(s, vm_effect_callback(rotor, VM_GROUND, stator_shaft, NULL));
     stage_event(s, vm_then_stop(vm_event_user(stator_gap, (void *)a, 1)));
 }
+
+#endif

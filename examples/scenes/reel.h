@@ -1,0 +1,24 @@
+/* A band that is wound up on a drum, layer upon layer (chapter 5.2): it comes with the speed v, the drum turns
+   freely; r grows by h at each full turn, or as a spiral.
+
+       v --> ____________        (J0 + J(phi)) omega' = mu r (v - r omega) omega,  mu = rho b h r
+     J omega = J0 omega0 + rho b h v integral of r^2 over phi: the band's momentum is taken over */
+#include "stage.h"
+
+static inline vm_band reel_band(int by_layer, double speed, double share)
+{
+    vm_band b;
+    b.radius = REAL(0.2), b.thickness = REAL(0.01), b.width = REAL(0.5), b.density = 800;
+    b.speed = REAL(speed), b.share = REAL(share), b.by_layer = by_layer;
+    return b;
+}
+
+static inline void reel(stage *s, int by_layer, double turned)
+{
+    const vm_band band = reel_band(by_layer, 1.5, 0);
+    int drum;
+    stage_clear(s, 20);
+    drum = stage_body(s, vm_scene_axle(REAL(0.8), 0, 9));
+    stage_effect(s, vm_effect_band(drum, &band));
+    stage_event(s, vm_then_stop(vm_event_position(drum, 0, REAL(turned), 1)));
+}
