@@ -114,11 +114,17 @@ static vm_osc_problem draw_problem(table_of *tables, vm_real (*ctx)[3])
     vm_osc_problem p;
     memset(&p, 0, sizeof p);
     p.alpha = MOSTLY(draw_byte() & 1 ? R(draw_below(8)) : draw_in(0, 8));
+    if (p.alpha > 100 && is_finite(p.alpha)) p.alpha = 100; /* runs of minutes */
     p.mass = draw_law(tables, ctx[0]), p.stiffness = draw_law(tables + 1, ctx[1]);
-    p.reactive = draw_in(0, 1), p.damping = MOSTLY(draw_in(-0.02, 0.05));
+    p.reactive = draw_in(0, 1), p.damping = draw_in(-0.02, 0.05);
     p.x = MOSTLY(draw_in(-1.5, 1.5)), p.v = MOSTLY(draw_in(-1.5, 1.5));
     if (draw_byte() % 4 == 0) ctx[2][0] = draw_in(-0.02, 0.02), p.force = small_force, p.ctx = ctx[2];
     return p;
+}
+
+static int tame_law(const vm_law *law)
+{
+    return tame(law->f0) && tame(law->f1) && tame(law->f2) && VM_FABS(law->f1) < 1 && VM_FABS(law->f2) < 4;
 }
 
 static int route_is_law(int route) { return route < VM_ROUTE_VARIATION; }
@@ -133,7 +139,7 @@ static void check_routes(void)
     vm_osc_motion m, n;
     vm_osc_plan plan;
     int status, planned;
-    const int wild = !route_is_law(route); /* differences in the last place move the steps of the integrators */
+    const int wild = !route_is_law(route) || !tame_law(&p.mass) || !tame_law(&p.stiffness); /* differences in the last place move the steps of the integrators */
     STAIN(plan), STAIN(m);
     planned = vm_osc_plan_init(&plan, &p);
     if (planned) HOLDS(planned < 0 && UNTOUCHED(plan));
@@ -178,7 +184,7 @@ static void check_at(void)
     else HOLDS(is_finite(m.x) && is_finite(m.v) && m.route >= 0 && m.route <= VM_ROUTE_RK87);
     if (vm_osc_plan_init(&plan, &p)) return;
     HOLDS(vm_osc_plan_at(&plan, t, tolerance, &n) == status);
-    if (status >= 0 && route_is_law(m.route)) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
+    if (status >= 0 && route_is_law(m.route) && tame_law(&p.mass) && tame_law(&p.stiffness)) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
     method = draw_below(8) - 1;
     STAIN(rates);
     status = vm_osc_averaged(&plan, method, t, MOSTLY(draw_in(0.1, 2)), rates, rates + 1, rates + 2);
