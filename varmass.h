@@ -5768,9 +5768,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
         c.mass = law;
         status = vmi_osc_slow_integrals(&c, 1, t, y);
     }
-    if (status) return status;
-    *integral = y[0];
-    return VM_IS_FINITE(y[0]) ? VM_OK : VM_NOT_FINITE;
+    return status ? status : vmi_deliver(1, y, integral);
 }
 
 /* -- The plan -- */
@@ -6071,6 +6069,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real 
     w = vmi_osc_wave_of(method, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
     Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w.alpha);
     vmi_osc_averaged_rates(p, &w, &now, t, A, Om, &rate, &theta);
+    if (!VM_IS_FINITE(A * rate) || !VM_IS_FINITE(w.turn * Om + theta)) return VM_NOT_FINITE;
     *A_rate = A * rate, *theta_rate = theta, *psi_rate = w.turn * Om + theta;
     return VM_OK;
 }

