@@ -8153,6 +8153,7 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     if (!e->apply) return VM_BAD_ARGUMENT;
     if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
     if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
+    if (e->order == 2 && e->other == e->body) return VM_BAD_ARGUMENT; /* a link of a body to itself */
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
