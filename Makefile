@@ -12,6 +12,8 @@
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
 #   make test-cross   the same bits on every target (minutes)
+#   make test-fuzz SECONDS=n   all functions fuzzed      make evaluations COUNT=n   n of each special function
+#   make test-threads   everything from many threads, under ThreadSanitizer
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
 
@@ -24,13 +26,13 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams
-SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme
+SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme fuzz
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes
+.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -93,6 +95,28 @@ points: build/command
 # a campaign of minutes: the same bits on every target that can be had, with emulators
 test-cross:
 	sh tests/cross.sh build docs/cross.md
+
+# a bounded time of fuzzing, all targets together; then errors that are planted must be found
+SECONDS = 240
+test-fuzz:
+	@sh tests/install.sh "command -v clang" clang; sh tests/fuzz/fuzz.sh build $(SECONDS)
+	sh tests/fuzz/planted.sh build
+
+# a campaign of minutes to hours: COUNT random evaluations of each special function, in both precisions
+COUNT = 10000000
+evaluations:
+	@mkdir -p build/tests
+	for precision in "" -DVM_USE_FLOAT; do \
+	    $(COMPILE) -fopenmp $$precision tests/evaluations.c -o build/tests/evaluations -lm && \
+	    ./build/tests/evaluations $(COUNT) $(SEED) || exit 1; done
+
+# everything from many threads at once, under ThreadSanitizer
+test-threads:
+	@sh tests/install.sh "command -v clang" clang
+	@mkdir -p build/tests
+	for precision in "" -DVM_USE_FLOAT; do \
+	    clang -std=c99 -O1 -g -fsanitize=thread $$precision tests/threads.c -o build/tests/threads -lm -lpthread && \
+	    ./build/tests/threads 8 20 || exit 1; done
 
 # a controller on an emulated Cortex-M4F
 CORTEX_M4F = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16

@@ -5842,9 +5842,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
         c.mass = law;
         status = vmi_osc_slow_integrals(&c, 1, t, y);
     }
-    if (status) return status;
-    *integral = y[0];
-    return VM_IS_FINITE(y[0]) ? VM_OK : VM_NOT_FINITE;
+    return status ? status : vmi_deliver(1, y, integral);
 }
 
 /* -- The plan -- */
@@ -6145,6 +6143,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real 
     w = vmi_osc_wave_of(method, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
     Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w.alpha);
     vmi_osc_averaged_rates(p, &w, &now, t, A, Om, &rate, &theta);
+    if (!VM_IS_FINITE(A * rate) || !VM_IS_FINITE(w.turn * Om + theta)) return VM_NOT_FINITE;
     *A_rate = A * rate, *theta_rate = theta, *psi_rate = w.turn * Om + theta;
     return VM_OK;
 }
@@ -8599,6 +8598,7 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     if (!e->apply) return VM_BAD_ARGUMENT;
     if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
     if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
+    if (e->order == 2 && e->other == e->body) return VM_BAD_ARGUMENT; /* a link of a body to itself */
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;

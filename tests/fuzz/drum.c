@@ -1,0 +1,112 @@
+/* Fuzz target: varmass.h, chapter 5.2, the drum and Lambert's W. Inverses, monotony, ranges, the two ways to phi(t). */
+#include "bodies.h"
+
+static void check_lambert(void)
+{
+    const vm_real x = MOSTLY(draw_in(-0.37, 3)), l = MOSTLY(draw_in(-700, 700));
+    const double least = -0.36787944117144233;
+    const vm_real w0 = vm_lambert_w0(x), wm1 = vm_lambert_wm1(x), w = vm_lambert_w0_exp(l);
+    if (is_nan(x) || (double)x < least * (1 + 4 * EPS)) HOLDS(is_nan(w0) && is_nan(wm1));
+    if ((double)x > least && is_finite(x)) {
+        HOLDS(w0 >= -1 && (x >= 0) == (w0 >= 0));
+        if (x < R(1e30) && (VM_FABS(x) > VM_MIN || x == 0))
+            HOLDS(fabs((double)w0 * exp((double)w0) - (double)x) <= 4 * EPS * fabs((double)x) * (2 + fabs((double)w0)));
+        if (x < VM_MAX) HOLDS(vm_lambert_w0(neighbour(x, 1)) >= w0 - 2 * VM_EPSILON * VM_FABS(w0));
+    }
+    if (x > 0) HOLDS(is_nan(wm1));
+    if ((double)x > least && x < -VM_MIN / VM_EPSILON) {
+        HOLDS(wm1 <= -1);
+        HOLDS(fabs((double)wm1 * exp((double)wm1) - (double)x) <= 4 * EPS * fabs((double)x) * (2 + fabs((double)wm1)));
+    }
+    if (is_finite(l)) {
+        HOLDS(w >= 0 && !is_nan(w));
+        if (VM_FABS(l) < 80) HOLDS(fabs((double)w + log((double)w) - (double)l) <= 4 * EPS * (2 + fabs((double)l) + (double)w));
+    }
+    if (l <= -1 && is_finite(l)) {
+        const vm_real a = vm_lambert_w0_mexp(l), b = vm_lambert_wm1_mexp(l);
+        HOLDS(a <= 0 && a >= -1 && b <= -1 && is_finite(b));
+    } else HOLDS(is_nan(vm_lambert_w0_mexp(l)) && is_nan(vm_lambert_wm1_mexp(l)) );
+}
+
+static vm_drum draw_drum(void)
+{
+    vm_drum d;
+    d.radius = MOSTLY(draw_log(0.1, 2)), d.mass = MOSTLY(draw_log(0.1, 100)), d.inertia = MOSTLY(draw_log(0.1, 100));
+    d.band = MOSTLY(draw_byte() % 8 ? draw_log(1e-3, 1) : 0), d.speed = MOSTLY(draw_in(-3, 3));
+    d.damping = MOSTLY(draw_in(0, 1)), d.stiffness = MOSTLY(draw_log(1, 1e4)), d.omega = MOSTLY(draw_log(0.1, 30));
+    return d;
+}
+
+static int tame_drum(const vm_drum *d)
+{
+    return tame(d->radius) && tame(d->mass) && tame(d->inertia) && tame(d->band) && tame(d->speed) && tame(d->damping) &&
+           tame(d->stiffness) && tame(d->omega) && d->mass > 0 && d->inertia > 0 && d->omega > 0 && d->radius > 0 && d->band >= 0;
+}
+
+static void check_rigid(void)
+{
+    const vm_drum d = draw_drum();
+    const vm_real phi = MOSTLY(draw_in(0, 6.2)), stop = vm_drum_stop(&d), rate = vm_drum_rate(phi, &d), t = vm_drum_time(phi, &d);
+    vm_drum_geometry g;
+    int status;
+    HOLDS(is_nan(stop) || stop >= 0);
+    STAIN(g);
+    status = vm_drum_at(phi, &d, &g);
+    if (status) HOLDS(UNTOUCHED(g));
+    else HOLDS(g.mass > 0 && g.inertia > 0 && (!tame_drum(&d) || g.mass >= d.mass));
+    HOLDS(is_nan(vm_drum_rate(phi, NULL)) && is_nan(vm_drum_angle(1, NULL)) && is_nan(vm_drum_time(1, NULL)) && is_nan(vm_drum_stop(NULL)));
+    if (!tame_drum(&d) || !is_finite(phi)) return;
+    if (phi < 0 || phi > stop) {
+        HOLDS(is_nan(rate) && is_nan(t));
+        return;
+    }
+    if (!(phi < R(0.9) * stop) || phi > 7) return;
+    HOLDS(rate > 0 && t >= 0);
+    HOLDS(vm_drum_time(neighbour(phi, 1), &d) >= t * (1 - 8 * VM_EPSILON));
+    HOLDS(within(vm_drum_angle(t, &d), phi, 16 * EPS * ((double)phi + (double)rate * (double)t)));
+    { /* the published form, where it is not next to its branch point */
+        const double e = (double)d.band * (double)d.speed * (double)d.radius - (double)d.damping;
+        const double j_omega = (double)d.band * (double)d.radius * (double)d.radius * (double)d.omega;
+        const vm_real published = vm_drum_angle_lambert(t, &d);
+        if (fabs(e) > 0.05 && j_omega > 0.05 && fabs(1 - e / j_omega) > 0.05 && fabs(e * (double)phi / ((double)d.inertia * (double)d.omega)) > 0.01)
+            HOLDS(within(published, phi, 1e6 * EPS * (1 + (double)phi)));
+    }
+}
+
+static void check_shaft(void)
+{
+    vm_drum d = draw_drum();
+    vm_real y[6], dydt[6], phi = MOSTLY(draw_in(0, 6)), x;
+    vm_drum_shaft s;
+    int i;
+    for (i = 0; i < 6; i++) y[i] = draw_in(-1, 1);
+    y[2] = phi;
+    if (tame_drum(&d) && phi >= 0 && phi < 7) {
+        if (vm_drum_rhs(0, y, dydt, &d) == 0) HOLDS(vmi_all_finite(6, dydt));
+        if (vm_drum_rhs_reduced(0, y, dydt, &d) == 0) HOLDS(vmi_all_finite(6, dydt));
+        if (vm_drum_rhs_angle(phi, y, dydt, &d) == 0 && vm_drum_rate(phi, &d) > R(1e-3)) HOLDS(vmi_all_finite(4, dydt));
+    } else vm_drum_rhs(0, y, dydt, &d), vm_drum_rhs_reduced(0, y, dydt, &d), vm_drum_rhs_angle(phi, y, dydt, &d);
+    STAIN(s);
+    if (vm_drum_shaft_init(&d, &s)) {
+        HOLDS(UNTOUCHED(s));
+        return;
+    }
+    x = vm_drum_deflection(phi, &s, 1, 0, 0);
+    if (tame_drum(&d) && phi >= 0 && phi < 7) {
+        HOLDS(is_nan(x) == !(1 - s.A * phi > 0));
+        if (vm_drum_shaft_valid(&s) && s.delta >= 0 && s.A <= 0) HOLDS(VM_FABS(x) <= 1 + 64 * VM_EPSILON);
+        HOLDS(within(vm_drum_deflection(0, &s, 1, 0, 0), 1, 4 * EPS));
+    }
+    HOLDS(vm_drum_shaft_valid(NULL) == 0 && is_nan(vm_drum_deflection(phi, NULL, 1, 0, 0)));
+    HOLDS(vm_drum_band(2, 1, 1, 1) == 2);
+}
+
+static void fuzz_drum(void)
+{
+    switch (draw_below(4)) {
+    case 0: check_shaft(); break;
+    case 1: check_lambert(); break;
+    default: check_rigid();
+    }
+}
+FUZZ_TARGET(drum)

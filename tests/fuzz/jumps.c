@@ -1,0 +1,240 @@
+/* Fuzz target: varmass.h, chapters 2, 3 and 4.1. Parts separate and are attached, in space and in the plane: momentum
+   and angular momentum balance, what was separated and is attached again is what it was, energies agree with the
+   theorems, the inverse question answers itself, refusals change nothing. */
+#include "bodies.h"
+
+/* before and after balance about a point, to so many eps of what is there */
+static void check_balance(int n, const vm_body *before, int m, const vm_body *after, const vm_impulse *external,
+                          int null_axis)
+{
+    const vm_vec3 about = draw_vector(2);
+    vm_balance b;
+    int status;
+    STAIN(b);
+    status = vm_balance_between(n, before, m, after, external, about, &b);
+    if (status < 0) {
+        HOLDS(UNTOUCHED(b));
+        return;
+    }
+    if (!tame3(about) || (external && !(tame3(external->linear) && tame3(external->couple) && tame3(external->at)))) return;
+    HOLDS(size3(b.momentum) <= 16 * EPS * (double)b.momentum_scale);
+    if (!null_axis) HOLDS(size3(b.angular_momentum) <= 64 * EPS * (double)b.angular_momentum_scale);
+}
+
+/* what errors of positions make of energies: moments of momenta times the angular velocity */
+static double sway(const vm_body *b)
+{
+    return (double)b->mass * (size3(b->v) + size3(b->r) * size3(b->omega)) * (size3(b->v) + size3(b->r) * size3(b->omega));
+}
+
+static void check_kinetics(const vm_body *b)
+{
+    const vm_vec3 origin = {0, 0, 0}, p = vm_momentum(b), L = vm_angular_momentum(b, origin);
+    const vm_real T = vm_kinetic_energy(b);
+    if (!tame_body(b)) return;
+    HOLDS(finite3(p) && finite3(L) && is_finite(T));
+    if (b->mass > 0 && vm_inertia_possible(&b->inertia)) HOLDS(T >= 0 || T >= -R(64) * VM_EPSILON * b->inertia.xx * R(size3(b->omega) * size3(b->omega)));
+    HOLDS(is_nan(vm_kinetic_energy(NULL)) && is_nan3(vm_momentum(NULL)) && is_nan3(vm_angular_momentum(NULL, origin)));
+}
+
+/* the part sits where the whole is large enough for it */
+static vm_body draw_part(const vm_body *whole)
+{
+    vm_body part = draw_body(0.3);
+    part.mass = draw_byte() % 16 ? whole->mass * draw_in(0, 1) : draw_any();
+    part.inertia = draw_inertia(is_finite(part.mass) ? part.mass : 1, 0.2);
+    part.r = vmi_add(whole->r, draw_vector(0.3));
+    return part;
+}
+
+static void check_separate(void)
+{
+    const vm_body whole = draw_body(1), part = draw_part(&whole);
+    const vm_impulse impulse = draw_impulse(), *external = draw_byte() & 1 ? &impulse : NULL;
+    vm_body rest, both[2], again, same;
+    int status, tame_all;
+    STAIN(rest);
+    status = vm_separate(&whole, &part, external, &rest);
+    check_kinetics(&whole);
+    if (status < 0) {
+        HOLDS(UNTOUCHED(rest) && status >= VM_BAD_INERTIA);
+        return;
+    }
+    HOLDS(finite_body(&rest) && rest.mass > 0 && vm_inertia_possible(&whole.inertia));
+    same = whole;
+    HOLDS(vm_separate(&same, &part, external, &same) == status && same_body(&same, &rest));
+    HOLDS(vm_separate_all(&whole, 1, &part, external, &again) == status && same_body(&again, &rest));
+    tame_all = tame_body(&whole) && tame_body(&part) && tame_body(&rest) &&
+               (!external || (tame3(external->linear) && tame3(external->couple) && tame3(external->at)));
+    if (!tame_all) return;
+    both[0] = rest, both[1] = part;
+    check_balance(1, &whole, 2, both, external, status == VM_NULL_AXIS);
+    if (status == VM_OK && !external) {
+        const double gain = (double)vm_energy_gain(&whole, 1, &part, NULL, &rest);
+        const double T = (double)vm_kinetic_energy(&rest) + (double)vm_kinetic_energy(&part);
+        const double scale = T + sway(&whole) + sway(&part) + sway(&rest);
+        HOLDS(gain >= -64 * EPS * scale && fabs(T - (double)vm_kinetic_energy(&whole) - gain) <= 64 * EPS * scale);
+    }
+    if (vm_attach(&rest, &part, NULL, &again) == VM_OK) { /* plastic impact: back again, but for the impulse */
+        HOLDS(close_to(again.mass, whole.mass, 8));
+        if (!external) HOLDS(within3(again.v, whole.v, 64 * EPS * (size3(whole.v) + size3(part.v) + size3(rest.v))));
+        HOLDS(within3(again.r, whole.r, 64 * EPS * (size3(whole.r) + size3(part.r) + size3(rest.r))));
+    }
+}
+
+static void check_attach(void)
+{
+    const vm_body body = draw_body(1);
+    const vm_impulse impulse = draw_impulse(), *external = draw_byte() & 1 ? &impulse : NULL;
+    const int n = draw_below(4);
+    vm_body added[3], before[4], whole;
+    int status, i, tame_all = tame_body(&body);
+    before[0] = body;
+    for (i = 0; i < n; i++) before[i + 1] = added[i] = draw_body(1), tame_all &= tame_body(&added[i]);
+    STAIN(whole);
+    status = vm_attach_all(&body, n, added, external, &whole);
+    if (status < 0) {
+        HOLDS(UNTOUCHED(whole));
+        return;
+    }
+    HOLDS(finite_body(&whole) && whole.mass >= body.mass);
+    if (!tame_all || !tame_body(&whole)) return;
+    HOLDS(vm_inertia_possible(&whole.inertia));
+    check_balance(n + 1, before, 1, &whole, external, status == VM_NULL_AXIS);
+    if (!external && status == VM_OK) { /* Carnot's loss */
+        const double loss = (double)vm_energy_loss(&body, n, added, NULL, &whole);
+        double T = (double)vm_kinetic_energy(&body);
+        for (i = 0; i < n; i++) T += (double)vm_kinetic_energy(&added[i]);
+        {
+            double scale = T + sway(&whole) + sway(&body);
+            for (i = 0; i < n; i++) scale += sway(&added[i]);
+            HOLDS(loss >= -64 * EPS * scale && fabs(T - (double)vm_kinetic_energy(&whole) - loss) <= 64 * EPS * scale);
+        }
+    }
+}
+
+static void check_inertia(void)
+{
+    const vm_real ma = MOSTLY(draw_log(1e-3, 1e3)), mb = MOSTLY(draw_log(1e-3, 1e3));
+    const vm_inertia a = draw_inertia(is_finite(ma) ? ma : 1, 1), b = draw_inertia(is_finite(mb) ? mb : 1, 1);
+    const vm_vec3 d = draw_vector(2);
+    vm_inertia whole, part, moved = vm_parallel_axes(&a, ma, d), back = vm_parallel_axes(&moved, -ma, d);
+    vm_vec3 centre, centre2;
+    STAIN(whole), STAIN(centre);
+    if (vm_combine_inertia(ma, &a, mb, &b, d, &whole, &centre) < 0) {
+        HOLDS(UNTOUCHED(whole) && UNTOUCHED(centre));
+        return;
+    }
+    HOLDS(ma > 0 && mb > 0 && vm_inertia_possible(&a) && vm_inertia_possible(&b));
+    if (!tame(ma) || !tame(mb) || !tame3(d)) return;
+    HOLDS(vm_inertia_possible(&whole) && size3(centre) <= size3(d) * (1 + 4 * EPS));
+    HOLDS(within(back.xx, a.xx, 8 * EPS * (double)(moved.xx + moved.yy + moved.zz)));
+    STAIN(part), STAIN(centre2);
+    if (vm_split_inertia(ma + mb, &whole, mb, &b, vmi_sub(d, centre), &part, &centre2) < 0) HOLDS(UNTOUCHED(part));
+    else HOLDS(within(part.xx, a.xx, 64 * EPS * (double)(whole.xx + whole.yy + whole.zz) * (1 + (double)(mb / ma))));
+}
+
+static void check_relative(void)
+{
+    const vm_body to = draw_body(1), body = draw_part(&to);
+    const vm_impulse impulse = draw_impulse(), *external = draw_byte() & 1 ? &impulse : NULL;
+    vm_body relative, absolute, rest, rest_relative;
+    int status;
+    HOLDS(vm_to_relative(&to, &body, &relative) == VM_OK && vm_to_absolute(&to, &relative, &absolute) == VM_OK);
+    if (!tame_body(&to) || !tame_body(&body)) return;
+    HOLDS(within3(absolute.v, body.v, 16 * EPS * (size3(to.v) + size3(body.v) + size3(to.omega) * (size3(to.r) + size3(body.r)))));
+    HOLDS(within3(absolute.omega, body.omega, 8 * EPS * (size3(to.omega) + size3(body.omega))));
+    if (external && !(tame3(impulse.linear) && tame3(impulse.couple) && tame3(impulse.at))) return;
+    STAIN(rest_relative);
+    status = vm_separate_relative(&to, &relative, external, &rest_relative);
+    if (status < 0) HOLDS(UNTOUCHED(rest_relative));
+    else HOLDS((vm_separate(&to, &absolute, external, &rest) >= 0) && close_to(rest.mass, rest_relative.mass, 4));
+    STAIN(rest_relative);
+    status = vm_attach_relative(&to, &relative, external, &rest_relative);
+    if (status < 0) HOLDS(UNTOUCHED(rest_relative));
+    else HOLDS(vm_attach(&to, &absolute, external, &rest) >= 0 && close_to(rest.mass, rest_relative.mass, 4));
+}
+
+static void check_inverse(void)
+{
+    const vm_body whole = draw_body(1), part = draw_part(&whole);
+    const vm_vec3 v = draw_vector(3), omega = draw_vector(3);
+    const int asked = draw_below(4);
+    vm_body moving, rest;
+    int status;
+    STAIN(moving);
+    status = vm_separate_for(&whole, &part, NULL, asked & 1 ? &v : NULL, asked & 2 ? &omega : NULL, &moving);
+    if (status < 0) {
+        HOLDS(UNTOUCHED(moving));
+        return;
+    }
+    if (status != VM_OK || !tame_body(&whole) || !tame_body(&part) || !tame3(v) || !tame3(omega) || !tame_body(&moving)) return;
+    HOLDS(vm_separate(&whole, &moving, NULL, &rest) >= 0);
+    if (asked & 1)
+        HOLDS(within3(rest.v, v, 64 * EPS * (double)(whole.mass / rest.mass) * (size3(v) + size3(whole.v) + size3(moving.v) + size3(whole.omega))));
+}
+
+static void check_plane(void)
+{
+    const vm_body2 whole = draw_body2(1);
+    const vm_impulse2 impulse = draw_impulse2(), *external = draw_byte() & 1 ? &impulse : NULL;
+    vm_body2 part = draw_body2(0.3), rest, again, moving, relative;
+    const vm_real spin = draw_in(-3, 3), v[2] = {draw_in(-3, 3), draw_in(-3, 3)};
+    vm_body in_space;
+    int status;
+    if (draw_byte() % 8) part.mass = whole.mass * draw_in(0, 1), part.inertia = part.mass * draw_in(0, 0.1);
+    part.x = whole.x + draw_in(-0.3, 0.3), part.y = whole.y + draw_in(-0.3, 0.3);
+    STAIN(rest);
+    status = vm_separate2(&whole, &part, external, &rest);
+    if (status < 0) HOLDS(UNTOUCHED(rest));
+    else {
+        HOLDS(is_finite(rest.vx) && is_finite(rest.omega) && rest.mass > 0 && rest.inertia >= 0);
+        HOLDS(vm_separate_all2(&whole, 1, &part, external, &again) == status && memcmp(&again, &rest, sizeof rest) == 0);
+        if (tame(whole.mass) && tame(whole.vx) && tame(whole.omega) && tame(part.mass) && tame(part.vx) && tame(part.omega) && tame(rest.omega) &&
+            tame(rest.mass) && status == VM_OK && (!external || tame(external->couple))) {
+            const double before = (double)vm_angular_momentum2(&whole, 0, 0), scale =
+                (double)(whole.mass * (VM_FABS(whole.vx) + VM_FABS(whole.vy)) * 8 + whole.inertia * VM_FABS(whole.omega) +
+                         rest.mass * (VM_FABS(rest.vx) + VM_FABS(rest.vy)) * 8 + rest.inertia * VM_FABS(rest.omega) + part.inertia * VM_FABS(part.omega) +
+                         part.mass * (VM_FABS(part.vx) + VM_FABS(part.vy)) * 8) + 40;
+            const double blow = external ? (double)external->couple + (double)(external->x * external->jy - external->y * external->jx) : 0;
+            const double after = (double)vm_angular_momentum2(&rest, 0, 0) + (double)vm_angular_momentum2(&part, 0, 0);
+            if (VM_FABS(rest.x) < 1000 && VM_FABS(rest.y) < 1000) HOLDS(fabs(after - before - blow) <= 64 * EPS * scale * (1 + fabs((double)rest.x) + fabs((double)rest.y)));
+            HOLDS(vm_kinetic_energy2(&rest) >= 0);
+        }
+        in_space = vm_in_space(&rest);
+        if (is_finite(rest.inertia) && (rest.inertia == 0 || rest.inertia > VM_MIN / VM_EPSILON)) HOLDS(vm_inertia_possible(&in_space.inertia));
+    }
+    STAIN(again);
+    status = vm_attach2(&whole, &part, external, &again);
+    if (status < 0) HOLDS(UNTOUCHED(again));
+    else HOLDS(again.mass >= whole.mass && vm_attach_all2(&whole, 1, &part, external, &rest) == status && memcmp(&again, &rest, sizeof rest) == 0);
+    HOLDS(vm_to_relative2(&whole, &part, &relative) == VM_OK && vm_to_absolute2(&whole, &relative, &again) == VM_OK);
+    if (tame(whole.omega) && tame(part.omega)) HOLDS(within(again.omega, part.omega, 4 * EPS * (double)(VM_FABS(whole.omega) + VM_FABS(part.omega))));
+    STAIN(again);
+    if (vm_separate_relative2(&whole, &relative, external, &again) < 0) HOLDS(UNTOUCHED(again));
+    STAIN(again);
+    if (vm_attach_relative2(&whole, &relative, external, &again) < 0) HOLDS(UNTOUCHED(again));
+    STAIN(moving);
+    status = vm_separate_for2(&whole, &part, external, v, &spin, &moving);
+    if (status < 0) HOLDS(UNTOUCHED(moving));
+    STAIN(moving);
+    status = vm_separate_for_spin2(&whole, &part, external, spin, &moving);
+    if (status < 0) HOLDS(UNTOUCHED(moving));
+    else if (status == VM_OK && tame(whole.mass) && tame(whole.vx) && tame(whole.omega) && tame(part.omega) && tame(moving.vx) && tame(moving.vy) &&
+             (!external || tame(external->couple)) && vm_separate2(&whole, &moving, external, &rest) == VM_OK && rest.inertia > R(0.1) * whole.inertia)
+        HOLDS(within(rest.omega, spin, 4e3 * EPS * (1 + fabs((double)whole.omega) + (fabs((double)moving.vx) + fabs((double)moving.vy) + fabs((double)part.omega) + fabs((double)whole.vx) + fabs((double)whole.vy) + (external ? 50 / (double)whole.mass : 0)) * (double)(whole.mass / rest.inertia))));
+}
+
+static void fuzz_jumps(void)
+{
+    switch (draw_below(7)) {
+    case 0: check_inertia(); break;
+    case 1: check_relative(); break;
+    case 2: check_inverse(); break;
+    case 3: check_plane(); break;
+    case 4: check_attach(); break;
+    default: check_separate();
+    }
+    HOLDS(strcmp(vm_strerror(-draw_below(17)), "unknown status") != 0 && strcmp(vm_strerror(-17 - draw_below(90)), "unknown status") == 0);
+}
+FUZZ_TARGET(jumps)

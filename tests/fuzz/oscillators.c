@@ -1,0 +1,219 @@
+/* Fuzz target: varmass.h, chapters 7.2 to 7.4. The oscillator's exact motion keeps its energy, its approximations its
+   amplitude; laws of mass and their integrals; every route to x(t), its status, and how far routes are apart. */
+#include "bodies.h"
+
+static void check_exact(void)
+{
+    const vm_real alpha = MOSTLY(draw_in(0, 9)), x0 = MOSTLY(draw_in(-2, 2)), omega0 = MOSTLY(draw_log(0.1, 10));
+    const vm_real v0 = MOSTLY(draw_in(-2, 2)), t = MOSTLY(draw_in(-20, 20));
+    vm_real x, v, A, psi, energy, period = vm_osc_period(x0, omega0, alpha), vmax = vm_osc_vmax(x0, omega0, alpha);
+    const int valid = alpha >= 0 && tame(alpha) && tame(x0) && tame(omega0) && omega0 > 0 && tame(t) && alpha < 20;
+    vm_osc_exact(t, x0, omega0, alpha, &x, &v);
+    if (!(alpha >= 0) || !is_finite(alpha) || !is_finite(t) || is_nan(x0)) HOLDS(is_nan(x) && is_nan(v));
+    if (valid && VM_FABS(x0) > R(0.01)) {
+        HOLDS(VM_FABS(x) <= VM_FABS(x0) * (1 + 4 * VM_EPSILON) && VM_FABS(v) <= vmax * (1 + 16 * VM_EPSILON) && period > 0);
+        energy = vm_osc_energy(x0, 0, omega0, alpha);
+        HOLDS(within(vm_osc_energy(x, v, omega0, alpha), energy, 64 * EPS * (2 + (double)alpha) * (double)energy));
+        vm_osc_trig(t, x0, omega0, alpha, &x, &v);
+        HOLDS(VM_FABS(x) <= VM_FABS(x0) * (1 + 8 * VM_EPSILON) && is_finite(v));
+        vm_osc_jacobi(t, x0, omega0, alpha, &x, &v);
+        HOLDS(VM_FABS(x) <= VM_FABS(x0) * (1 + 8 * VM_EPSILON) && is_finite(v));
+    }
+    vm_osc_amplitude_phase(x0, v0, omega0, alpha, &A, &psi);
+    vm_osc_exact_from(t, x0, v0, omega0, alpha, &x, &v);
+    if (valid && tame(v0) && VM_FABS(x0) > R(0.01)) {
+        HOLDS(A >= VM_FABS(x0) * (1 - 8 * VM_EPSILON) && VM_FABS(psi) <= ateb_pi(alpha) * (1 + 4 * VM_EPSILON));
+        energy = vm_osc_energy(x0, v0, omega0, alpha);
+        HOLDS(within(vm_osc_energy(x, v, omega0, alpha), energy, 256 * EPS * (2 + (double)alpha) * (double)energy));
+        HOLDS(within(vm_osc_energy(A, 0, omega0, alpha), energy, 64 * EPS * (2 + (double)alpha) * (double)energy));
+    }
+}
+
+static void check_constants(void)
+{
+    const vm_real alpha = MOSTLY(draw_byte() & 1 ? draw_in(0, 9) : draw_log(1e-6, 1e6)), ratio = MOSTLY(draw_log(1e-3, 1e3));
+    const vm_real trig = vm_osc_omega_trig(alpha), m = vm_osc_m_jacobi(alpha), jacobi = vm_osc_omega_jacobi(alpha);
+    const vm_real r = MOSTLY(draw_in(0, 1)), law = vm_osc_amplitude_law(ratio, draw_in(-1, 1), r, alpha);
+    const vm_real v_law = vm_osc_velocity_law(ratio, draw_in(-1, 1), r, alpha);
+    const vm_osc_comparison c = vm_osc_compare(alpha);
+    if (!(alpha >= 0) || !is_finite(alpha)) {
+        HOLDS(is_nan(trig) && is_nan(m) && is_nan(jacobi) && is_nan(law) && is_nan(c.trig_vmax) && is_nan(c.jacobi_x) && is_nan(v_law));
+        return;
+    }
+    if (alpha > R(1e6)) return;
+    HOLDS(trig > 0 && jacobi > 0 && m > R(-1.8080) && m < R(0.8063));
+    HOLDS(vm_osc_m_jacobi(neighbour(alpha, 1)) >= m - 16 * VM_EPSILON);
+    HOLDS(c.trig_vmax > 0 && c.jacobi_vmax > 0 && c.trig_x >= 0 && c.jacobi_x >= 0 && c.trig_v >= 0 && c.jacobi_v >= 0);
+    if (ratio > R(1e-4) && ratio < R(1e4) && r >= 0 && r <= 1) {
+        HOLDS(law > 0 && v_law > 0 && is_finite(law) && is_finite(v_law));
+        HOLDS(within(vm_osc_amplitude_law(1, 0, r, alpha), 1, 4 * EPS) && vm_osc_amplitude_law(ratio, 1, r, alpha) <= vm_osc_amplitude_law(ratio, 0, r, alpha) * (1 + 8 * VM_EPSILON));
+    }
+    if (!(ratio > 0)) HOLDS(is_nan(law) || ratio == 0);
+}
+
+enum { TABLE = 5 };
+typedef struct table_of {
+    vm_real time[TABLE], value[TABLE];
+} table_of;
+
+static int wave(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    const vm_real *p = (const vm_real *)ctx;
+    *f = p[0] + p[1] * VM_LIBM(sin)(t), *rate = p[1] * VM_LIBM(cos)(t);
+    return p[2] > R(0.97);
+}
+
+static vm_law draw_law(table_of *table, vm_real *ctx)
+{
+    const vm_real f0 = MOSTLY(draw_log(0.1, 10)), f1 = MOSTLY(draw_in(-0.1, 0.1)), f2 = MOSTLY(draw_in(-0.01, 0.01));
+    int i;
+    switch (draw_below(7)) {
+    case 0: return vm_law_linear(f0, f1);
+    case 1: return vm_law_quadratic(f0, f1, f2);
+    case 2: return vm_law_exponential(f0, f1);
+    case 3: return vm_law_power(f0, f1, draw_in(-3, 3));
+    case 4:
+        for (i = 0; i < TABLE; i++) table->time[i] = R(4 * i) + (draw_byte() % 16 ? 0 : draw_in(-8, 8)), table->value[i] = draw_byte() % 16 ? draw_in(0.5, 2) : 0;
+        return vm_law_table(draw_byte() % 8 ? TABLE : draw_below(TABLE), table->time, table->value);
+    case 5:
+        ctx[0] = draw_log(0.5, 5), ctx[1] = draw_in(-0.3, 0.3), ctx[2] = draw_in(0, 1);
+        return vm_law_user(wave, ctx);
+    default: return vm_law_linear(f0, 0);
+    }
+}
+
+static void check_laws(void)
+{
+    table_of table;
+    vm_real ctx[3], f, rate, integral, f_next, rate_next;
+    const vm_law law = draw_law(&table, ctx);
+    const vm_real t = MOSTLY(draw_in(-1, 20));
+    int status;
+    STAIN(f), STAIN(rate), STAIN(integral);
+    status = vm_law_at(&law, t, &f, &rate);
+    if (status) HOLDS(status < 0 && UNTOUCHED(f) && UNTOUCHED(rate));
+    else {
+        HOLDS(f > 0 && is_finite(f) && is_finite(rate));
+        if (law.kind != VM_LAW_TABLE && tame(law.f1) && tame(law.f2) && tame(t) && tame(law.f0) && VM_FABS(t) < 30 && VM_FABS(law.f1) < R(0.2) &&
+            law.kind != VM_LAW_POWER && vm_law_at(&law, t + R(IS_FLOAT ? 0.01 : 1e-5), &f_next, &rate_next) == 0)
+            HOLDS(within((f_next - f) / R(IS_FLOAT ? 0.01 : 1e-5), rate, (IS_FLOAT ? 0.02 : 1e-4) * (1 + (double)f)));
+    }
+    status = vm_law_inverse_integral(&law, t, &integral);
+    if (status) HOLDS(status < 0 && UNTOUCHED(integral));
+    else HOLDS(is_finite(integral) && (t >= 0 ? integral >= 0 : integral <= 0));
+}
+
+static vm_real small_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)t;
+    return *(const vm_real *)ctx * v * (1 - x * x);
+}
+
+static vm_osc_problem draw_problem(table_of *tables, vm_real (*ctx)[3])
+{
+    vm_osc_problem p;
+    memset(&p, 0, sizeof p);
+    p.alpha = MOSTLY(draw_byte() & 1 ? R(draw_below(8)) : draw_in(0, 8));
+    if (p.alpha > 20 && is_finite(p.alpha)) p.alpha = 20; /* runs of minutes */
+    p.mass = draw_law(tables, ctx[0]), p.stiffness = draw_law(tables + 1, ctx[1]);
+    p.reactive = draw_in(0, 1), p.damping = draw_in(-0.02, 0.05);
+    p.x = MOSTLY(draw_in(-1.5, 1.5)), p.v = MOSTLY(draw_in(-1.5, 1.5));
+    if (draw_byte() % 4 == 0) ctx[2][0] = draw_in(-0.02, 0.02), p.force = small_force, p.ctx = ctx[2];
+    return p;
+}
+
+static int tame_law(const vm_law *law)
+{
+    return tame(law->f0) && tame(law->f1) && tame(law->f2) && VM_FABS(law->f1) < 1 && VM_FABS(law->f2) < 4;
+}
+
+static int route_is_law(int route) { return route < VM_ROUTE_VARIATION; }
+
+static int finite_problem(const vm_osc_problem *p)
+{
+    return is_finite(p->alpha) && is_finite(p->x) && is_finite(p->v) && is_finite(p->mass.f0) && is_finite(p->stiffness.f0) &&
+           is_finite(p->mass.f1) && is_finite(p->stiffness.f1) && is_finite(p->mass.f2) && is_finite(p->stiffness.f2);
+}
+
+static int tame_problem(const vm_osc_problem *p)
+{
+    return tame_law(&p->mass) && tame_law(&p->stiffness) && tame(p->x) && tame(p->v) && VM_FABS(p->x) < 4 && VM_FABS(p->v) < 4;
+}
+
+static void check_routes(void)
+{
+    table_of tables[2];
+    vm_real ctx[3][3];
+    const vm_osc_problem p = draw_problem(tables, ctx);
+    const vm_real t = MOSTLY(draw_in(-1, 5)), tolerance = draw_byte() & 1 ? 0 : draw_log(1e-5, 1e-1);
+    const int route = draw_below(9) - 1;
+    vm_osc_motion m, n;
+    vm_osc_plan plan;
+    int status, planned;
+    const int wild = !route_is_law(route) || !tame_law(&p.mass) || !tame_law(&p.stiffness) || p.force || VM_FABS(t) > 30; /* differences in the last place move the steps of the integrators */
+    /* runs have no bound but the number of periods, and an amplitude of 1e4 has many */
+    if (finite_problem(&p) && !tame_problem(&p)) return;
+    STAIN(plan), STAIN(m);
+    planned = vm_osc_plan_init(&plan, &p);
+    if (planned) HOLDS(planned < 0 && UNTOUCHED(plan));
+    status = vm_osc_by(&p, route, t, tolerance, &m);
+    if (status < 0) HOLDS(UNTOUCHED(m));
+    else {
+        HOLDS(planned == 0 && route >= 0 && route <= VM_ROUTE_RK87 && is_finite(m.x) && is_finite(m.v) && m.route == route);
+        HOLDS((m.error >= 0 || !tame(p.x) || !tame(p.v)) && m.evals >= 0 && strcmp(vm_osc_route_name(route), vm_osc_route_name(99)) != 0);
+    }
+    switch (route) {
+    case VM_ROUTE_TRIG: HOLDS(vm_osc_by_trig(&p, t, &n) == status); break;
+    case VM_ROUTE_JACOBI: HOLDS(vm_osc_by_jacobi(&p, t, &n) == status); break;
+    case VM_ROUTE_ATEB: HOLDS(vm_osc_by_ateb(&p, t, &n) == status); break;
+    case VM_ROUTE_SECOND: HOLDS(vm_osc_by_second(&p, t, &n) == status); break;
+    case VM_ROUTE_VARIATION: HOLDS(vm_osc_by_variation(&p, t, tolerance, &n) == status); break;
+    case VM_ROUTE_RK45: HOLDS(vm_osc_by_rk45(&p, t, tolerance, &n) == status); break;
+    case VM_ROUTE_RK87: HOLDS(vm_osc_by_rk87(&p, t, tolerance, &n) == status); break;
+    default: HOLDS(status < 0);
+    }
+    if (status >= 0 && !wild) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude)); /* with and without a plan */
+    STAIN(n);
+    if (planned == 0) {
+        const int by = vm_osc_plan_by(&plan, route, t, tolerance, &n);
+        HOLDS(by == status && (by >= 0 || UNTOUCHED(n)));
+        if (by >= 0 && !wild) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
+    }
+}
+
+static void check_at(void)
+{
+    table_of tables[2];
+    vm_real ctx[3][3];
+    const vm_osc_problem p = draw_problem(tables, ctx);
+    const vm_real t = draw_in(0, 5), tolerance = draw_byte() & 1 ? 0 : draw_log(1e-4, 1e-1);
+    vm_osc_motion m, n;
+    vm_osc_plan plan;
+    int status, method;
+    vm_real rates[3];
+    if (finite_problem(&p) && !tame_problem(&p)) return;
+    STAIN(m);
+    status = vm_osc_at(&p, t, tolerance, &m);
+    if (status < 0) HOLDS(UNTOUCHED(m));
+    else HOLDS(is_finite(m.x) && is_finite(m.v) && m.route >= 0 && m.route <= VM_ROUTE_RK87);
+    if (vm_osc_plan_init(&plan, &p)) return;
+    HOLDS(vm_osc_plan_at(&plan, t, tolerance, &n) == status);
+    if (status >= 0 && route_is_law(m.route) && tame_law(&p.mass) && tame_law(&p.stiffness)) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
+    method = draw_below(8) - 1;
+    STAIN(rates);
+    status = vm_osc_averaged(&plan, method, t, MOSTLY(draw_in(0.1, 2)), rates, rates + 1, rates + 2);
+    if (status < 0) HOLDS(UNTOUCHED(rates));
+    else HOLDS(is_finite(rates[0]) && is_finite(rates[1]) && is_finite(rates[2]));
+}
+
+static void fuzz_oscillators(void)
+{
+    switch (draw_below(7)) {
+    case 0: check_constants(); break;
+    case 1: check_laws(); break;
+    case 2: check_routes(); break;
+    case 3: check_at(); break;
+    default: check_exact();
+    }
+}
+FUZZ_TARGET(oscillators)

@@ -1,0 +1,110 @@
+/* Fuzz target: varmass.h, free rotation and Euler's angles. Angular momentum and energy stay at any time, the way back
+   leads back, |q| stays, refusals change nothing. */
+#include "bodies.h"
+
+static double norm4(vm_quat q)
+{
+    return sqrt((double)q.w * (double)q.w + (double)q.x * (double)q.x + (double)q.y * (double)q.y + (double)q.z * (double)q.z);
+}
+
+static void check_free(void)
+{
+    const vm_vec3 origin = {0, 0, 0};
+    vm_body body = draw_body(1), later, again;
+    const vm_real t0 = MOSTLY(draw_in(-2, 2)), t = MOSTLY(draw_byte() & 1 ? draw_in(-5, 5) : draw_log(1, 1e5));
+    vm_free_motion motion;
+    vm_vec3 L, L2, omega;
+    vm_quat q;
+    double size, turns;
+    int status;
+    STAIN(motion), STAIN(later);
+    status = vm_free_init(&motion, &body, t0);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(motion));
+        HOLDS(!is_finite(t0) || (vm_free_rotation(&body, t, &later) < 0 && UNTOUCHED(later)));
+        return;
+    }
+    HOLDS(body.mass > 0 && vm_inertia_possible(&body.inertia) && finite_body(&body) && is_finite(t0));
+    STAIN(q), STAIN(omega);
+    status = vm_free_at(&motion, t, &later);
+    if (status) {
+        HOLDS(status == VM_NOT_FINITE && UNTOUCHED(later) && vm_free_attitude(&motion, t, &q, &omega) <= 0);
+        return;
+    }
+    HOLDS(finite_body(&later) && is_finite(t));
+    HOLDS(vm_free_attitude(&motion, t, &q, &omega) == VM_OK);
+    if (!tame_body(&body) || !tame(t) || !tame(t0)) return;
+    size = norm4(body.q), size = size > 0 ? size : 1;
+    HOLDS(fabs(norm4(later.q) - size) <= 16 * EPS * size && fabs(norm4(q) - size) <= 16 * EPS * size);
+    L = vm_angular_momentum(&body, body.r), L2 = vm_angular_momentum(&later, later.r);
+    turns = (double)(body.inertia.xx + body.inertia.yy + body.inertia.zz) * size3(body.omega);
+    HOLDS(within3(L, L2, 64 * EPS * turns));
+    body.v = later.v = origin;
+    HOLDS(fabs((double)vm_kinetic_energy(&body) - (double)vm_kinetic_energy(&later)) <= 64 * EPS * turns * size3(body.omega));
+    if (body.inertia.xy == 0 && VM_FABS(t - t0) * R(size3(body.omega)) < 10 && vm_free_rotation(&later, t0 - t, &again) == VM_OK)
+        HOLDS(within3(vm_angular_momentum(&again, again.r), L, 128 * EPS * turns));
+}
+
+static void check_principal(void)
+{
+    const double x = (double)draw_in(0, 1), y = (double)draw_in(0, 1), z = draw_byte() & 1 ? (double)draw_in(0, 1) : y;
+    const vm_real t = MOSTLY(draw_in(-50, 50));
+    vm_vec3 moments, omega = draw_vector(4), now;
+    vm_quat q = draw_attitude(), q_now;
+    vm_free_motion motion;
+    double L = 0, L_now = 0, scale, size = norm4(q);
+    moments.x = R(y * y + z * z), moments.y = R(z * z + x * x), moments.z = R(x * x + y * y);
+    if (draw_byte() % 16 == 0) moments.x = draw_any();
+    STAIN(motion);
+    if (vm_free_init_principal(&motion, moments, q, omega, 0)) {
+        HOLDS(UNTOUCHED(motion));
+        return;
+    }
+    STAIN(q_now), STAIN(now);
+    if (vm_free_attitude(&motion, t, &q_now, &now)) {
+        HOLDS(UNTOUCHED(q_now) && UNTOUCHED(now));
+        return;
+    }
+    size = size > 0 ? size : 1;
+    if (!tame3(omega) || !tame3(moments) || !tame(t)) return;
+    HOLDS(fabs(norm4(q_now) - size) <= 16 * EPS * size);
+    L = size3(vmi_vec3(moments.x * omega.x, moments.y * omega.y, moments.z * omega.z));
+    L_now = size3(vmi_vec3(moments.x * now.x, moments.y * now.y, moments.z * now.z));
+    scale = (double)(moments.x + moments.y + moments.z) * size3(omega);
+    HOLDS(fabs(L - L_now) <= 32 * EPS * scale);
+}
+
+static void check_euler(void)
+{
+    const vm_real psi = MOSTLY(draw_in(-10, 10)), theta = MOSTLY(draw_in(-4, 4)), phi = MOSTLY(draw_in(-10, 10));
+    const vm_quat q = vm_euler_313(psi, theta, phi);
+    const vm_vec3 omega = draw_vector(4);
+    vm_vec3 axis[3], body_axis[3];
+    vm_real rates[3];
+    int i, status;
+    vm_euler_313_axes(psi, theta, axis), vm_euler_313_body_axes(theta, phi, body_axis);
+    STAIN(rates);
+    status = vm_euler_313_rates(psi, theta, omega, rates);
+    if (status) {
+        HOLDS(UNTOUCHED(rates));
+        return;
+    }
+    HOLDS(is_finite(psi) && is_finite(theta) && finite3(omega) && vmi_all_finite(3, rates));
+    for (i = 0; i < 3; i++) HOLDS(fabs(size3(axis[i]) - 1) <= 8 * EPS);
+    if (!is_finite(phi)) return;
+    for (i = 0; i < 3; i++) HOLDS(fabs(size3(body_axis[i]) - 1) <= 8 * EPS);
+    HOLDS(fabs(norm4(q) - 1) <= 8 * EPS);
+    if (!tame3(omega) || VM_FABS(rates[0]) > 100) return;
+    HOLDS(within(R((double)rates[0] * (double)axis[0].x + (double)rates[1] * (double)axis[1].x + (double)rates[2] * (double)axis[2].x), omega.x,
+                 32 * EPS * (1 + fabs((double)rates[0]) + fabs((double)rates[1]) + fabs((double)rates[2]))));
+}
+
+static void fuzz_rotation(void)
+{
+    switch (draw_below(4)) {
+    case 0: check_principal(); break;
+    case 1: check_euler(); break;
+    default: check_free();
+    }
+}
+FUZZ_TARGET(rotation)

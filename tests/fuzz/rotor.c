@@ -1,0 +1,174 @@
+/* Fuzz target: varmass.h, chapter 3.3.2, the broken rotor. Free motion keeps energy and composes; the break balances;
+   eigenvalues are roots; right-hand sides agree in both coordinates. */
+#include "bodies.h"
+
+static vm_rotor draw_rotor(void)
+{
+    vm_rotor r;
+    r.mass = MOSTLY(draw_log(1e-2, 1e2)), r.inertia = MOSTLY(draw_log(1e-2, 1e2));
+    r.stiffness = MOSTLY(draw_byte() % 8 ? draw_log(1e-2, 1e3) : 0);
+    r.damping = MOSTLY(draw_byte() % 4 ? draw_log(1e-3, 10) : 0);
+    r.torque = MOSTLY(draw_in(-5, 5)), r.s = MOSTLY(draw_byte() % 2 ? draw_in(0, 1) : 0);
+    return r;
+}
+
+static int tame_rotor(const vm_rotor *r)
+{
+    return tame(r->mass) && tame(r->inertia) && tame(r->stiffness) && tame(r->damping) && tame(r->torque) && tame(r->s) &&
+           r->mass > R(1e-3) && r->inertia > R(1e-3) && r->stiffness >= 0 && r->damping >= 0 && VM_FABS(r->s) <= 10;
+}
+
+static void draw_state(vm_real *y)
+{
+    int i;
+    for (i = 0; i < 6; i++) y[i] = draw_byte() % 64 ? draw_in(-2, 2) : draw_any();
+}
+
+static int all_tame(int n, const vm_real *y)
+{
+    while (n-- > 0)
+        if (!tame(y[n]) || VM_FABS(y[n]) > 100) return 0;
+    return 1;
+}
+
+static double energy_of_rotor(const vm_rotor *r, const vm_real *y)
+{
+    return ((double)r->mass * ((double)y[3] * (double)y[3] + (double)y[4] * (double)y[4]) +
+            (double)r->stiffness * ((double)y[0] * (double)y[0] + (double)y[1] * (double)y[1])) / 2;
+}
+
+static void check_rotor_free(void)
+{
+    vm_rotor r = draw_rotor();
+    const vm_real t = MOSTLY(draw_in(-10, 10));
+    vm_real start[6], end[6], abcd[4], back[6];
+    int status;
+    draw_state(start);
+    STAIN(end);
+    status = vm_rotor_free(t, &r, start, end);
+    HOLDS(status <= 0 && (status == 0 || UNTOUCHED(end)));
+    if (r.s != 0) HOLDS(status < 0);
+    STAIN(abcd);
+    if (vm_rotor_orbit(&r, start, abcd) < 0) HOLDS(UNTOUCHED(abcd));
+    if (status || !tame_rotor(&r) || !all_tame(6, start) || !tame(t)) return;
+    HOLDS(vmi_all_finite(6, end));
+    HOLDS(fabs(energy_of_rotor(&r, end) - energy_of_rotor(&r, start)) <= 64 * EPS * energy_of_rotor(&r, start) * (1 + fabs((double)t) * sqrt((double)(r.stiffness / r.mass))) + 1e-30);
+    if (r.damping == 0 && vm_rotor_free(-t, &r, end, back) == 0)
+        HOLDS(within(back[0], start[0], 256 * EPS * (1 + fabs((double)t)) * (1 + sqrt((double)(r.stiffness / r.mass))) *
+                                             (4 + fabs((double)end[0]) + 2 * fabs((double)end[3]) * (1 + fabs((double)t)))));
+}
+
+static void check_linear(void)
+{
+    const vm_rotor r = draw_rotor();
+    const vm_real t = MOSTLY(draw_in(-3, 3));
+    vm_real start[6], end[6], at_start[6];
+    int k, status;
+    draw_state(start);
+    for (k = 0; k < 2; k++) {
+        STAIN(end);
+        status = k ? vm_rotor_linear(t, &r, start, end) : vm_rotor_linear_uncoupled(t, &r, start, end);
+        HOLDS(status <= 0 && (status == 0 ? vmi_all_finite(6, end) : UNTOUCHED(end)));
+        if (status) continue;
+        status = k ? vm_rotor_linear(0, &r, start, at_start) : vm_rotor_linear_uncoupled(0, &r, start, at_start);
+        if (!tame_rotor(&r) || !all_tame(6, start)) continue;
+        HOLDS(status == 0 && within(at_start[0], start[0], 8 * EPS * (1 + fabs((double)start[0]))));
+        HOLDS(within(at_start[3], start[3], 64 * EPS * (1 + fabs((double)start[3]))));
+    }
+}
+
+static void check_break(void)
+{
+    const vm_rotor whole = draw_rotor();
+    vm_rotor_piece piece;
+    vm_rotor_break result;
+    vm_real before[6];
+    int status;
+    draw_state(before);
+    piece.mass = draw_byte() % 8 ? whole.mass * draw_in(0, 1) : draw_any(), piece.inertia = MOSTLY(draw_in(0, 0.1));
+    piece.distance = MOSTLY(draw_in(0, 0.5)), piece.alpha = MOSTLY(draw_in(-3, 3)), piece.radius = MOSTLY(draw_in(0.5, 2));
+    piece.contact = MOSTLY(draw_in(-4, 4));
+    STAIN(result);
+    status = vm_rotor_break_off(&whole, before, &piece, &result);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(result));
+        return;
+    }
+    HOLDS(vmi_all_finite(6, result.state) && vmi_all_finite(6, result.piece));
+    HOLDS(result.rest.mass > 0 && result.rest.inertia > 0 && piece.mass > 0 && piece.mass < whole.mass);
+    if (tame_rotor(&whole) && all_tame(6, before) && tame(piece.mass)) { /* momentum along x and y */
+        int i;
+        for (i = 3; i < 5; i++) {
+            const double part = (double)piece.mass * (double)result.piece[i], rest = (double)result.rest.mass * (double)result.state[i];
+            if (fabs(part) < 1e6 && whole.s == 0)
+                HOLDS(fabs(part + rest - (double)whole.mass * (double)before[i]) <=
+                      64 * EPS * (fabs(part) + fabs(rest) + (double)whole.mass * (fabs((double)before[3]) + fabs((double)before[4]) + 4 * fabs((double)before[5]))));
+        }
+    }
+}
+
+static void check_motion(void)
+{
+    vm_rotor r = draw_rotor();
+    vm_real y[6], dydt[6], polar[6], dpolar[6], back[6];
+    int status, i;
+    draw_state(y);
+    status = vm_rotor_rhs(0, y, dydt, &r);
+    STAIN(polar);
+    if (vm_rotor_to_polar(y, polar)) {
+        HOLDS(UNTOUCHED(polar) && (!vmi_all_finite(6, y) || (y[0] == 0 && y[1] == 0)));
+        return;
+    }
+    HOLDS(polar[0] > 0 && VM_FABS(polar[1]) <= VM_PI);
+    STAIN(back);
+    if (vm_rotor_from_polar(polar, back)) {
+        HOLDS(UNTOUCHED(back));
+        return;
+    }
+    if (!tame_rotor(&r) || !all_tame(6, y)) return;
+    HOLDS(status == 0 && vmi_all_finite(6, dydt));
+    for (i = 0; i < 6; i++) HOLDS(within(back[i], y[i], 32 * EPS * (1 + fabs((double)y[3]) + fabs((double)y[4]) + fabs((double)y[i]))));
+    if (polar[0] < R(1e-3)) return;
+    status = vm_rotor_polar_rhs(0, polar, dpolar, &r); /* psi'' is the same */
+    HOLDS(status == 0 && within(dpolar[5], dydt[5], 1e3 * EPS * (1 + (double)((r.stiffness * VM_FABS(r.s) * 4 + r.damping * VM_FABS(y[5]) + VM_FABS(r.torque)) / r.inertia))));
+    polar[0] = 0;
+    HOLDS(vm_rotor_polar_rhs(0, polar, dpolar, &r) == VM_DOMAIN);
+}
+
+static void check_steady(void)
+{
+    const vm_rotor r = draw_rotor();
+    const vm_real Omega = MOSTLY(draw_in(-30, 30));
+    vm_real c[6], re[5], im[5], column[6], steady = vm_rotor_steady(&r, Omega), growth;
+    int i, status, stable = vm_rotor_stable(&r, Omega);
+    STAIN(c), STAIN(re), STAIN(im), STAIN(column);
+    if (vm_rotor_char_poly(&r, Omega, c)) HOLDS(UNTOUCHED(c));
+    status = vm_rotor_eigenvalues(&r, Omega, re, im);
+    if (vm_rotor_routh(&r, Omega, column)) HOLDS(UNTOUCHED(column));
+    if (status) HOLDS(UNTOUCHED(re) && UNTOUCHED(im) && !(stable && tame_rotor(&r) && tame(Omega)));
+    else {
+        HOLDS(vmi_all_finite(5, re) && vmi_all_finite(5, im));
+        for (i = 0; i < 5; i++) HOLDS(i == 0 || fuzz.wild || fabs((double)im[i]) >= fabs((double)im[i - 1]) * (1 - 8 * cbrt(EPS))); /* but for multiple roots */
+        if (tame_rotor(&r) && VM_FABS(Omega) < R(1e3)) { /* their sum is -k*, they come in pairs */
+            double sum = 0, scale = 0, others = 0;
+            for (i = 0; i < 5; i++) sum += (double)re[i], others += (double)im[i], scale += fabs((double)re[i]) + fabs((double)im[i]);
+            HOLDS(fabs(sum + (double)c[1]) <= 8 * cbrt(EPS) * (scale + (double)c[1]) && fabs(others) <= 8 * cbrt(EPS) * scale); /* multiple ones */
+            if (stable) for (i = 0; i < 5; i++) HOLDS((double)re[i] <= 8 * cbrt(EPS) * scale);
+        }
+    }
+    if (r.s == 0 && tame_rotor(&r) && Omega * Omega * r.mass != r.stiffness && is_finite(Omega)) HOLDS(steady == 0 || is_nan(steady));
+    growth = vm_rotor_growth(MOSTLY(draw_in(0, 100)), &r, Omega);
+    HOLDS(is_nan(growth) || growth >= 0);
+}
+
+static void fuzz_rotor(void)
+{
+    switch (draw_below(5)) {
+    case 0: check_rotor_free(); break;
+    case 1: check_linear(); break;
+    case 2: check_break(); break;
+    case 3: check_motion(); break;
+    default: check_steady();
+    }
+}
+FUZZ_TARGET(rotor)

@@ -1,0 +1,192 @@
+/* Fuzz target: varmass.h, chapter 5, streams. Loads are finite and add up, right-hand sides agree with each other,
+   closed forms with each other and with their limits, refusals change nothing. */
+#include "bodies.h"
+
+enum { STREAMS = 3 };
+
+static void draw_streams(int n, vm_stream *streams, const vm_store *store)
+{
+    int i;
+    memset(streams, 0, STREAMS * sizeof *streams);
+    for (i = 0; i < n; i++) {
+        vm_stream *s = streams + i;
+        s->rate = MOSTLY(draw_in(-1, 1)), s->motion = draw_byte() % 32 ? draw_below(4) : 9;
+        s->at = draw_vector(1), s->velocity = draw_vector(3);
+        if (draw_byte() & 1) s->spin = draw_vector(2), s->gyration = draw_inertia(1, 0.3);
+        if (draw_byte() % 4 == 0) s->from = store;
+    }
+}
+
+static int tame_stream(const vm_stream *s)
+{
+    return tame(s->rate) && tame3(s->at) && tame3(s->velocity) && tame3(s->spin) && tame(s->gyration.xx);
+}
+
+static void check_loads(void)
+{
+    const vm_body body = draw_body(1);
+    const vm_vec3 centre = draw_vector(0.5), force = draw_vector(5), moment = draw_vector(5);
+    const int n = draw_below(STREAMS + 1);
+    vm_stream streams[STREAMS];
+    vm_reactive sum, one;
+    vm_vec3 a, b, total = {0, 0, 0};
+    int i, status, all_tame = tame_body(&body) && tame3(centre);
+    double scale = 0;
+    draw_streams(n, streams, NULL);
+    STAIN(sum);
+    status = vm_reactive_loads(&body, centre, n, streams, &sum);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(sum));
+        return;
+    }
+    for (i = 0; i < n; i++) {
+        all_tame &= tame_stream(streams + i);
+        HOLDS(vm_reactive_loads(&body, centre, 1, streams + i, &one) == VM_OK);
+        total = vmi_add(total, one.force);
+        scale += size3(one.force) + fabs((double)streams[i].rate) * (size3(body.v) + size3(streams[i].velocity) + 4 * size3(body.omega));
+    }
+    if (all_tame) HOLDS(finite3(sum.force) && within3(sum.force, total, 8 * EPS * scale));
+    STAIN(a), STAIN(b);
+    status = vm_accelerations(&body, &sum, force, moment, &a, &b);
+    if (status) HOLDS(UNTOUCHED(a) && UNTOUCHED(b));
+    else if (all_tame && tame3(force)) HOLDS(finite3(a) && within(a.x, (force.x + sum.force.x) / body.mass, 8 * EPS * (double)((VM_FABS(force.x) + VM_FABS(sum.force.x)) / body.mass)));
+}
+
+static void check_flow(void)
+{
+    const vm_body body = draw_body(1);
+    vm_store store;
+    vm_stream streams[STREAMS];
+    vm_flow flow;
+    vm_real y[VM_RHS_BALANCED], dydt[VM_RHS_BALANCED], other[VM_RHS_BALANCED];
+    vm_body back;
+    int i, status, all_tame = tame_body(&body);
+    memset(&flow, 0, sizeof flow);
+    store.at = draw_vector(1), store.gyration = draw_inertia(1, 0.3);
+    flow.n = draw_below(STREAMS + 1), flow.streams = streams;
+    draw_streams(flow.n, streams, &store);
+    flow.force = draw_vector(5), flow.moment = draw_vector(5), flow.centre = draw_vector(0.3);
+    memset(y, 0, sizeof y), fuzz_stain(y, VM_RHS * sizeof *y);
+    status = vm_flow_start(&flow, &body, y);
+    if (status) {
+        HOLDS(status < 0 && fuzz_stained(y, VM_RHS * sizeof *y));
+        return;
+    }
+    HOLDS(vmi_all_finite(VM_RHS, y) && y[VM_Y_MASS] == body.mass);
+    for (i = 0; i < flow.n; i++) all_tame &= tame_stream(streams + i);
+    all_tame = all_tame && tame3(flow.force) && tame3(flow.moment) && tame3(flow.centre) && tame3(store.at);
+    STAIN(back);
+    status = vm_flow_body(&flow, VM_RHS, y, &back);
+    if (all_tame) HOLDS(status == VM_OK);
+    if (all_tame) HOLDS(within3(back.v, body.v, 8 * EPS * size3(body.v)) && within3(back.r, body.r, 0));
+    HOLDS(vm_flow_mass_left(0, y, &flow) == y[VM_Y_MASS] - flow.least_mass);
+    HOLDS(!is_nan(vm_flow_inertia_left(0, y, &flow)) || !all_tame);
+    if (vm_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) {
+        double rate = 0, rates = 0;
+        HOLDS(vmi_all_finite(VM_RHS, dydt));
+        for (i = 0; i < flow.n; i++) rate += (double)streams[i].rate, rates += fabs((double)streams[i].rate);
+        HOLDS(fabs((double)dydt[VM_Y_MASS] - rate) <= 4 * EPS * rates);
+        HOLDS(vm_rhs_balanced(0, y, other, &flow) == 0);
+        for (i = 0; i < VM_RHS; i++) HOLDS(within(other[i], dydt[i], 16 * EPS * (1 + fabs((double)dydt[i]))));
+        for (i = 0; i < 3; i++) /* momentum and what was carried off stay */
+            HOLDS(within(other[VM_Y_BALANCE + i], -dydt[VM_Y_P + i], 64 * EPS * (200 + fabs((double)dydt[VM_Y_P + i]) + 100 * size3(body.omega) + 100 * size3(body.v))));
+    }
+    flow.mass = body.mass, flow.inertia = body.inertia, flow.drift = draw_vector(0.1), flow.status = 0;
+    if (vm_rhs_given(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
+    flow.status = 0;
+    if (vm_rhs_carried(0, y, dydt, &flow) == 0 && all_tame && tame3(flow.drift) && flow.status == 0) HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
+    flow.status = 0;
+    for (i = 0; i < 7; i++) y[i] = i < 6 ? draw_in(-2, 2) : MOSTLY(draw_in(-1, 5));
+    if (vm_rhs_translation(0, y, dydt, &flow) == 0 && all_tame && y[6] > R(1e-3) && flow.status == 0) HOLDS(vmi_all_finite(VM_RHS_TRANSLATION, dydt));
+    y[VM_Y_MASS] = -1;
+    flow.status = 0;
+    if (vm_rhs(0, y, dydt, &flow) == 0) HOLDS(flow.status < 0 && !vmi_all_finite(VM_RHS, dydt));
+}
+
+static void check_plane_and_line(void)
+{
+    vm_stream2 streams[STREAMS];
+    vm_stream1 line[STREAMS];
+    vm_flow2 flow;
+    vm_flow1 flow1;
+    vm_real y[VM_RHS2], dydt[VM_RHS2];
+    int i, all_tame = 1;
+    memset(&flow, 0, sizeof flow), memset(&flow1, 0, sizeof flow1), memset(streams, 0, sizeof streams);
+    flow.n = flow1.n = draw_below(STREAMS + 1), flow.streams = streams, flow1.streams = line;
+    for (i = 0; i < flow.n; i++) {
+        streams[i].rate = MOSTLY(draw_in(-1, 1)), streams[i].motion = draw_below(4), streams[i].x = draw_in(-1, 1), streams[i].y = draw_in(-1, 1);
+        streams[i].vx = draw_in(-3, 3), streams[i].vy = draw_in(-3, 3), streams[i].gyration = draw_in(0, 0.1);
+        line[i].rate = streams[i].rate, line[i].velocity = streams[i].vx, line[i].motion = streams[i].motion;
+        all_tame &= tame(streams[i].rate);
+    }
+    flow.fx = MOSTLY(draw_in(-5, 5)), flow1.force = flow.fx, flow.moment = draw_in(-5, 5);
+    for (i = 0; i < VM_RHS2; i++) y[i] = draw_in(-2, 2);
+    y[6] = MOSTLY(draw_in(0.1, 10)), y[9] = MOSTLY(draw_in(0.1, 10));
+    all_tame = all_tame && tame(flow.fx) && tame(y[6]) && tame(y[9]) && y[6] > R(1e-3) && y[9] > R(1e-3);
+    if (vm_rhs2(0, y, dydt, &flow) == 0 && all_tame) HOLDS(vmi_all_finite(VM_RHS2, dydt) && flow.status == 0);
+    y[2] = y[6];
+    if (vm_rhs1(0, y, dydt, &flow1) == 0 && all_tame) HOLDS(vmi_all_finite(VM_RHS1, dydt) && flow1.status == 0);
+    y[2] = -y[2];
+    if (vm_rhs1(0, y, dydt, &flow1) == 0 && y[2] <= 0) HOLDS(!vmi_all_finite(VM_RHS1, dydt));
+}
+
+static void check_closed_forms(void)
+{
+    const vm_real v0 = MOSTLY(draw_in(-5, 5)), m0 = MOSTLY(draw_log(1e-2, 1e2)), m = MOSTLY(draw_log(1e-2, 1e2));
+    const vm_real u = MOSTLY(draw_in(-5, 5)), impulse = MOSTLY(draw_in(-5, 5)), t = MOSTLY(draw_in(0, 10));
+    const vm_real force = MOSTLY(draw_in(-5, 5));
+    const vm_real levi = vm_levi_civita(v0, m0, m, u, impulse), tsiolkovsky = vm_tsiolkovsky(v0, m0, m, u);
+    vm_stream1 stream;
+    vm_real x, v;
+    int status;
+    if (!(m > 0) || !(m0 > 0) || !is_finite(m) || !is_finite(m0) || !is_finite(v0) || !is_finite(u)) HOLDS(is_nan(levi) && is_nan(tsiolkovsky));
+    else if (tame(v0) && tame(u) && tame(m) && tame(m0) && tame(impulse)) {
+        HOLDS(is_finite(levi) && is_finite(tsiolkovsky));
+        if (impulse == 0) HOLDS(levi >= (v0 < u ? v0 : u) - VM_EPSILON * 16 * (VM_FABS(u) + VM_FABS(v0)) || m < m0);
+        HOLDS(within(vm_tsiolkovsky(tsiolkovsky, m, m0, u), v0, 16 * EPS * (fabs((double)v0) + fabs((double)tsiolkovsky) + 10 * fabs((double)u))));
+        HOLDS(within(vm_tsiolkovsky(v0, m, m, u), v0, 0));
+    }
+    stream.rate = MOSTLY(draw_in(-1, 1)), stream.velocity = u, stream.motion = draw_below(5);
+    STAIN(x), STAIN(v);
+    status = vm_linear_flow(t, 0, v0, m0, force, &stream, &x, &v);
+    if (status) HOLDS(status < 0 && UNTOUCHED(x) && UNTOUCHED(v));
+    else {
+        HOLDS(is_finite(x) && is_finite(v) && m0 > 0 && stream.motion <= VM_AT_REST);
+        if (tame(v0) && tame(m0) && tame(t) && tame(u) && force == 0 && stream.motion == VM_RELATIVE && tame(stream.rate))
+            HOLDS(within(v, vm_tsiolkovsky(v0, m0, m0 + stream.rate * t, u),
+                         64 * EPS * (fabs((double)v0) + fabs((double)u) * (10 + (double)(m0 / (m0 + stream.rate * t))))));
+    }
+}
+
+static void check_jet(void)
+{
+    const vm_vec3 omega0 = draw_vector(3);
+    const vm_real t = MOSTLY(draw_in(0, 5));
+    vm_jet jet;
+    vm_vec3 omega;
+    int status;
+    jet.rate = MOSTLY(draw_in(-1, 1)), jet.axial = MOSTLY(draw_log(0.1, 10)), jet.transverse = MOSTLY(draw_log(0.1, 10));
+    jet.gyration_axial = MOSTLY(draw_in(0, 1)), jet.gyration_transverse = MOSTLY(draw_byte() % 4 ? draw_in(0, 1) : 0);
+    jet.gyration_out = MOSTLY(draw_in(0, 1)), jet.nozzle = MOSTLY(draw_in(0, 2));
+    STAIN(omega);
+    status = vm_jet_damping(t, &jet, omega0, &omega);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(omega));
+        return;
+    }
+    HOLDS(finite3(omega) && same_bits(omega.z, omega0.z) && jet.axial > 0 && jet.transverse > 0);
+    HOLDS(vm_jet_damping(0, &jet, omega0, &omega) == VM_OK);
+    if (tame3(omega0)) HOLDS(within3(omega, omega0, 8 * EPS * size3(omega0)));
+}
+
+static void fuzz_streams(void)
+{
+    switch (draw_below(5)) {
+    case 0: check_loads(); break;
+    case 1: check_plane_and_line(); break;
+    case 2: check_closed_forms(); break;
+    case 3: check_jet(); break;
+    default: check_flow();
+    }
+}
+FUZZ_TARGET(streams)

@@ -1,0 +1,17 @@
+#!/bin/sh
+# The fuzz targets without a fuzzer: every public function is called by one, the stored inputs that once went wrong and
+# some pseudo-random ones violate no property, in double and float.
+# usage: CC=compiler test_fuzz.sh BUILD_FOLDER, from the top of the project
+cc=${CC:-cc} build=$1/fuzz_replay
+. tests/check.sh
+
+replay() { "$1" -n 4000 tests/fuzz/corpus/*.hex; }
+
+check "every public function is called" sh tests/fuzz/called.sh
+for precision in double float; do
+    flags=
+    [ $precision = float ] && flags=-DVM_USE_FLOAT
+    check "compiles in $precision" $cc -std=c99 -O1 $flags tests/fuzz/replay.c -o "$build/replay" -lm
+    check "no property violated in $precision" replay "$build/replay"
+done
+check_finish fuzz
