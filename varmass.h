@@ -561,7 +561,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
    Where products of inertia make the principal moments known to two words only, 5e-12 rad after 1e6 turns at 1 - m
    = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10 eps tr(I) |omega|.
    Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
-   Cost: a time 3.5 to 4.5 times the C library's sin, preparing a motion 20 times that, 40 with products of
+   Cost: a time 17 to 19 times the C library's sin, preparing a motion 10 to 20 times that, 40 with products of
    inertia. */
 typedef struct VM_TAG(vm_free_motion) {
     vm_body body; /* at t0 */
