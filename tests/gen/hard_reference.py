@@ -1,0 +1,601 @@
+"""Write tests/data/hard.h: the true values of the catalogue of hard cases, whose points are read from tests/hard/*.c.
+
+A function here for each kernel there, in arbitrary precision, of the point exactly as the test has it (rounded to double,
+or to float for the float build). It returns the value, or the value and the scale of its error.
+
+usage: python3 tests/gen/hard_reference.py, from the top of the project; needs mpmath. A minute."""
+import glob
+import re
+import struct
+
+from mpmath import (acos, acosh, agm, asin, atan2, besselj, bessely, beta, betainc, cos, cosh, cot, ellipe, ellipfun, ellipk, exp,
+                    expm1, fabs, findroot, gamma, inf, lambertw, log, log1p, matrix, mp, mpf, mpmathify, nstr, pi, quad,
+                    sech, sin, sinh, sqrt, tan, tanh)
+
+mp.dps = 60
+INPUTS = 8
+half = mpf(1) / 2
+
+
+def single(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+# -- removable singularities --
+
+def means(m):
+    if m == 0:
+        return half, mpf(3) / 8, mpf(5) / 16
+    c2 = (ellipe(m) / ellipk(m) - 1 + m) / m
+    c4 = (2 * (2 * m - 1) * c2 + (1 - m)) / (3 * m)
+    return c2, c4, (4 * (2 * m - 1) * c4 + 3 * (1 - m) * c2) / (5 * m)
+
+
+def with_digits(digits, function):
+    """The function evaluated with more digits than the cancellation in it takes"""
+    def evaluated(*x):
+        with mp.workdps(digits):
+            value = function(*x)
+        return value
+    return evaluated
+
+
+C2 = with_digits(120, lambda m: means(m)[0])
+C4 = with_digits(120, lambda m: means(m)[1])
+C6 = with_digits(120, lambda m: means(m)[2])
+
+
+@lambda f: with_digits(90, f)
+def power_law(rate, p, t):
+    ln = log1p(rate * t)
+    return expm1((1 - p) * ln) / (rate * (1 - p)) if p != 1 else ln / rate
+
+
+def exponential_law(rate, t):
+    return -expm1(-rate * t) / rate if rate else t
+
+
+def linear_law(rate, t):
+    return log1p(rate * t) / rate
+
+
+def quadratic_law(b, c, t):
+    return quad(lambda s: 1 / (1 + b * s + c * s * s), [0, t / 4, t / 2, t])
+
+
+@lambda f: with_digits(120, f)
+def rocket_way(t, rate):
+    m = 1 + rate * t
+    return 3 * (m / rate * log(m) - t)
+
+
+@lambda f: with_digits(120, f)
+def wagon_way(t, rate):
+    return 2 / rate * (t - log(1 + rate * t) / rate)
+
+
+def tsiolkovsky(m0, m):
+    return 1000 * log(m / m0)
+
+
+@lambda f: with_digits(120, f)
+def jet(rate, t):
+    C1, A1 = rate / 2, rate * 3 / 4
+    ln = log((3 + A1 * t) / 3)
+    return exp((mpf(3) / 2 / (mpf(3) / 4) - 1) * ln) * sin(4 * (C1 / A1 * t + (1 - 3 * C1 / A1) / A1 * ln - t))
+
+
+@lambda f: with_digits(120, f)
+def drum_time(phi, D):
+    e = 1 - D
+    if e == 0:
+        return phi / 2 * (1 + phi / 16)
+    z = e * phi / 2
+    return phi / 2 * (log(1 + z) / z + phi / 8 * (z - log(1 + z)) / z**2)
+
+
+def drum_angle(t, D):
+    return findroot(lambda phi: drum_time(phi, D) - t, 2 * t)
+
+
+def vdp(b, rate, t):
+    F, a3 = (2 * b - rate) / rate * log1p(rate * t) / 3, ateb_mean(3, 2, 2) / 2
+    return sqrt(exp(F) / (4 + 6 * a3 / (2 * b - rate) * expm1(F)))
+
+
+def ateb_mean(alpha, p, q):
+    return beta((p + 1) / mpf(2), (q + 1) / (alpha + 1)) / beta(half, 1 / (alpha + mpf(1)))
+
+
+@lambda f: with_digits(90, f)
+def spin_up(k, t):
+    return t / k + expm1(-k * t) / k**2
+
+
+def free_shaft(c, t):
+    return sin(sqrt(c) * t) / sqrt(c) if c else t
+
+
+def free_body(I1, I2, I3, w1, w3, t):
+    if I1 == I3:
+        return w1
+    m = I1 * (I1 - I2) * w1**2 / (I3 * (I2 - I3) * w3**2)
+    return w1 * ellipfun("cn", w3 * sqrt((I1 - I3) * (I2 - I3) / (I1 * I2)) * t, m=m)
+
+
+def lambert_w0(x):
+    return lambertw(x).real
+
+
+def lambert_wm1(x):
+    return lambertw(x, -1).real
+
+
+# -- Ateb functions: s(ca) is an incomplete beta function, inverted by Newton's method --
+
+def ateb_pi(alpha):
+    return beta(1 / (alpha + 1), half)
+
+
+def ateb(s, alpha):
+    """sa(1, alpha, s), ca(alpha, 1, s)"""
+    Pi = ateb_pi(alpha)
+    turn = s / Pi
+    k = int(mp.nint(turn))
+    d = s - k * Pi  # of the nearest extremum of ca, |d| <= Pi/2
+    a, b = mpf(1) / (alpha + 1), half
+    if alpha == 0:
+        sa, ca = d, 1 - d * d
+    else:
+        sign, d = (1 if d >= 0 else -1), fabs(d)
+        far = Pi / 2 - d
+        if d < far:  # d = B_z(1/2, a)/2 of z = sa^2
+            def rate(z):
+                return z**(b - 1) * (1 - z)**(a - 1) / 2
+            goal, guess = d, min(d * d, mpf("0.9"))
+            z = invert(lambda z: betainc(b, a, 0, z) / 2, rate, goal, guess)
+            sa, ca = sqrt(z), (1 - z)**a
+        elif far == 0:
+            sa, ca = mpf(1), mpf(0)
+        else:  # far = B_y(a, 1/2)/2 of y = ca^(alpha+1), in terms of ca itself
+            def s_of(c):
+                y = c**(alpha + 1)
+                return c * mp.hyp2f1(a, half, 1 + a, y) / (2 * a)
+
+            def slope(c):
+                return 1 / sqrt(1 - c**(alpha + 1)) / (2 * a)
+            ca = invert(s_of, slope, far, min(2 * a * far, mpf("0.9")))
+            sa = sqrt(1 - ca**(alpha + 1))
+        sa *= sign
+    return (-sa, -ca) if k % 2 else (sa, ca)
+
+
+def invert(function, slope, goal, guess):
+    """The zero of function - goal, which rises and is convex or concave, in (0, 1)"""
+    low, high, x = mpf(0), mpf(1), guess
+    for _ in range(400):
+        f = function(x) - goal
+        if f > 0:
+            high = x
+        else:
+            low = x
+        step = f / slope(x)
+        if fabs(step) <= fabs(x) * mpf(10)**(-mp.dps + 8):
+            return x - step
+        x = x - step if low < x - step < high else (low + high) / 2
+    raise ValueError("no convergence")
+
+
+@lambda f: with_digits(50, f)
+def integral_sa2(s, alpha):
+    sa, ca = ateb(s, alpha)
+    return (s - sa * ca) * (alpha + 1) / (alpha + 3)
+
+
+def amplitude_law(ratio, alpha):
+    return ratio**(1 / (alpha + 3))
+
+
+def frozen_motion(t, rate):
+    return ateb(sqrt(mpf(2)) * log1p(rate * t) / rate, mpf(3))[1]
+
+
+# -- cancellation --
+
+def ca(s, alpha):
+    return ateb(s, alpha)[1]
+
+
+def sa(s, alpha):
+    return ateb(s, alpha)[0]
+
+
+def beta_rest(y, a, b):
+    return betainc(b, a, 0, y, regularized=True)
+
+
+def beta_inverse_rest(q, a, b):
+    """The y with I_y(b, a) = q, by Newton's method on the logarithms"""
+    l = (log(q) + log(b * beta(a, b))) / b
+    for _ in range(60):
+        y = exp(l)
+        part = betainc(b, a, 0, y, regularized=True)
+        l -= log(part / q) * part * beta(a, b) / (y**b * (1 - y)**(a - 1))
+    return exp(l)
+
+
+def K_near_1(m1):
+    return pi / (2 * agm(1, sqrt(m1)))
+
+
+@lambda f: with_digits(320, f)
+def E_near_1(m1):
+    return ellipe(1 - m1)
+
+
+def falling_root(function, goal, low, high):
+    """x with function(x) = goal, bisected in ln x, function falling"""
+    low, high = log(low), log(high)
+    for _ in range(240):
+        middle = (low + high) / 2
+        if function(exp(middle)) > goal:
+            low = middle
+        else:
+            high = middle
+    return exp(low)
+
+
+def modulus_rest(c):
+    return falling_root(lambda m1: -sqrt(m1) * K_near_1(m1), -c, mpf(10)**-330, mpf(1))
+
+
+def modulus_of_K_rest(c):
+    m1 = falling_root(K_near_1, c, mpf(10)**-330, mpf(1))
+    return m1, (1 + 2 * c) * m1
+
+
+def jacobi(u, m1):
+    """sn, cn, dn by the descending ladder, so that m1 keeps its digits"""
+    a, b, ladder = mpf(1), sqrt(m1), []
+    while fabs(a - b) > a * mpf(10)**-(mp.dps // 2 + 5):
+        ladder.append((a, b))
+        a, b = (a + b) / 2, sqrt(a * b)
+    s, c, d, q = sin(a * u), cos(a * u), mpf(1), mpf(1)
+    for n in range(len(ladder) - 1, -1, -1):
+        upper = ladder[n + 1][0] if n + 1 < len(ladder) else a
+        ra, rb = ladder[n][0] / upper, ladder[n][1] / upper
+        s, c, d, q = ra * s * q, c * d, c * c + rb * s * s, c * c + ra * s * s
+    return s / q, c / q, d / q
+
+
+def cn(u, m):
+    return jacobi(u, 1 - m)[1]
+
+
+def sn(u, m):
+    return jacobi(u, 1 - m)[0]
+
+
+def dn(u, m):
+    return jacobi(u, 1 - m)[2]
+
+
+def cn_m1(u, m1):
+    return jacobi(u, m1)[1]
+
+
+def dn_m1(u, m1):
+    return jacobi(u, m1)[2]
+
+
+def energy_gain(v):
+    return mpf(5) / 32
+
+
+def energy_loss(v):
+    return mpf(3) / 32
+
+
+def plane_rest(M, I, r, v, w, m, i, r2, v2, w2):
+    """M, I, r, v, w of what is left of a lamina: complex places and velocities"""
+    M1 = M - m
+    r1, v1 = (M * r - m * r2) / M1, (M * v - m * v2) / M1
+
+    def about_r(mass, inertia, place, velocity, spin):
+        return inertia * spin + mass * ((place - r).conjugate() * velocity).imag
+    I1 = I - i - m * abs(r2 - r)**2 - M1 * abs(r1 - r)**2
+    L1 = about_r(M, I, r, v, w) - about_r(m, i, r2, v2, w2) - about_r(M1, 0, r1, v1, 0)
+    return M1, I1, r1, v1, L1 / I1
+
+
+def far_spin(X, X2):
+    return plane_rest(mpf(5), mpf(2), X, mp.mpc(10, 3), 3, mpf(1), mpf(1) / 8, X2, mp.mpc(8, 5), 1)[4]
+
+
+def about_far_point(X, place):
+    return half + 21 * (place - X)
+
+
+def far_relative(X, place):
+    return mpf(3) / 2 - 3 * (place - X)
+
+
+def split_inertia(X):
+    return plane_rest(mpf(5), mpf(2), X, 0, 0, mpf(1), mpf(1) / 8, X + mpf(3) / 8, 0, 0)[1]
+
+
+def drum_stop(mu, v, D):
+    return 2 / (D - mu * v / 2)
+
+
+def drum_rate(mu, v, D, phi):
+    return (2 + (mu * v / 2 - D) * phi) / (1 + mu / 4 * phi)
+
+
+def start_velocity(t, alpha):
+    n = alpha + 1
+    return -sqrt(2 / n) * ateb(sqrt(n / 2) * t, alpha)[0]
+
+
+def broken_rotor(t):
+    return -2 * sin(t)**2 / 8
+
+
+# -- under- and overflow --
+
+def ln_beta_inverse(p, a, b):
+    """x is so small that I_x = x^a/(a B(a, b)) to all digits"""
+    return (log(p) + log(a * beta(a, b))) / a
+
+
+def amplitude(x, v, alpha):
+    n = alpha + 1
+    return (fabs(x)**n + n / 2 * v * v)**(1 / n)
+
+
+def phase(x, v, alpha):
+    """In the first quarter: I_(sa^2)(1/2, 1/(alpha+1)) Pi/2"""
+    n = alpha + 1
+    w = n / 2 * v * v / (fabs(x)**n + n / 2 * v * v)
+    return betainc(half, 1 / n, 0, w) / 2
+
+
+def period(A, alpha):
+    return 2 * ateb_pi(alpha) / sqrt((alpha + 1) / 2 * A**(alpha - 1))
+
+
+def vmax(A, alpha):
+    return sqrt(2 / (alpha + 1) * A**(alpha + 1))
+
+
+def motion(t, A, alpha):
+    return A * ateb(t * sqrt((alpha + 1) / 2 * A**(alpha - 1)), alpha)[1]
+
+
+@lambda f: with_digits(400, f)
+def K(m):
+    return pi / (2 * agm(1, sqrt(1 - m)))
+
+
+@lambda f: with_digits(700, f)
+def E(m):
+    n = m / (m - 1)
+    return sqrt(1 - m) * ellipe(n)
+
+
+@lambda f: with_digits(400, f)
+def cn_far_m(u, m):
+    return jacobi(u, 1 - m)[1]
+
+
+@lambda f: with_digits(340, f)
+def modulus(c):
+    """k'K(k^2) = K(1 - 1/m1), m1 = 1 - m large"""
+    m1 = 1 / falling_root_of(K_near_1, c, mpf(10)**-330, mpf(1), 1200)
+    return 1 - m1, (1 + 2 * c) * m1
+
+
+def falling_root_of(function, goal, low, high, steps):
+    low, high = log(low), log(high)
+    for _ in range(steps):
+        middle = (low + high) / 2
+        low, high = (middle, high) if function(exp(middle)) > goal else (low, middle)
+    return exp(low)
+
+
+def w0_exp(l):
+    w = l - log(l) if l > 1 else exp(l)
+    for _ in range(20):
+        w -= (w + log(w) - l) * w / (1 + w)
+    return w
+
+
+def wm1_mexp(l):
+    """w = -v, v - ln v = -l"""
+    v = -l
+    for _ in range(60):
+        v = -l + log(v)
+    return -v
+
+
+def steady(c, Omega):
+    return c / (c - Omega**2)
+
+
+def pair_inertia(a, b):
+    return a * b / (a + b) * 4
+
+
+def heavy_separation(M, v):
+    return v / 2
+
+
+def distance(x, y):
+    return sqrt(x * x + y * y)
+
+
+def scaled_attitude(scale):
+    return 2 * mpf("0.8")**2 + 5 * mpf("0.6")**2
+
+
+def rocket_speed(m0, m):
+    return 3 * log(m / m0)
+
+
+def levi_civita(v0, m0, m):
+    return (m0 * v0 + (m - m0) * 2) / m
+
+
+def hit(scale):
+    return mpf(2) / 5
+
+
+def mean(alpha, p, q):
+    return ateb_mean(alpha, p, q)
+
+
+# -- long times; the scale is the largest value --
+
+def unit(function):
+    """Errors in eps of 1"""
+    def scaled(*x):
+        return function(*x), mpf(1)
+    return scaled
+
+
+cn_late, sn_late = unit(cn), unit(sn)
+ca_late, sa_late = unit(lambda s, alpha: ca(s, alpha)), unit(lambda s, alpha: sa(s, alpha))
+euler_late = unit(lambda psi: cos(psi / 2))
+
+
+def free_body_late(I1, I2, I3, w1, w3, t):
+    m1 = 1 - I1 * (I1 - I2) * w1**2 / (I3 * (I2 - I3) * w3**2)
+    u = w3 * sqrt((I1 - I3) * (I2 - I3) / (I1 * I2)) * t
+    return w1 * jacobi(u, m1)[1], sqrt(w1**2 + w3**2)
+
+
+@unit
+def precession(A, C, w1, w3, t):
+    across, along = A * w1, C * w3
+    L2 = across**2 + along**2
+    return (along**2 + across**2 * cos(sqrt(L2) / A * t)) / L2
+
+
+def attitude_length(steps, t):
+    return mpf(1)
+
+
+def turns_length(steps, angle):
+    return mpf(1)
+
+
+def amplification(z):
+    return 1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24
+
+
+def steps_growing(n, h):
+    return amplification(h)**int(n)
+
+
+@unit
+def steps_circling(n, h):
+    return (amplification(mp.mpc(0, 1) * h)**int(n)).real
+
+
+def steps_clock(n, t):
+    return t * t
+
+
+def energy_late(t, alpha):
+    return 1 / (alpha + 1)
+
+
+@unit
+def adiabatic_late(t, rate, alpha):
+    return ateb(sqrt((alpha + 1) / 2) * log1p(rate * t) / rate, alpha)[1]
+
+
+@unit
+def bessel(t, rate):
+    """(m x')' + x = 0 is Bessel's equation in z = 2 sqrt(m)/rate"""
+    z0, z = 2 / rate, 2 * sqrt(1 + rate * t) / rate
+    return pi * z0 / 2 * (besselj(1, z0) * bessely(0, z) - bessely(1, z0) * besselj(0, z)) * -1
+
+
+#INSERT
+
+
+def split(text):
+    """Arguments of a macro: text up to commas that are in neither quotes nor parentheses"""
+    parts, depth, quoted, part = [], 0, False, ""
+    for i, c in enumerate(text):
+        if c == '"' and text[i - 1] != "\\":
+            quoted = not quoted
+        elif not quoted and c in "()":
+            depth += 1 if c == "(" else -1
+        if c == "," and not quoted and depth == 0:
+            parts.append(part.strip())
+            part = ""
+        else:
+            part += c
+    return parts + [part.strip()]
+
+
+def arguments(source, start):
+    """What stands between the parenthesis that opens before start and the one that closes it"""
+    depth, quoted, i = 1, False, start
+    while depth:
+        c = source[i]
+        if c == '"':
+            quoted = not quoted
+        elif not quoted and c in "()":
+            depth += 1 if c == "(" else -1
+        i += 1
+    return split(source[start:i - 1])
+
+
+def cases():
+    for name in sorted(glob.glob("tests/hard/*.c")):
+        source = open(name).read()
+        for found in re.finditer(r"^\s*(CASE|DOUBLE_ONLY)\(", source, re.M):
+            part = arguments(source, found.end())
+            yield part[0], part[3:] if found[1] == "CASE" else part[4:], found[1] == "CASE"
+
+
+def point(numbers, in_float):
+    x = []
+    for number in numbers:
+        chosen = re.match(r"R\((.*),(.*)\)$", number)
+        value = float(chosen[2 if in_float else 1] if chosen else number)
+        x.append(single(value) if in_float else value)
+    return x
+
+
+def row(kernel, x):
+    try:
+        value = globals()[kernel](*map(mpf, x))
+    except Exception:
+        print(kernel, x)
+        raise
+    value, scale = value if isinstance(value, tuple) else (value, fabs(value))
+    value, scale = value.real, scale.real  # a root may come with an imaginary zero
+    high = float(value)
+    low = float(value - high) if abs(high) > 1e-280 else 0
+    x = x + [0.0] * (INPUTS - len(x))
+    return '{"%s", {%s}, %r, %r, %s},\n' % (kernel, ", ".join(repr(z) for z in x), high, low, nstr(scale, 6))
+
+
+def main():
+    rows = {True: [], False: []}
+    for kernel, numbers, has_float in cases():
+        for in_float in [False, True] if has_float else [False]:
+            new = row(kernel, point(numbers, in_float))
+            if new not in rows[in_float]:
+                rows[in_float].append(new)
+    with open("tests/data/hard.h", "w") as f:
+        f.write("/* written by tests/gen/hard_reference.py: kernel, point, value in two words, scale of the error */\n")
+        f.write("#ifdef VM_USE_FLOAT\n" + "".join(rows[True]) + "#else\n" + "".join(rows[False]) + "#endif\n")
+
+
+if __name__ == "__main__":
+    main()
