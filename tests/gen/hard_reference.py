@@ -485,10 +485,6 @@ def attitude_length(steps, t):
     return mpf(1)
 
 
-def turns_length(steps, angle):
-    return mpf(1)
-
-
 def amplification(z):
     return 1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24
 
@@ -519,7 +515,111 @@ def adiabatic_late(t, rate, alpha):
 def bessel(t, rate):
     """(m x')' + x = 0 is Bessel's equation in z = 2 sqrt(m)/rate"""
     z0, z = 2 / rate, 2 * sqrt(1 + rate * t) / rate
-    return pi * z0 / 2 * (besselj(1, z0) * bessely(0, z) - bessely(1, z0) * besselj(0, z)) * -1
+    return pi * z0 / 2 * (besselj(1, z0) * bessely(0, z) - bessely(1, z0) * besselj(0, z))
+
+
+# -- forces that are not smooth --
+
+ca_path, sa_path = ca_late, sa_late
+
+
+def spring(x, alpha):
+    return mpf(0), mpf(1)
+
+
+def period_path(alpha):
+    return period(mpf(1), alpha)
+
+
+def mean_path(alpha, p, q):
+    return ateb_mean(alpha, p, q)
+
+
+def friction(alpha):
+    """The energy falls by friction times way: A' = -vmax <|sa|>, the mean being (alpha + 1)/Pi"""
+    return -sqrt(2 * (alpha + 1)) / ateb_pi(alpha)
+
+
+@unit
+def branches(t, alpha):
+    return ateb(sqrt((alpha + 1) / 2) * t, alpha)[1]
+
+
+@unit
+def bounces(t, keeps):
+    speed, now = mpf(2), mpf(1)
+    while True:
+        speed *= keeps
+        if now + speed >= t:
+            return speed * (t - now) - (t - now)**2
+        now += speed
+
+
+@unit
+def arcs(third):
+    """32/pi^3 sum (-1)^j cos (2j+1)x/(2j+1)^3"""
+    return 32 / pi**3 * (1 - third / 27)
+
+
+rough_spring = adiabatic_late
+
+
+# -- stiffness --
+
+def burnt_mass(m):
+    return 3 * log(m)
+
+
+def burnt_speed(t):
+    return 3 * log(1 - t)
+
+
+def burnt_way(t):
+    return -3 * ((1 - t) * log(1 - t) + t)
+
+
+def empty_wagon(t):
+    return (1 + 2 * t) / (1 - t)
+
+
+def last_mass(m):
+    return 1 / m
+
+
+momentum_state = last_mass
+
+
+def jet_end(t, spin):
+    return ((4 - t) / 4)**half
+
+
+def braked_shaft(k, t):
+    return t / k + expm1(-k * t) / k**2
+
+
+def relaxing(k):
+    """y = k (k cos t + sin t - k e^(-k t))/(k^2 + 1)"""
+    return k * (k * cos(1) + sin(1) - k * exp(-k)) / (k * k + 1)
+
+
+@unit
+def vanishing_mass(t, alpha):
+    return ateb(-sqrt((alpha + 1) / 2) * log(1 - t), alpha)[1]
+
+
+def vdp_end(b, t):
+    return vdp(b, mpf(-1), t)
+
+
+def drum_end(mu, v, D, phi):
+    """The integral of (1 + mu phi/4)/(2 + e phi)"""
+    e, s = mu * v / 2 - D, mu / 4
+    return s * phi / e + (1 - 2 * s / e) / e * log(1 + e * phi / 2)
+
+
+def light_mass(rate, alpha):
+    phase = sqrt((alpha + 1) / 2) * rate
+    return ateb(phase, alpha)[1], 1 + phase
 
 
 #INSERT

@@ -248,7 +248,7 @@ static const hard_case removable_cases[] = {
     CASE(free_body, 16, "a sphere: 0/0", 2, 2, 2, 1, 1.5, 2),
     CASE(free_body, 16, "an axisymmetric body: m = 0, and the angular momentum's difference to what is left", 2, 2, 1, 0.001, 1.5, 2),
     CASE(lambert_w0, 2, "W_0 next to -1/e: w e^w - x is flat", R(-0.36787944117, -0.367879)),
-    CASE(lambert_wm1, 2, "W_-1 next to -1/e", R(-0.36787944117, -0.367879)),
+    CASE(lambert_wm1, 2, "W_-1 next to -1/e", R(-0.36787944117, -0.3678793)),
     CASE(integral_sa2, 24, "s - sa ca for small s", R(1e-6, 1e-3), 0.5),
     CASE(integral_sa2, 24, "the same for a wall", R(1e-4, 1e-2), 1000),
     CASE(amplitude_law, 4, "(337) as printed has 5 - alpha below the line: alpha -> 5", 1.5, 4.9375),
