@@ -111,7 +111,7 @@ static void unbranched(vm_real t, const vm_real *y, vm_real *dydt, const vm_real
 static vm_real branches_naive(const vm_real *x)
 {
     vm_real y[2] = {1, 0};
-    naive_rk4(unbranched, x, 2, y, x[0], 1000);
+    naive_rk4(unbranched, x, 2, y, x[0], 200);
     return y[0];
 }
 
@@ -210,11 +210,11 @@ static const hard_case nonsmooth_cases[] = {
     CASE(friction, R(4e5, 100), "dry friction jumps twice a period: trapezoids of a period", 3),
     CASE(friction, R(4e5, 100), "the same, alpha = 1/2", 0.5),
     CASE(branches, R(4e6, 4000), "alpha = 0 by an integrator that steps over the jumps", 40, 0),
-    CASE(branches, R(4e6, 4000), "alpha = 2, the same", 40, 2),
+    CASE(branches, R(4e6, 1000), "alpha = 2, the same", 40, 2),
     CASE(bounces, R(1e5, 100), "bounces: each is late by a part of a step", 4, 0.75),
-    CASE(bounces, R(1e5, 100), "the same, elastic: the error adds up", 17.5, 1),
+    CASE(bounces, R(1e5, 4000), "the same, elastic: the error adds up", 17.5, 1),
     CASE(arcs, 16, "Fourier coefficients of arcs of parabolas fall slowly", 0),
     CASE(arcs, 16, "the same, the third", 1),
     CASE(rough_spring, R(1e6, 4000), "alpha = 1/4 with varying mass by rk4", 64, 0.03125, 0.25),
-    CASE(rough_spring, R(1e6, 4000), "alpha = 30 with varying mass by rk4", 64, 0.03125, 30),
+    CASE(rough_spring, R(1e6, 100), "alpha = 30 with varying mass by rk4", 64, 0.03125, 30),
 };
