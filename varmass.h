@@ -468,7 +468,7 @@ VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y);
 
 /* Steady motion at psi' = Omega, which needs torque = damping Omega (47). r_SS = s omega^2/(omega^2 - Omega^2), m:
    positive as in (77), phi = psi + pi, where Omega^2 < omega^2; negative as in (76), phi = psi. Infinite at resonance
-   (NaN for s = 0). Within 2 eps however near resonance is. */
+   (NaN for s = 0). Within 2 eps however near resonance is. NaN where mass Omega^2 overflows. */
 VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega);
 /* Small motions about it, exp(lambda t). (81) corrected (its last term lacks lambda^2) is lambda times the polynomial
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,

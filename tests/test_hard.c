@@ -39,7 +39,7 @@ static double error_of(vm_real got, const hard_value *v)
 
 static void print_error(double error)
 {
-    if (error < (double)INFINITY) printf(" %.1e |", error);
+    if (error < (double)INFINITY) printf(" %.2g |", error);
     else printf(" no number |");
 }
 
@@ -56,7 +56,7 @@ static void check_case(const hard_case *c)
         if (c->x[i] != 0) last = i;
     }
     printf("| %s | %s |", c->text, c->kernel);
-    for (i = 0; i <= last; i++) printf(" %.4g", c->x[i]);
+    for (i = 0; i <= last; i++) printf(" %.10g", c->x[i]);
     if (c->no_float && sizeof(vm_real) == sizeof(float)) {
         printf(" | %s | | |\n", c->no_float);
         check_skipped++;

@@ -31,7 +31,8 @@ typedef struct hard_case {
 #ifdef VM_USE_FLOAT
 #define DOUBLE_ONLY(kernel, bound, text, why, ...) {#kernel, kernel##_ours, kernel##_naive, bound, text, why, {0}}
 #else
-#define DOUBLE_ONLY(kernel, bound, text, why, ...) {#kernel, kernel##_ours, kernel##_naive, bound, text, why, {__VA_ARGS__}}
+#define DOUBLE_ONLY(kernel, bound, text, why, ...) \
+    {#kernel, kernel##_ours, kernel##_naive, bound, text, why, {__VA_ARGS__}}
 #endif
 /* clang-format on */
 
@@ -47,8 +48,8 @@ typedef struct hard_case {
 #define GAMMA(x) VM_LIBM(tgamma)(x)
 
 /* a fixed number of steps of the classical method, written as every textbook does */
-static inline void naive_rk4(void (*f)(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x), const vm_real *x,
-                             int n, vm_real *y, vm_real t_end, long steps)
+static inline void naive_rk4(void (*f)(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x),
+                             const vm_real *x, int n, vm_real *y, vm_real t_end, long steps)
 {
     vm_real k1[6], k2[6], k3[6], k4[6], z[6], t = 0;
     const vm_real h = t_end / (vm_real)steps;

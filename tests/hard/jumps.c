@@ -1,13 +1,16 @@
 /* Ill-posed jumps: what is left has next to no inertia or mass, or cannot exist; and matrices that do not solve. */
 
-/* A lamina spins at 3.3 rad/s; a part of the inertia x0, of 2, at its centre, moves on as before: the rest's spin */
+/* A lamina spins at 3.3 rad/s; a part at its centre, of the inertia x0 of 2.1, moves on as before: the rest's spin */
 static vm_real thin_rest_ours(const vm_real *x)
 {
-    vm_body2 whole = {5, 2, 0, 0, 0, 0, 0, VM_C(3.3)}, part = {1, 0, 0, 0, 0, 0, 0, VM_C(3.3)}, rest;
+    vm_body2 whole = {5, VM_C(2.1), 0, 0, 0, 0, 0, VM_C(3.3)}, part = {1, 0, 0, 0, 0, 0, 0, VM_C(3.3)}, rest;
     part.inertia = x[0];
     return vm_separate2(&whole, &part, NULL, &rest) == VM_OK ? rest.omega : VM_NAN;
 }
-static vm_real thin_rest_naive(const vm_real *x) { return (2 * VM_C(3.3) - x[0] * VM_C(3.3)) / (2 - x[0]); }
+static vm_real thin_rest_naive(const vm_real *x)
+{
+    return (VM_C(2.1) * VM_C(3.3) - x[0] * VM_C(3.3)) / (VM_C(2.1) - x[0]);
+}
 
 /* The same in space: the whole of moments 2, 2, 1 tilted by 1 rad about y, the part 1, 1, x0: omega_x of the rest.
    Naive: by Cramer's rule in inertial axes */
@@ -70,16 +73,17 @@ static vm_real light_rest_ours(const vm_real *x)
 }
 static vm_real light_rest_naive(const vm_real *x) { return (x[0] * x[2] - x[1] * x[3]) / (x[0] - x[1]); }
 
-/* A part 3/8 m off the centre moves on as before, at the speed x0, spin 3: the rest's spin, by angular momenta */
+/* A part 3/8 m off the centre moves on nearly as before, at the speed x1 beside x0, spin 3: the rest's spin, by
+   angular momenta */
 static vm_real fast_spin_ours(const vm_real *x)
 {
     vm_body2 whole = {5, 2, 0, 0, 0, 0, 0, 3}, part = {1, VM_C(0.125), VM_C(0.375), 0, 0, 0, 0, 3}, rest;
-    whole.vy = x[0], part.vy = x[0] + VM_C(1.125);
+    whole.vy = x[0], part.vy = x[1];
     return vm_separate2(&whole, &part, NULL, &rest) == VM_OK ? rest.omega : VM_NAN;
 }
 static vm_real fast_spin_naive(const vm_real *x)
 {
-    const vm_real d = VM_C(0.375), d1 = -d / 4, v2 = x[0] + VM_C(1.125), v1 = (5 * x[0] - v2) / 4;
+    const vm_real d = VM_C(0.375), d1 = -d / 4, v2 = x[1], v1 = (5 * x[0] - v2) / 4;
     return (6 - VM_C(0.375) - d * v2 - 4 * d1 * v1) / (2 - VM_C(0.125) - d * d - 4 * d1 * d1);
 }
 
@@ -106,8 +110,8 @@ static vm_real short_pendulum_naive(const vm_real *x)
     return (VM_C(1.7) - O2 * VM_C(1.7) - m * l * l / 12 * x[1]) / ((3 - m) * left * left / 3);
 }
 
-/* Statuses: what vm_separate says of a part of mass x0, moments x1, x2, x3, at the distance x4, against a whole of mass
-   5 and moments 2, 2, 3. Naive: no objection */
+/* Statuses: what vm_separate says of a part of mass x0, moments x1, x2, x3, at the distance x4, against a whole of
+   mass 5 and moments 2, 2, 3. Naive: no objection */
 static vm_real refused_ours(const vm_real *x)
 {
     vm_body whole = {5, {2, 2, 3, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1}}, part = whole, rest;
@@ -158,21 +162,25 @@ static vm_real far_attach_naive(const vm_real *x)
 }
 
 static const hard_case jumps_cases[] = {
-    CASE(thin_rest, 2, "nothing but the part's motion goes on, of the inertia 1e-3 is left", R(1.9990003, 1.9990003)),
-    CASE(thin_rest, 2, "the same, 1e-9 left", R(1.9999999987, 1.99997)),
-    CASE(thin_rest, 2, "the same, 1e-13 left", R(1.9999999999998, 1.999995)),
+    CASE(thin_rest, 2, "nothing but the part's motion goes on, of the inertia 1e-3 is left", 2.0990003),
+    CASE(thin_rest, 2, "the same, 1e-9 left", R(2.0999999957, 2.09997)),
+    CASE(thin_rest, 2, "the same, 1e-13 left", R(2.0999999999998, 2.099995)),
     CASE(tilted_rest, 8, "the same in space, about a tilted axis, by Cramer's rule", R(0.99999, 0.9999)),
     CASE(tilted_rest, 8, "the same, nearly a rod", R(0.9999999987, 0.99997)),
     CASE(tilted_rest, 8, "the same, 1e-13 left", R(0.9999999999998, 0.999995)),
     CASE(rod_rest, 2, "the rest is a rod: spin by 0/0", 0.5, 0.5),
-    CASE(rod_rest, 2, "the rest is a rod but for rounding: spin by noise", R(0.30000000000000004, 0.3), R(0.3, 0.29999998)),
+    CASE(rod_rest, 2, "the rest is a rod but for rounding: spin by noise", R(0.30000000000000004, 0.3),
+         R(0.3, 0.29999998)),
     CASE(rod_of_points, 4, "two points become a rod: 0/0 about its axis", 3),
     CASE(rod_of_points, 4, "the same, masses 1e4 apart", 10000),
-    CASE(light_rest, 4, "almost all of the mass leaves: speed of the rest by momenta", 1, R(0.9999999, 0.9999), 1000.1, 1000.1),
+    CASE(light_rest, 4, "almost all of the mass leaves: speed of the rest by momenta", 1, R(0.9999999, 0.9999),
+         1000.1, 1000.1),
     CASE(light_rest, 4, "the same, all but 1e-12", 1, R(0.999999999999, 0.99999), 1000.1, 1000.1),
-    CASE(light_rest, 4, "the same, with a little relative velocity", 3, R(2.99999999, 2.9999), 1000.1, R(1000.10000001, 1000.2)),
-    CASE(fast_spin, 8, "at 1e9 m/s the spin drowns in the moments of momenta", R(1e9, 10000)),
-    CASE(fast_spin, 8, "at 1e12 m/s", R(1e12, 1e5)),
+    CASE(light_rest, 4, "the same, with a little relative velocity", 3, R(2.99999999, 2.9999), 1000.1,
+         R(1000.10000001, 1000.2)),
+    CASE(fast_spin, 8, "at 1e9 m/s the spin drowns in the moments of momenta", R(1000000000.1, 10000.1),
+         R(1000000001.2, 10001.2)),
+    CASE(fast_spin, 8, "at 1e12 m/s", R(1e12, 100000.1), R(1000000000001.1, 100001.2)),
     CASE(wanted_spin, 4, "the spin of a part without much inertia that leaves the rest's as it was", R(1e-7, 1e-4)),
     CASE(wanted_spin, 4, "the same, next to none", R(1e-14, 1e-6)),
     CASE(short_pendulum, 4, "a pendulum cut next to its pivot", R(0.999, 0.99), 0),
@@ -182,10 +190,10 @@ static const hard_case jumps_cases[] = {
     CASE(refused, 0.1, "a part with more inertia than the whole", 1, 1, 2.5, 3, 0),
     CASE(refused, 0.1, "a part outside of the whole, by the parallel axes", 1, 0.1, 0.1, 0.1, 2),
     CASE(refused, 0.1, "a rest whose moments break the triangle inequality", 1, 1.5, 1.5, 0.5, 0),
-    CASE(refused, 0.1, "a rest that is a rod: done, with a remark", 1, 0, 0, 3, 0),
     CASE(no_lever, 0.1, "a velocity that has to spin the rest without a lever", 0),
     CASE(hit_or_not, 0.1, "an indefinite mass matrix with a good diagonal", 1, 2, 1),
-    CASE(hit_or_not, 0.1, "two coordinates that move one mass: the determinant is rounding", 0.1, 0.3, R(0.9, 0.90000004)),
+    CASE(hit_or_not, 0.1, "two coordinates that move one mass: the determinant is rounding", 0.1, 0.3,
+         R(0.9, 0.90000004)),
     CASE(hit_or_not, 0.1, "a coordinate that moves nothing", 1, 0, 0),
     CASE(far_attach, 16, "capture far from the origin", R(100000.1, 300.1), R(100000.6, 300.6)),
     CASE(far_attach, 16, "the same, farther", R(100000000.1, 10000.1), R(100000000.6, 10000.6)),

@@ -30,7 +30,8 @@ static vm_real euler_late_naive(const vm_real *x) { return COS(FMOD(x[0], 4 * VM
 /* omega_1 of a free body after many turns: the textbook's phase is rounded once */
 static vm_real free_body_late_ours(const vm_real *x) { return free_body_ours(x); }
 static vm_real free_body_late_naive(const vm_real *x) { return free_body_naive(x); }
-/* Where the axis of a body of moments x0, x0, x1 points, z, after its precession from omega = (x2, 0, x3) for t = x4 */
+/* Where the axis of a body of moments x0, x0, x1 points, z, after its precession from omega = (x2, 0, x3) for
+   t = x4 */
 static vm_real precession_ours(const vm_real *x)
 {
     vm_free_motion motion;
@@ -215,23 +216,28 @@ static const hard_case long_times_cases[] = {
     CASE(ca_late, 4, "1e8 periods of ca, alpha = 3", R(987654321.3, 9876.543), 3),
     CASE(ca_late, 4, "the same, alpha = 1/16: arcs of parabolas", R(987654321.3, 9876.543), 0.0625),
     CASE(ca_late, 4, "the same, alpha < 1", R(987654321.3, 9876.543), 0.3125),
-    CASE(sa_late, 4, "the same of a wall", R(987654321.3, 9931.25), 100),
+    CASE(sa_late, 4, "the same of a wall", R(987654243.5125, 9931.125), 100),
     CASE(sa_late, 4, "the same by a plan, alpha = 3", R(987654321.3, 9876.543), 3),
     CASE(sa_late, 4, "the same by a plan, alpha = 1.3125", R(987654321.3, 9876.543), 1.3125),
     CASE(euler_late, 4, "an attitude by an angle of 1e9 rad", R(987654321.3, 9876.543)),
-    CASE(free_body_late, 8, "a free body after 1e6 turns: the phase is rounded", 3, 2, 1.5, 0.5, 2, R(3000000.7, 3000.7)),
-    CASE(free_body_late, 8, "the same next to the separatrix, turn-overs", 3, 2, 1.5, 0.5, R(1.0000001, 1.001), R(1000000.3, 1000.3)),
+    CASE(free_body_late, 8, "a free body after 1e6 turns: the phase is rounded", 3, 2, 1.5, 0.5, 2,
+         R(3000000.7, 3000.7)),
+    CASE(free_body_late, 8, "the same next to the separatrix, turn-overs", 3, 2, 1.5, 0.5, R(1.0000001, 1.001),
+         R(1000000.3, 1000.3)),
     CASE(free_body_late, 8, "the same nearly axisymmetric", R(2.000001, 2.001), 2, 1, 0.5, 2, R(2000000.1, 2000.1)),
     CASE(precession, 16, "precession of an axisymmetric body for 1e6 turns", 2, 1, 1, 3, R(4000000.3, 4000.3)),
     CASE(precession, 6, "the same of a disc", 1, 2, 0.25, 1, R(3000000.3, 30000.3)),
     CASE(attitude_length, R(1e10, 40), "length of the quaternion in 1e4 steps of rk4", 10000, 1000),
     CASE(attitude_length, R(1e11, 400), "the same with coarse steps", 1000, 200),
-    CASE(steps_growing, 4, "2^20 steps of rk4, each rounded: growth", R(1048576, 65536), R(0.00000095367431640625, 0.0000152587890625)),
-    CASE(steps_circling, 4, "2^20 steps of rk4, each rounded: a circle", R(1048576, 1048576), R(0.00000762939453125, 0.00000762939453125)),
+    CASE(steps_growing, 4, "2^20 steps of rk4, each rounded: growth", R(1048576, 65536),
+         R(0.00000095367431640625, 0.0000152587890625)),
+    CASE(steps_circling, 4, "2^20 steps of rk4, each rounded: a circle", R(1048576, 1048576),
+         R(0.00000762939453125, 0.00000762939453125)),
     CASE(steps_clock, 4, "2^20 steps, time added up", R(1000000, 100000), 10),
     CASE(energy_late, 8, "energy of a cubic oscillator after 100 periods of rk4", 500, 3),
     CASE(energy_late, 8, "the same after 1000 periods, alpha = 2", 5000, 2),
-    CASE(adiabatic_late, R(2000, 2000), "phase of a mass that doubles in 100 periods", 1024, R(0.0009765625, 0.0009765625), 3),
+    CASE(adiabatic_late, R(2000, 2000), "phase of a mass that doubles in 100 periods", 1024,
+         R(0.0009765625, 0.0009765625), 3),
     CASE(adiabatic_late, R(2000, 2000), "the same, alpha = 1.5", 1024, R(0.0009765625, 0.0009765625), 1.5),
-    CASE(bessel, R(4e4, 1000), "a linear oscillator whose mass doubles: averaging's phase", 64, 0.03125),
+    CASE(bessel, R(4e3, 1000), "a linear oscillator whose mass doubles: averaging's phase", 64, 0.03125),
 };

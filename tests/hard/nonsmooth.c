@@ -26,8 +26,7 @@ static vm_real period_path_naive(const vm_real *x)
 {
     vm_real sum = 0;
     int i;
-    for (i = 0; i < 1000; i++)
-        sum += 1 / SQRT(1 - POW(((vm_real)i + VM_C(0.5)) / 1000, x[0] + 1));
+    for (i = 0; i < 1000; i++) sum += 1 / SQRT(1 - POW(((vm_real)i + VM_C(0.5)) / 1000, x[0] + 1));
     return 4 * SQRT((x[0] + 1) / 2) * sum / 1000;
 }
 /* Mean of |sa|^x1 |ca|^x2, alpha = x0, by 1000 points of a quarter */
@@ -194,27 +193,27 @@ static const hard_case nonsmooth_cases[] = {
     CASE(ca_path, 4, "alpha = 1/2: a root", 9.3, 0.5),
     CASE(ca_path, 4, "alpha = 3/4", 19.3, 0.75),
     CASE(sa_path, 4, "alpha = 3/2: the second derivative of the force is infinite at 0", 99.3, 1.5),
-    CASE(ca_path, 4, "alpha = 2: x|x|", 199.3, 2),
+    CASE(ca_path, 4, "alpha = 2: the force is x^2 with the sign of x", 199.3, 2),
     CASE(ca_path, 4, "alpha = 5/2", 199.3, 2.5),
     CASE(ca_path, 4, "alpha = 33.3: the step is that of the bend", 100.3, 33.3),
     CASE(sa_path, 4, "alpha = 100: a soft wall", 310.3, 100),
     CASE(ca_path, 4, "alpha = 1000: a wall", 2510.7, 1000),
     CASE(sa_path, 4, "alpha = 1000: sa is a step", 2000.7, 1000),
-    CASE(spring, 2, "|x|^(alpha-1) is infinite at x = 0 for alpha < 1", 0, 0.5),
+    CASE(spring, 2, "x times abs(x)^(alpha-1), which is infinite at x = 0 for alpha < 1", 0, 0.5),
     CASE(spring, 2, "the same for alpha = 0", 0, 0),
     CASE(period_path, 4, "the integrand of the period is infinite at its end", 3),
     CASE(period_path, 4, "the same, alpha < 1", 0.3),
     CASE(period_path, 4, "a wall: all of the time is near the end", 1000),
-    CASE(mean_path, 4, "mean of |sa|^(-0.9): the integrand is infinite", 3, -0.9, 0),
-    CASE(mean_path, 4, "mean of |ca|^(-0.5) of a wall", 100, 0, -0.5),
-    CASE(friction, R(4e5, 100), "dry friction jumps twice a period: trapezoids of a period", 3),
-    CASE(friction, R(4e5, 100), "the same, alpha = 1/2", 0.5),
-    CASE(branches, R(4e6, 4000), "alpha = 0 by an integrator that steps over the jumps", 40, 0),
-    CASE(branches, R(4e6, 1000), "alpha = 2, the same", 40, 2),
-    CASE(bounces, R(1e5, 100), "bounces: each is late by a part of a step", 4, 0.75),
-    CASE(bounces, R(1e5, 4000), "the same, elastic: the error adds up", 17.5, 1),
+    CASE(mean_path, 4, "mean of abs(sa)^-0.9: the integrand is infinite", 3, -0.9, 0),
+    CASE(mean_path, 4, "mean of abs(ca)^-0.5 of a wall", 100, 0, -0.5),
+    CASE(friction, 64, "dry friction jumps twice a period: trapezoids of a period", 3),
+    CASE(friction, 64, "the same, alpha = 1/2", 0.5),
+    CASE(branches, R(1e6, 4000), "alpha = 0 by an integrator that steps over the jumps", 40, 0),
+    CASE(branches, R(1e6, 1000), "alpha = 2, the same", 40, 2),
+    CASE(bounces, R(1e3, 100), "bounces: each is late by a part of a step", 4, 0.75),
+    CASE(bounces, R(2e5, 4000), "the same, elastic: the error adds up", 17.5, 1),
     CASE(arcs, 16, "Fourier coefficients of arcs of parabolas fall slowly", 0),
     CASE(arcs, 16, "the same, the third", 1),
-    CASE(rough_spring, R(1e6, 4000), "alpha = 1/4 with varying mass by rk4", 64, 0.03125, 0.25),
-    CASE(rough_spring, R(1e6, 100), "alpha = 30 with varying mass by rk4", 64, 0.03125, 30),
+    CASE(rough_spring, R(1e4, 300), "alpha = 1/4 with varying mass by rk4", 64, 0.03125, 0.25),
+    CASE(rough_spring, R(1e4, 100), "alpha = 30 with varying mass by rk4", 64, 0.03125, 30),
 };

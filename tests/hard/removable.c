@@ -29,12 +29,18 @@ static vm_real power_law_naive(const vm_real *x)
 {
     return (POW(1 + x[0] * x[2], 1 - x[1]) - 1) / (x[0] * (1 - x[1]));
 }
-static vm_real exponential_law_ours(const vm_real *x) { return inverse_integral(vm_law_exponential(1, x[0]), x[1]); }
+static vm_real exponential_law_ours(const vm_real *x)
+{
+    return inverse_integral(vm_law_exponential(1, x[0]), x[1]);
+}
 static vm_real exponential_law_naive(const vm_real *x) { return (1 - EXP(-x[0] * x[1])) / x[0]; }
 static vm_real linear_law_ours(const vm_real *x) { return inverse_integral(vm_law_linear(1, x[0]), x[1]); }
 static vm_real linear_law_naive(const vm_real *x) { return LOG(1 + x[0] * x[1]) / x[0]; }
 /* f = 1 + x0 t + x1 t^2 by the integral tables' arctangents and logarithms */
-static vm_real quadratic_law_ours(const vm_real *x) { return inverse_integral(vm_law_quadratic(1, x[0], x[1]), x[2]); }
+static vm_real quadratic_law_ours(const vm_real *x)
+{
+    return inverse_integral(vm_law_quadratic(1, x[0], x[1]), x[2]);
+}
 static vm_real quadratic_law_naive(const vm_real *x)
 {
     const vm_real D = 4 * x[1] - x[0] * x[0], root = SQRT(FABS(D)), late = 2 * x[1] * x[2] + x[0];
@@ -63,10 +69,7 @@ static vm_real wagon_way_ours(const vm_real *x)
     stream.rate = x[1];
     return vm_linear_flow(x[0], 0, 0, 1, 2, &stream, &way, &v) == VM_OK ? way : VM_NAN;
 }
-static vm_real wagon_way_naive(const vm_real *x)
-{
-    return 2 / x[1] * (x[0] - LOG(1 + x[1] * x[0]) / x[1]);
-}
+static vm_real wagon_way_naive(const vm_real *x) { return 2 / x[1] * (x[0] - LOG(1 + x[1] * x[0]) / x[1]); }
 static vm_real tsiolkovsky_ours(const vm_real *x) { return vm_tsiolkovsky(0, x[0], x[1], 1000); }
 static vm_real tsiolkovsky_naive(const vm_real *x) { return 1000 * LOG(x[1] / x[0]); }
 
@@ -125,7 +128,7 @@ static vm_real vdp_ours(const vm_real *x)
 static vm_real vdp_naive(const vm_real *x) /* (422) corrected */
 {
     const vm_real ln = LOG(1 + x[1] * x[2]), F = (2 * x[0] - x[1]) / x[1] * ln / 3, a3 = ateb_mean(3, 2, 2) / 2;
-    return SQRT(EXP(F) / (4 + 2 * a3 * 3 / (2 * x[0] - x[1]) * (EXP(F) - 1))) ;
+    return SQRT(EXP(F) / (4 + 2 * a3 * 3 / (2 * x[0] - x[1]) * (EXP(F) - 1)));
 }
 
 /* Angle of a shaft of inertia 1, damping x0, torque 1 after t = x1, (49) */
@@ -200,8 +203,15 @@ static vm_real amplitude_law_naive(const vm_real *x) { return POW(x[0], 1 / (5 -
 /* x(t) and its period, m and k constant by a law of no rate: vm_osc_at's phase, t = x0, rate of both x1 */
 static vm_real frozen_motion_ours(const vm_real *x)
 {
-    vm_osc_problem p = {3, {VM_LAW_LINEAR, 1, 0, 0, 0, NULL, NULL, NULL, NULL},
-                        {VM_LAW_POWER, 1, 0, -1, 0, NULL, NULL, NULL, NULL}, 1, 0, 1, 0, NULL, NULL};
+    vm_osc_problem p = {3,
+                        {VM_LAW_LINEAR, 1, 0, 0, 0, NULL, NULL, NULL, NULL},
+                        {VM_LAW_POWER, 1, 0, -1, 0, NULL, NULL, NULL, NULL},
+                        1,
+                        0,
+                        1,
+                        0,
+                        NULL,
+                        NULL};
     vm_osc_motion motion;
     p.mass.f1 = p.stiffness.f1 = x[1];
     return vm_osc_by_second(&p, x[0], &motion) == VM_OK ? motion.x : VM_NAN;
@@ -227,13 +237,15 @@ static const hard_case removable_cases[] = {
     CASE(exponential_law, 8, "q = 0 itself", 0, 2),
     CASE(linear_law, 8, "ln(1 + q t)/q as q -> 0: the sum forgets q t", R(7e-13, 7e-6), 2),
     CASE(linear_law, 8, "the same, mass falling", R(-7e-10, -7e-5), 3),
-    CASE(quadratic_law, 16, "arctangent and logarithm of the quadratic law meet where the roots do", 2, R(1.00000001, 1.0001), 1),
+    CASE(quadratic_law, 16, "arctangent and logarithm of the quadratic law meet where the roots do", 2,
+         R(1.00000001, 1.0001), 1),
     CASE(quadratic_law, 16, "a double root: the discriminant is 0", 2, 1, 3),
     CASE(quadratic_law, 16, "the quadratic law becoming linear: a root at infinity", 0.3, R(1e-13, 1e-6), 1),
     CASE(rocket_way, 16, "the rocket's way: m ln m/q - t over q as the rate q -> 0", 2, R(1e-9, 1e-4)),
     CASE(rocket_way, 16, "the same with mass leaving", 5, R(-3e-6, -3e-3)),
     CASE(wagon_way, 16, "way under a force while mass at rest joins: 1/q^2 as q -> 0", 2, R(1e-7, 1e-3)),
-    CASE(tsiolkovsky, 8, "ln(m0/m) of nearly equal masses: the quotient forgets their difference", 0.7, R(0.7000000003, 0.70007)),
+    CASE(tsiolkovsky, 8, "ln(m0/m) of nearly equal masses: the quotient forgets their difference", 0.7,
+         R(0.7000000003, 0.70007)),
     CASE(jet, 16, "jet damping: axial over transverse moment integrated, A' -> 0", R(1e-9, 1e-4), 2),
     CASE(drum_time, 8, "(197): t(phi) has 1/e^2 as e -> 0", 3, R(0.999999, 0.999)),
     CASE(drum_time, 8, "e = 0 itself: driving and damping cancel", 3, 1),
@@ -241,12 +253,15 @@ static const hard_case removable_cases[] = {
     CASE(drum_angle, 8, "(206): -exp(-f1/k1)/k1 underflows as k1 -> 0", 3, R(0.7501, 0.7502)),
     CASE(drum_angle, 8, "k1 = 0 itself", 3, 0.75),
     CASE(vdp, 16, "(422) over the mass's rate q -> 0", 0.75, R(1e-11, 1e-5), 3),
-    CASE(vdp, 16, "what feeds the vibration is balanced by the reactive force: 2b - q -> 0", R(0.0500000001, 0.0501), 0.1, 3),
+    CASE(vdp, 16, "what feeds the vibration is balanced by the reactive force: 2b - q -> 0",
+         R(0.0500000001, 0.0501), 0.1, 3),
     CASE(spin_up, 8, "(49): t/k - (1 - e^(-kt))/k^2 as the damping k -> 0", R(1e-6, 1e-3), 3),
     CASE(free_shaft, 4, "sin(w t)/w of a shaft without stiffness", 0, 3),
-    CASE(free_body, 16, "a body nearly spherical: the modulus is a quotient of differences of moments", R(1.0000002, 1.002), R(1.0000001, 1.001), 1, 1, 1.5, 2),
+    CASE(free_body, 16, "a body nearly spherical: the modulus is a quotient of differences of moments",
+         R(1.0000002, 1.002), R(1.0000001, 1.001), 1, 1, 1.5, 2),
     CASE(free_body, 16, "a sphere: 0/0", 2, 2, 2, 1, 1.5, 2),
-    CASE(free_body, 16, "an axisymmetric body: m = 0, and the angular momentum's difference to what is left", 2, 2, 1, 0.001, 1.5, 2),
+    CASE(free_body, 16, "an axisymmetric body: m = 0, and the angular momentum's difference to what is left", 2, 2,
+         1, 0.001, 1.5, 2),
     CASE(lambert_w0, 2, "W_0 next to -1/e: w e^w - x is flat", R(-0.36787944117, -0.367879)),
     CASE(lambert_wm1, 2, "W_-1 next to -1/e", R(-0.36787944117, -0.3678793)),
     CASE(integral_sa2, 24, "s - sa ca for small s", R(1e-6, 1e-3), 0.5),

@@ -67,7 +67,8 @@ static vm_real jet_end_ours(const vm_real *x)
     const vm_jet jet = {-1, 1, 4, VM_C(0.25), 1, VM_C(0.5), 1};
     vm_vec3 omega = {1, 0, 0};
     omega.z = x[1];
-    return vm_jet_damping(x[0], &jet, omega, &omega) == VM_OK ? SQRT(omega.x * omega.x + omega.y * omega.y) : VM_NAN;
+    return vm_jet_damping(x[0], &jet, omega, &omega) == VM_OK ? SQRT(omega.x * omega.x + omega.y * omega.y)
+                                                              : VM_NAN;
 }
 static void jet_equations(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
 {
@@ -96,7 +97,10 @@ static vm_real braked_shaft_naive(const vm_real *x)
 }
 
 /* y' = -x0 (y - cos t), y(0) = 0, at t = 1 */
-static void relaxing(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x) { dydt[0] = x[0] * (COS(t) - y[0]); }
+static void relaxing(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
+{
+    dydt[0] = x[0] * (COS(t) - y[0]);
+}
 static int relaxing_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     relaxing(t, y, dydt, (const vm_real *)ctx);
@@ -190,7 +194,8 @@ static const hard_case stiffness_cases[] = {
     CASE(burnt_speed, 4, "the same from time and rate", R(0.9999999999, 0.999999)),
     CASE(burnt_speed, 4, "one eps before the end", R(0.9999999999999998, 0.9999999)),
     CASE(burnt_way, 8, "way of the rocket to its end", R(0.9999999999, 0.999999)),
-    CASE(burnt_way, 128, "the same, one eps before: of ln m and its mean 1/37 is left", R(0.9999999999999998, 0.9999999)),
+    CASE(burnt_way, 128, "the same, one eps before: of ln m and its mean 1/37 is left",
+         R(0.9999999999999998, 0.9999999)),
     CASE(empty_wagon, 4, "speed tends to infinity as the wagon empties", R(0.99999999, 0.99999)),
     CASE(empty_wagon, 4, "the same, one eps before", R(0.9999999999999998, 0.9999999)),
     CASE(last_mass, 2, "momentum stays with what is left: v = 1e6", 1e-6),
@@ -203,12 +208,14 @@ static const hard_case stiffness_cases[] = {
     CASE(relaxing, R(1e10, 2000), "relaxation of 2e3/s: a step beyond the limit of stability", 2e3),
     CASE(relaxing, R(1e10, 2000), "relaxation of 2e4/s", 2e4),
     CASE(relaxing, R(1e10, 2000), "relaxation of 1e5/s: 3e4 short steps, and ODE_STIFF", 1e5),
-    CASE(vanishing_mass, 64, "an oscillator whose mass goes to 0: its frequency to infinity", R(0.99999, 0.9999), 3),
-    CASE(vanishing_mass, 64, "the same, alpha = 1", R(0.9999999, 0.9999), 1),
-    CASE(vanishing_mass, 64, "the same, alpha = 1/2", R(0.9999999, 0.9999), 0.5),
+    CASE(vanishing_mass, 32, "an oscillator whose mass goes to 0: its frequency to infinity", R(0.99999, 0.9999),
+         3),
+    CASE(vanishing_mass, 32, "the same, alpha = 1", R(0.9999999, 0.9999), 1),
+    CASE(vanishing_mass, 32, "the same, alpha = 1/2", R(0.9999999, 0.9999), 0.5),
     CASE(vdp_end, 16, "a limit cycle while the mass goes to 0", 0.25, R(0.9999999, 0.9999)),
     CASE(vdp_end, 16, "the same, driven hard", 4, R(0.9999999, 0.9999)),
-    CASE(drum_end, 8, "time until a drum has all but stopped: the logarithm of what is left", 0.3, 0.7, 0.205, R(19.9999999, 19.999)),
+    CASE(drum_end, 8, "time until a drum has all but stopped: the logarithm of what is left", 0.3, 0.7, 0.205,
+         R(19.9999999, 19.999)),
     CASE(drum_end, 8, "the same, nearer", 0.25, 0.5, 0.3125, R(7.9999999999, 7.99999)),
     CASE(light_mass, 8, "a mass of 1e-6: 1000 steps are 6 a period", 1000, 3),
     CASE(light_mass, 8, "a mass of 1e-10", 1e5, 3),
