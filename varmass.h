@@ -468,7 +468,7 @@ VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y);
 
 /* Steady motion at psi' = Omega, which needs torque = damping Omega (47). r_SS = s omega^2/(omega^2 - Omega^2), m:
    positive as in (77), phi = psi + pi, where Omega^2 < omega^2; negative as in (76), phi = psi. Infinite at resonance
-   (NaN for s = 0). Within 2 eps however near resonance is. NaN where mass Omega^2 overflows. */
+   (NaN for s = 0). Within 2 eps however near resonance is. */
 VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega);
 /* Small motions about it, exp(lambda t). (81) corrected (its last term lacks lambda^2) is lambda times the polynomial
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
@@ -3240,8 +3240,12 @@ VM_API vm_real vmi_rotor_detuning(const vm_rotor *r, vm_real Omega)
 
 VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega)
 {
+    vm_real detuning, share;
     if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    return rotor->s * (rotor->stiffness / vmi_rotor_detuning(rotor, Omega));
+    detuning = vmi_rotor_detuning(rotor, Omega);
+    if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
+    return -rotor->s * (share / (1 - share));
 }
 
 /* w^2, O^2, k*, D and G of (81) */
@@ -4664,18 +4668,19 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v)
 {
-    vm_real tau, first, second, pull, result[2];
+    vm_real tau, first, second, less, pull, result[2];
     if (!stream || !x || !v || !vmi_stream_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
+    less = tau < VM_C(-0.5) ? ((1 + tau) * first - 1) / tau : first - second; /* near -1 both are large */
     pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
     if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
         pull = (force + stream->rate * pull) / m0;
         result[1] = v0 + pull * t * first;
-        result[0] = x0 + t * (v0 + pull * t * (first - second));
+        result[0] = x0 + t * (v0 + pull * t * less);
     } else {
         pull = (force + stream->rate * (pull - v0)) / m0;
         result[1] = v0 + pull * t / (1 + tau);

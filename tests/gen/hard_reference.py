@@ -834,9 +834,9 @@ def arguments(source, start):
 def cases():
     for name in sorted(glob.glob("tests/hard/*.c")):
         source = open(name).read()
-        for found in re.finditer(r"^\s*(CASE|DOUBLE_ONLY)\(", source, re.M):
+        for found in re.finditer(r"^\s*CASE\(", source, re.M):
             part = arguments(source, found.end())
-            yield part[0], part[3:] if found[1] == "CASE" else part[4:], found[1] == "CASE"
+            yield part[0], part[3:]
 
 
 def point(numbers, in_float):
@@ -866,8 +866,8 @@ def row(kernel, x, in_float):
 
 def main():
     rows = {True: [], False: []}
-    for kernel, numbers, has_float in cases():
-        for in_float in [False, True] if has_float else [False]:
+    for kernel, numbers in cases():
+        for in_float in (False, True):
             new = row(kernel, point(numbers, in_float), in_float)
             if new not in rows[in_float]:
                 rows[in_float].append(new)

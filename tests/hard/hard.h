@@ -17,7 +17,7 @@ typedef struct hard_case {
     const char *kernel;
     vm_real (*ours)(const vm_real *x), (*naive)(const vm_real *x);
     double bound;
-    const char *text, *no_float; /* why it means nothing in float; null where it does */
+    const char *text;
     double x[HARD_INPUTS];
 } hard_case;
 
@@ -27,13 +27,7 @@ typedef struct hard_case {
 #define R(in_double, in_float) in_double
 #endif
 /* clang-format off */
-#define CASE(kernel, bound, text, ...) {#kernel, kernel##_ours, kernel##_naive, bound, text, NULL, {__VA_ARGS__}}
-#ifdef VM_USE_FLOAT
-#define DOUBLE_ONLY(kernel, bound, text, why, ...) {#kernel, kernel##_ours, kernel##_naive, bound, text, why, {0}}
-#else
-#define DOUBLE_ONLY(kernel, bound, text, why, ...) \
-    {#kernel, kernel##_ours, kernel##_naive, bound, text, why, {__VA_ARGS__}}
-#endif
+#define CASE(kernel, bound, text, ...) {#kernel, kernel##_ours, kernel##_naive, bound, text, {__VA_ARGS__}}
 /* clang-format on */
 
 #define SIN(x) VM_LIBM(sin)(x)

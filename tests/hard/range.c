@@ -189,6 +189,7 @@ static const hard_case range_cases[] = {
     CASE(wm1_mexp, 2, "W_-1 of -e^-2000", -2000),
     CASE(wm1_mexp, 2, "the same of -e^-1e30", -1e30),
     CASE(steady, 8, "resonance curve of a shaft whose squared frequency is 1e240", R(1e240, 1e30), R(5e119, 5e14)),
+    CASE(steady, 8, "the same where Omega^2 overflows", R(1e300, 1e30), R(1e160, 1e22)),
     CASE(steady, 8, "the same for 1e-240", R(1e-240, 1e-30), R(5e-121, 5e-16)),
     CASE(free_body, 16, "moments of 1e-200: L^2 underflows", R(1e-200, 1e-25), R(0.75e-200, 0.75e-25),
          R(0.5e-200, 0.5e-25), 0.25, 2, 1.5),
