@@ -12,7 +12,7 @@ from mpmath import (agm, besselj, bessely, beta, betainc, cos, ellipe, ellipfun,
                     lambertw, log, log1p, mp, mpf, nstr, pi, quad, sin, sqrt)
 
 mp.dps = 60
-INPUTS = 8
+INPUTS = 6
 IN_FLOAT = False
 half = mpf(1) / 2
 
@@ -129,6 +129,13 @@ def lambert_w0(x):
 
 def lambert_wm1(x):
     return lambertw(x, -1).real
+
+
+def mean_phase(alpha, r, rate, t):
+    share, m = (2 * r - 1) / (alpha + 3), 1 + rate * t
+    left = half - (alpha - 1) / 2 * share
+    integral = (m**left - 1) / (rate * left) if left else log(m) / rate
+    return m**-share * ateb(sqrt((alpha + 1) / 2) * integral, alpha)[1], mpf(1)
 
 
 # -- Ateb functions: s(ca) is an incomplete beta function, inverted by Newton's method --

@@ -221,6 +221,22 @@ static vm_real frozen_motion_naive(const vm_real *x)
     return ateb_ca(SQRT(VM_C(2.)) * (LOG(1 + x[1] * x[0]) / x[1]), 3);
 }
 
+/* Mean motion of first order, m = 1 + x2 t, k = 1, t = x3, alpha = x0, r = x1: its phase is the integral of m^(-p) */
+static vm_real mean_phase_ours(const vm_real *x)
+{
+    vm_osc_problem p;
+    vm_osc_motion motion;
+    memset(&p, 0, sizeof p);
+    p.alpha = x[0], p.reactive = x[1], p.x = 1;
+    p.mass = vm_law_linear(1, x[2]), p.stiffness = vm_law_linear(1, 0);
+    return vm_osc_by_ateb(&p, x[3], &motion) == VM_OK ? motion.x : VM_NAN;
+}
+static vm_real mean_phase_naive(const vm_real *x)
+{
+    const vm_real share = (2 * x[1] - 1) / (x[0] + 3), left = VM_C(0.5) - (x[0] - 1) / 2 * share, m = 1 + x[2] * x[3];
+    const vm_real psi = SQRT((x[0] + 1) / 2) * (POW(m, left) - 1) / (x[2] * left);
+    return POW(m, -share) * ateb_ca(psi, x[0]);
+}
 static const hard_case removable_cases[] = {
     CASE(C2, 8, "mean of cn^2 is (E/K - 1 + m)/m: 0/0 as m -> 0", 3e-5),
     CASE(C2, 8, "the same from the other side", -7e-7),
@@ -268,5 +284,9 @@ static const hard_case removable_cases[] = {
     CASE(integral_sa2, 24, "the same for a wall", R(1e-4, 1e-2), 1000),
     CASE(amplitude_law, 4, "(337) as printed has 5 - alpha below the line: alpha -> 5", 1.5, 4.9375),
     CASE(amplitude_law, 4, "the same at alpha = 5", 1.5, 5),
+    CASE(mean_phase, 16, "alpha = 5: the integral of m^-p becomes a logarithm for r = 3/2", 5, 1.5, 0.03125, 16),
+    CASE(mean_phase, 16, "alpha -> 5: the same next to it", R(4.99999999, 4.9999), 1.5, 0.03125, 16),
+    CASE(mean_phase, 16, "alpha = 3: the same for r = 2", 3, 2, 0.03125, 16),
+    CASE(mean_phase, 16, "alpha -> 3: the same next to it", R(3.00000001, 3.0001), 2, 0.03125, 16),
     CASE(frozen_motion, 16, "phase of a mass that hardly changes: ln(1 + q t)/q", 2, R(1e-13, 1e-6)),
 };
