@@ -25,11 +25,11 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams
-SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme fuzz
+TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard
+SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme fuzz hard_cases
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
-TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
+TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
 .PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads
@@ -194,6 +194,7 @@ data:
 	python3 tests/gen/streams.py
 	python3 tests/gen/slow.py
 	python3 tests/gen/oscillator_reference.py
+	python3 tests/gen/hard_reference.py
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h

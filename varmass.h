@@ -509,7 +509,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
      after qdot_after = before qdot + part + impulse    attachment
    Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
    qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
-   mass: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled to 1. */
+   mass, or a negative one: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled
+   to 1. */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
@@ -1686,8 +1687,29 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     if (x < 0) *sine = -*sine;
 }
 
-/* a x = b, a dense and n by n, row after row, by elimination with row pivoting: x replaces b, a is destroyed but
-   for its pivots, which stay on the diagonal. VM_SINGULAR, b destroyed, where a column has no pivot. */
+/* Elimination of column k of a x = b, a n by n, row after row, below the diagonal */
+VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
+{
+    int i, j;
+    for (i = k + 1; i < n; i++) {
+        const vm_real factor = a[i * n + k] / a[k * n + k];
+        for (j = k + 1; j < n; j++) a[i * n + j] -= factor * a[k * n + j];
+        b[i] -= factor * b[k];
+    }
+}
+
+/* a x = b for a without entries below the diagonal: x replaces b */
+VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
+{
+    int j, k;
+    for (k = n - 1; k >= 0; k--) {
+        for (j = k + 1; j < n; j++) b[k] -= a[k * n + j] * b[j];
+        b[k] /= a[k * n + k];
+    }
+}
+
+/* a x = b, a dense and n by n, row after row, by elimination with row pivoting: x replaces b, a is destroyed.
+   VM_SINGULAR, b destroyed, where a column has no pivot. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -1699,22 +1721,16 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
         if (!(VM_FABS(a[pivot * n + k]) > 0)) return VM_SINGULAR;
         for (j = k; j < n; j++) x = a[k * n + j], a[k * n + j] = a[pivot * n + j], a[pivot * n + j] = x;
         x = b[k], b[k] = b[pivot], b[pivot] = x;
-        for (i = k + 1; i < n; i++) {
-            const vm_real factor = a[i * n + k] / a[k * n + k];
-            for (j = k + 1; j < n; j++) a[i * n + j] -= factor * a[k * n + j];
-            b[i] -= factor * b[k];
-        }
+        vmi_eliminate(n, k, a, b);
     }
-    for (k = n - 1; k >= 0; k--) {
-        for (j = k + 1; j < n; j++) b[k] -= a[k * n + j] * b[j];
-        b[k] /= a[k * n + k];
-    }
+    vmi_substitute_back(n, a, b);
     return VM_OK;
 }
 
 /* a x = b for a mass matrix a, scaled to unit diagonal, which makes units and sizes of the coordinates nothing and
    the condition number nearly the least that scaling can (van der Sluis 1969): x replaces b, a is destroyed, scale
-   is n numbers of work. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
+   is n numbers of work. Rows are not exchanged: a positive definite matrix does not need it, and of any other a pivot
+   is not positive. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -1726,11 +1742,12 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
         for (j = 0; j < n; j++) a[i * n + j] = a[i * n + j] / scale[i] / scale[j];
         b[i] /= scale[i];
     }
-    if (vmi_solve_linear(n, a, b)) return VM_SINGULAR;
     for (i = 0; i < n; i++) {
-        if (!(VM_FABS(a[i * n + i]) > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
-        b[i] /= scale[i];
+        if (!(a[i * n + i] > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
+        vmi_eliminate(n, i, a, b);
     }
+    vmi_substitute_back(n, a, b);
+    for (i = 0; i < n; i++) b[i] /= scale[i];
     return VM_OK;
 }
 
@@ -3290,15 +3307,19 @@ VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
 /* (omega^2 - Omega^2) mass, whose sign is right and whose relative error is an eps however near resonance is */
 VM_API vm_real vmi_rotor_detuning(const vm_rotor *r, vm_real Omega)
 {
-    const vm_two load = vmi_two_times(vmi_two_product(Omega, Omega), vmi_two(-r->mass, 0));
+    const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
     const vm_two left = vmi_two_plus(vmi_two(r->stiffness, 0), load);
     return left.hi + left.lo;
 }
 
 VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega)
 {
+    vm_real detuning, share;
     if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    return rotor->s * (rotor->stiffness / vmi_rotor_detuning(rotor, Omega));
+    detuning = vmi_rotor_detuning(rotor, Omega);
+    if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
+    return -rotor->s * (share / (1 - share));
 }
 
 /* w^2, O^2, k*, D and G of (81) */
@@ -4721,18 +4742,19 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v)
 {
-    vm_real tau, first, second, pull, result[2];
+    vm_real tau, first, second, less, pull, result[2];
     if (!stream || !x || !v || !vmi_stream_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
+    less = tau < VM_C(-0.5) ? ((1 + tau) * first - 1) / tau : first - second; /* near -1 both are large */
     pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
     if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
         pull = (force + stream->rate * pull) / m0;
         result[1] = v0 + pull * t * first;
-        result[0] = x0 + t * (v0 + pull * t * (first - second));
+        result[0] = x0 + t * (v0 + pull * t * less);
     } else {
         pull = (force + stream->rate * (pull - v0)) / m0;
         result[1] = v0 + pull * t / (1 + tau);

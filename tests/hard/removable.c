@@ -1,0 +1,292 @@
+/* Removable singularities: 0/0, or what is next to it, where the function itself is smooth. */
+
+/* Means of cn^2, cn^4, cn^6, (383), (384), (408) */
+static vm_real mean_of(int which, vm_real m)
+{
+    vm_real C[3];
+    jacobi_cn_means(m, C, C + 1, C + 2);
+    return C[which];
+}
+static vm_real C2_ours(const vm_real *x) { return mean_of(0, x[0]); }
+static vm_real C4_ours(const vm_real *x) { return mean_of(1, x[0]); }
+static vm_real C6_ours(const vm_real *x) { return mean_of(2, x[0]); }
+static vm_real C2_naive(const vm_real *x) { return (jacobi_E(x[0]) / jacobi_K(x[0]) - 1 + x[0]) / x[0]; }
+static vm_real C4_naive(const vm_real *x) { return (2 * (2 * x[0] - 1) * C2_naive(x) + (1 - x[0])) / (3 * x[0]); }
+static vm_real C6_naive(const vm_real *x)
+{
+    return (4 * (2 * x[0] - 1) * C4_naive(x) + 3 * (1 - x[0]) * C2_naive(x)) / (5 * x[0]);
+}
+
+/* The integral of ds/f from 0 to t */
+static vm_real inverse_integral(vm_law law, vm_real t)
+{
+    vm_real integral;
+    return vm_law_inverse_integral(&law, t, &integral) == VM_OK ? integral : VM_NAN;
+}
+/* f = (1 + x0 t)^x1, t = x2 */
+static vm_real power_law_ours(const vm_real *x) { return inverse_integral(vm_law_power(1, x[0], x[1]), x[2]); }
+static vm_real power_law_naive(const vm_real *x)
+{
+    return (POW(1 + x[0] * x[2], 1 - x[1]) - 1) / (x[0] * (1 - x[1]));
+}
+static vm_real exponential_law_ours(const vm_real *x)
+{
+    return inverse_integral(vm_law_exponential(1, x[0]), x[1]);
+}
+static vm_real exponential_law_naive(const vm_real *x) { return (1 - EXP(-x[0] * x[1])) / x[0]; }
+static vm_real linear_law_ours(const vm_real *x) { return inverse_integral(vm_law_linear(1, x[0]), x[1]); }
+static vm_real linear_law_naive(const vm_real *x) { return LOG(1 + x[0] * x[1]) / x[0]; }
+/* f = 1 + x0 t + x1 t^2 by the integral tables' arctangents and logarithms */
+static vm_real quadratic_law_ours(const vm_real *x)
+{
+    return inverse_integral(vm_law_quadratic(1, x[0], x[1]), x[2]);
+}
+static vm_real quadratic_law_naive(const vm_real *x)
+{
+    const vm_real D = 4 * x[1] - x[0] * x[0], root = SQRT(FABS(D)), late = 2 * x[1] * x[2] + x[0];
+    if (D > 0) return 2 / root * (ATAN2(late, root) - ATAN2(x[0], root));
+    return LOG((late - root) * (x[0] + root) / ((late + root) * (x[0] - root))) / root;
+}
+
+/* Way in t = x0 of a body of mass 1 that takes up mass at the rate x1, the relative velocity being 3 */
+static vm_real rocket_way_ours(const vm_real *x)
+{
+    vm_stream1 stream = {0, 3, VM_RELATIVE};
+    vm_real way, v;
+    stream.rate = x[1];
+    return vm_linear_flow(x[0], 0, 0, 1, 0, &stream, &way, &v) == VM_OK ? way : VM_NAN;
+}
+static vm_real rocket_way_naive(const vm_real *x)
+{
+    const vm_real m = 1 + x[1] * x[0];
+    return 3 * (m / x[1] * LOG(m) - x[0]);
+}
+/* The same under a force of 2, what joins being at rest */
+static vm_real wagon_way_ours(const vm_real *x)
+{
+    vm_stream1 stream = {0, 0, VM_AT_REST};
+    vm_real way, v;
+    stream.rate = x[1];
+    return vm_linear_flow(x[0], 0, 0, 1, 2, &stream, &way, &v) == VM_OK ? way : VM_NAN;
+}
+static vm_real wagon_way_naive(const vm_real *x) { return 2 / x[1] * (x[0] - LOG(1 + x[1] * x[0]) / x[1]); }
+static vm_real tsiolkovsky_ours(const vm_real *x) { return vm_tsiolkovsky(0, x[0], x[1], 1000); }
+static vm_real tsiolkovsky_naive(const vm_real *x) { return 1000 * LOG(x[1] / x[0]); }
+
+/* Transverse omega of a body whose mass changes at the rate x0, at t = x1 */
+static vm_real jet_ours(const vm_real *x)
+{
+    vm_jet jet = {0, 1, 3, VM_C(0.5), VM_C(0.75), VM_C(0.5), 1};
+    vm_vec3 omega = {1, 0, 4};
+    jet.rate = x[0];
+    return vm_jet_damping(x[1], &jet, omega, &omega) == VM_OK ? omega.y : VM_NAN;
+}
+static vm_real jet_naive(const vm_real *x)
+{
+    const vm_real C1 = x[0] * VM_C(0.5), A1 = x[0] * VM_C(0.75), ln = LOG((3 + A1 * x[1]) / 3);
+    const vm_real phase = 4 * (C1 / A1 * x[1] + (1 - 3 * C1 / A1) / A1 * ln - x[1]);
+    return EXP((VM_C(1.5) / VM_C(0.75) - 1) * ln) * SIN(phase);
+}
+
+/* A drum, of which phi or t = x0, and e = mu v R - D by D = x1 */
+static vm_drum drum_of(const vm_real *x)
+{
+    vm_drum d = {VM_C(0.5), 3, 1, VM_C(0.5), 4, 0, 0, 2};
+    d.damping = x[1];
+    return d;
+}
+static vm_real drum_time_ours(const vm_real *x)
+{
+    const vm_drum d = drum_of(x);
+    return vm_drum_time(x[0], &d);
+}
+static vm_real drum_time_naive(const vm_real *x)
+{
+    const vm_real e = 1 - x[1], z = e * x[0] / 2, s = x[0] / 8, ln = LOG(1 + z);
+    return x[0] / 2 * (ln / z + s * (z - ln) / (z * z));
+}
+static vm_real drum_angle_ours(const vm_real *x)
+{
+    const vm_drum d = drum_of(x);
+    return vm_drum_angle(x[0], &d);
+}
+static vm_real drum_angle_naive(const vm_real *x) /* (198)-(206) */
+{
+    const vm_real e = 1 - x[1], jO = VM_C(0.25), k1 = 1 - e / jO, f1 = 1 + e * e * x[0] / jO;
+    const vm_real z = -EXP(-f1 / k1) / k1;
+    return (-k1 * (k1 > 0 && k1 < 1 ? vm_lambert_wm1(z) : vm_lambert_w0(z)) - 1) * 2 / e;
+}
+
+/* Van der Pol, alpha = 3: b = x0, mass 1 + x1 t, t = x2 */
+static vm_real vdp_ours(const vm_real *x)
+{
+    vm_vdp v = {3, 1, 0, 1, 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
+    vm_linear_mass mass = {1, 0};
+    v.b = x[0], mass.rate = x[1];
+    return vm_vdp_init(&v) == VM_OK ? vm_vdp_amplitude(&v, x[2], VM_C(0.5), mass) : VM_NAN;
+}
+static vm_real vdp_naive(const vm_real *x) /* (422) corrected */
+{
+    const vm_real ln = LOG(1 + x[1] * x[2]), F = (2 * x[0] - x[1]) / x[1] * ln / 3, a3 = ateb_mean(3, 2, 2) / 2;
+    return SQRT(EXP(F) / (4 + 2 * a3 * 3 / (2 * x[0] - x[1]) * (EXP(F) - 1)));
+}
+
+/* Angle of a shaft of inertia 1, damping x0, torque 1 after t = x1, (49) */
+static vm_real spin_up_ours(const vm_real *x)
+{
+    const vm_real start[6] = {0, 0, 0, 0, 0, 0};
+    vm_rotor rotor = {1, 1, 1, 0, 1, 0};
+    vm_real end[6];
+    rotor.damping = x[0];
+    return vm_rotor_free(x[1], &rotor, start, end) == VM_OK ? end[2] : VM_NAN;
+}
+static vm_real spin_up_naive(const vm_real *x) { return x[1] / x[0] - (1 - EXP(-x[0] * x[1])) / (x[0] * x[0]); }
+/* Place after t = x1 on a shaft of stiffness x0, from the velocity 1 */
+static vm_real free_shaft_ours(const vm_real *x)
+{
+    const vm_real start[6] = {0, 0, 0, 1, 0, 0};
+    vm_rotor rotor = {1, 1, 0, 1, 1, 0};
+    vm_real end[6];
+    rotor.stiffness = x[0];
+    return vm_rotor_free(x[1], &rotor, start, end) == VM_OK ? end[0] : VM_NAN;
+}
+static vm_real free_shaft_naive(const vm_real *x) { return SIN(SQRT(x[0]) * x[1]) / SQRT(x[0]); }
+
+/* A free body of moments x0 > x1 > x2, or x0 < x1 < x2, from omega = (x3, 0, x4), closer to the axis of x2: omega_1
+   at t = x5. The textbook has it from the energy and the angular momentum. */
+static vm_real free_body_ours(const vm_real *x)
+{
+    vm_free_motion motion;
+    vm_vec3 moments, omega;
+    vm_quat q = {1, 0, 0, 0};
+    moments.x = x[0], moments.y = x[1], moments.z = x[2];
+    omega.x = x[3], omega.y = 0, omega.z = x[4];
+    if (vm_free_init_principal(&motion, moments, q, omega, 0)) return VM_NAN;
+    return vm_free_attitude(&motion, x[5], &q, &omega) == VM_OK ? omega.x : VM_NAN;
+}
+static vm_real free_body_naive(const vm_real *x)
+{
+    const vm_real T2 = x[0] * x[3] * x[3] + x[2] * x[4] * x[4];
+    const vm_real L2 = x[0] * x[0] * x[3] * x[3] + x[2] * x[2] * x[4] * x[4];
+    const vm_real m = (x[1] - x[0]) * (T2 * x[2] - L2) / ((x[2] - x[1]) * (L2 - T2 * x[0]));
+    const vm_real u = x[5] * SQRT((x[2] - x[1]) * (L2 - T2 * x[0]) / (x[0] * x[1] * x[2]));
+    return SQRT((T2 * x[2] - L2) / (x[0] * (x[2] - x[0]))) * jacobi_cn(u, m);
+}
+
+/* Lambert's W next to its branch point, by Halley's iteration from w = -1 +- sqrt(2 (e x + 1)) */
+static vm_real halley(vm_real x, vm_real sign)
+{
+    vm_real w = -1 + sign * SQRT(2 * (VM_C(2.71828182845904523536) * x + 1));
+    int i;
+    for (i = 0; i < 30; i++) {
+        const vm_real e = EXP(w), f = w * e - x;
+        w -= f / (e * (w + 1) - (w + 2) * f / (2 * w + 2));
+    }
+    return w;
+}
+static vm_real lambert_w0_ours(const vm_real *x) { return vm_lambert_w0(x[0]); }
+static vm_real lambert_w0_naive(const vm_real *x) { return halley(x[0], 1); }
+static vm_real lambert_wm1_ours(const vm_real *x) { return vm_lambert_wm1(x[0]); }
+static vm_real lambert_wm1_naive(const vm_real *x) { return halley(x[0], -1); }
+
+/* Integral of sa^2 from 0 to s = x0, alpha = x1 */
+static vm_real integral_sa2_ours(const vm_real *x) { return ateb_integral_sa2(x[0], x[1]); }
+static vm_real integral_sa2_naive(const vm_real *x)
+{
+    return (x[0] - ateb_sa(x[0], x[1]) * ateb_ca(x[0], x[1])) * (x[1] + 1) / (x[1] + 3);
+}
+
+/* A/A0 when the mass has grown by x0 without a reactive force, alpha = x1, and as (337) prints it */
+static vm_real amplitude_law_ours(const vm_real *x) { return vm_osc_amplitude_law(x[0], 0, 0, x[1]); }
+static vm_real amplitude_law_naive(const vm_real *x) { return POW(x[0], 1 / (5 - x[1])); }
+
+/* x(t) and its period, m and k constant by a law of no rate: vm_osc_at's phase, t = x0, rate of both x1 */
+static vm_real frozen_motion_ours(const vm_real *x)
+{
+    vm_osc_problem p = {3,
+                        {VM_LAW_LINEAR, 1, 0, 0, 0, NULL, NULL, NULL, NULL},
+                        {VM_LAW_POWER, 1, 0, -1, 0, NULL, NULL, NULL, NULL},
+                        1,
+                        0,
+                        1,
+                        0,
+                        NULL,
+                        NULL};
+    vm_osc_motion motion;
+    p.mass.f1 = p.stiffness.f1 = x[1];
+    return vm_osc_by_second(&p, x[0], &motion) == VM_OK ? motion.x : VM_NAN;
+}
+static vm_real frozen_motion_naive(const vm_real *x)
+{
+    return ateb_ca(SQRT(VM_C(2.)) * (LOG(1 + x[1] * x[0]) / x[1]), 3);
+}
+
+/* Mean motion of first order, m = 1 + x2 t, k = 1, t = x3, alpha = x0, r = x1: its phase is the integral of m^(-p) */
+static vm_real mean_phase_ours(const vm_real *x)
+{
+    vm_osc_problem p;
+    vm_osc_motion motion;
+    memset(&p, 0, sizeof p);
+    p.alpha = x[0], p.reactive = x[1], p.x = 1;
+    p.mass = vm_law_linear(1, x[2]), p.stiffness = vm_law_linear(1, 0);
+    return vm_osc_by_ateb(&p, x[3], &motion) == VM_OK ? motion.x : VM_NAN;
+}
+static vm_real mean_phase_naive(const vm_real *x)
+{
+    const vm_real share = (2 * x[1] - 1) / (x[0] + 3), left = VM_C(0.5) - (x[0] - 1) / 2 * share, m = 1 + x[2] * x[3];
+    const vm_real psi = SQRT((x[0] + 1) / 2) * (POW(m, left) - 1) / (x[2] * left);
+    return POW(m, -share) * ateb_ca(psi, x[0]);
+}
+static const hard_case removable_cases[] = {
+    CASE(C2, 8, "mean of cn^2 is (E/K - 1 + m)/m: 0/0 as m -> 0", 3e-5),
+    CASE(C2, 8, "the same from the other side", -7e-7),
+    CASE(C2, 8, "m so small that E/K is 1", R(1e-18, 1e-9)),
+    CASE(C2, 8, "m = 0 itself", 0),
+    CASE(C4, 8, "mean of cn^4 divides by m twice", 3e-4),
+    CASE(C4, 8, "the same, m < 0", -1e-5),
+    CASE(C6, 8, "mean of cn^6 divides by m three times", 7e-3),
+    CASE(C6, 8, "the same: no digit is left", 1e-5),
+    CASE(power_law, 8, "(m^(1-p) - 1)/(1 - p) as the exponent p -> 1", 0.25, R(0.9999999, 0.999), 3),
+    CASE(power_law, 8, "p = 1 itself is a logarithm", 0.25, 1, 3),
+    CASE(power_law, 8, "a rate next to 0: (1 + q t)^p is 1", R(1e-14, 1e-6), 2.5, 3),
+    CASE(exponential_law, 8, "(1 - e^(-q t))/q as q -> 0", R(3e-12, 3e-6), 2),
+    CASE(exponential_law, 8, "q = 0 itself", 0, 2),
+    CASE(linear_law, 8, "ln(1 + q t)/q as q -> 0: the sum forgets q t", R(7e-13, 7e-6), 2),
+    CASE(linear_law, 8, "the same, mass falling", R(-7e-10, -7e-5), 3),
+    CASE(quadratic_law, 16, "arctangent and logarithm of the quadratic law meet where the roots do", 2,
+         R(1.00000001, 1.0001), 1),
+    CASE(quadratic_law, 16, "a double root: the discriminant is 0", 2, 1, 3),
+    CASE(quadratic_law, 16, "the quadratic law becoming linear: a root at infinity", 0.3, R(1e-13, 1e-6), 1),
+    CASE(rocket_way, 16, "the rocket's way: m ln m/q - t over q as the rate q -> 0", 2, R(1e-9, 1e-4)),
+    CASE(rocket_way, 16, "the same with mass leaving", 5, R(-3e-6, -3e-3)),
+    CASE(wagon_way, 16, "way under a force while mass at rest joins: 1/q^2 as q -> 0", 2, R(1e-7, 1e-3)),
+    CASE(tsiolkovsky, 8, "ln(m0/m) of nearly equal masses: the quotient forgets their difference", 0.7,
+         R(0.7000000003, 0.70007)),
+    CASE(jet, 16, "jet damping: axial over transverse moment integrated, A' -> 0", R(1e-9, 1e-4), 2),
+    CASE(drum_time, 8, "(197): t(phi) has 1/e^2 as e -> 0", 3, R(0.999999, 0.999)),
+    CASE(drum_time, 8, "e = 0 itself: driving and damping cancel", 3, 1),
+    CASE(drum_angle, 8, "(206): Lambert's function at its branch point as e -> 0", 3, R(0.9999999, 0.999)),
+    CASE(drum_angle, 8, "(206): -exp(-f1/k1)/k1 underflows as k1 -> 0", 3, R(0.7501, 0.7502)),
+    CASE(drum_angle, 8, "k1 = 0 itself", 3, 0.75),
+    CASE(vdp, 16, "(422) over the mass's rate q -> 0", 0.75, R(1e-11, 1e-5), 3),
+    CASE(vdp, 16, "what feeds the vibration is balanced by the reactive force: 2b - q -> 0",
+         R(0.0500000001, 0.0501), 0.1, 3),
+    CASE(spin_up, 8, "(49): t/k - (1 - e^(-kt))/k^2 as the damping k -> 0", R(1e-6, 1e-3), 3),
+    CASE(free_shaft, 4, "sin(w t)/w of a shaft without stiffness", 0, 3),
+    CASE(free_body, 16, "a body nearly spherical: the modulus is a quotient of differences of moments",
+         R(1.0000002, 1.002), R(1.0000001, 1.001), 1, 1, 1.5, 2),
+    CASE(free_body, 16, "a sphere: 0/0", 2, 2, 2, 1, 1.5, 2),
+    CASE(free_body, 16, "an axisymmetric body: m = 0, and the angular momentum's difference to what is left", 2, 2,
+         1, 0.001, 1.5, 2),
+    CASE(lambert_w0, 2, "W_0 next to -1/e: w e^w - x is flat", R(-0.36787944117, -0.367879)),
+    CASE(lambert_wm1, 2, "W_-1 next to -1/e", R(-0.36787944117, -0.3678793)),
+    CASE(integral_sa2, 24, "s - sa ca for small s", R(1e-6, 1e-3), 0.5),
+    CASE(integral_sa2, 24, "the same for a wall", R(1e-4, 1e-2), 1000),
+    CASE(amplitude_law, 4, "(337) as printed has 5 - alpha below the line: alpha -> 5", 1.5, 4.9375),
+    CASE(amplitude_law, 4, "the same at alpha = 5", 1.5, 5),
+    CASE(mean_phase, 16, "alpha = 5: the integral of m^-p becomes a logarithm for r = 3/2", 5, 1.5, 0.03125, 16),
+    CASE(mean_phase, 16, "alpha -> 5: the same next to it", R(4.99999999, 4.9999), 1.5, 0.03125, 16),
+    CASE(mean_phase, 16, "alpha = 3: the same for r = 2", 3, 2, 0.03125, 16),
+    CASE(mean_phase, 16, "alpha -> 3: the same next to it", R(3.00000001, 3.0001), 2, 0.03125, 16),
+    CASE(frozen_motion, 16, "phase of a mass that hardly changes: ln(1 + q t)/q", 2, R(1e-13, 1e-6)),
+};

@@ -1,0 +1,57 @@
+#!/bin/sh
+# docs/hard-cases.md from what tests/test_hard.c prints in double and in float; as a test, says whether the cases
+# there are those of the program: texts, points and bounds; not the measured errors, which depend on the compiler.
+# usage: CC=compiler test_hard_cases.sh BUILD_FOLDER [write], from the top of the project
+cc=${CC:-cc} build=$1/hard_cases
+. tests/check.sh
+
+# one table from both programs' lines, | text | kernel | point | error | bound | naive error |
+tables() {
+    awk -F' *[|] *' '
+        FNR == 1 { file++ }
+        file == 2 && /^## / { print "\n" $0 }
+        !/^\| / { next }
+        $2 == "what would go wrong" {
+            if (file == 2) {
+                print "\n| " $2 " | kernel | at | error | bound | naive | in float: error | bound | naive |"
+                print "|---|---|---|---|---|---|---|---|---|"
+            }
+            next
+        }
+        file == 1 { point[++n] = $4; measured[n] = $5 " | " $6 " | " $7; next }
+        {
+            k++
+            at = point[k] == $4 || point[k] == "" ? $4 : $4 " (float: " point[k] ")"
+            print "| " $2 " | " $3 " | " at " | " $5 " | " $6 " | " $7 " | " measured[k] " |"
+        }' "$build/float.txt" "$build/double.txt"
+}
+write() {
+    cat <<'END'
+# Hard cases
+
+Written by `sh tests/test_hard_cases.sh build write` from the output of tests/test_hard.c. Each case is a point at
+which a formula of the textbook, or of the dissertation, goes wrong, and says what would. Its value there is known from
+arbitrary precision (tests/gen/hard_reference.py). The error of the headers' function and, beside it, that of the naive
+formula, evaluated in the same precision, are in eps (2.2e-16, in float 1.2e-7) of the value, or of the scale that the
+generator gives with it (the largest value of an oscillation, say); "no number" is infinite, NaN or a division by zero.
+The test holds the first below the bound, and the second above four bounds. What a kernel is, and which formula is
+the naive one, stands with it in tests/hard/; what a point lacks at its end are zeros. Numbers in a text are those of
+the point in double.
+END
+    tables
+}
+# what does not depend on the compiler: without the measured errors
+lasting() { awk -F' *[|] *' '/^\| / {$5 = $7 = $8 = $10 = ""} {print}' "$1"; }
+same_cases() { lasting "$build/hard-cases.md" >"$build/new" && lasting docs/hard-cases.md | diff - "$build/new"; }
+program() { # program NAME FLAG...
+    name=$1
+    shift
+    $cc -std=c99 -O2 "$@" tests/test_hard.c -o "$build/$name" -lm && "$build/$name" >"$build/$name.txt"
+}
+
+check "the cases in double" program double
+check "the cases in float" program float -DVM_USE_FLOAT
+write >"$build/hard-cases.md"
+[ "$2" = write ] && cp "$build/hard-cases.md" docs/hard-cases.md
+check "docs/hard-cases.md is up to date" same_cases
+check_finish hard_cases
