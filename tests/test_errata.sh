@@ -10,6 +10,7 @@ list() { # what each row needs: equations, verdict, printed, true, checked, test
         FILENAME != ARGV[ARGC - 1] { # a test: every (n), and every n of a range (n)-(m)
             file = FILENAME
             sub(/.*test_/, "", file)
+            sub(/.*tests\//, "", file) # hard/GROUP
             sub(/\.c$/, "", file)
             files[file] = 1
             line = $0
@@ -47,7 +48,7 @@ list() { # what each row needs: equations, verdict, printed, true, checked, test
                 if (named) tests = tests (tests == "" ? "" : ", ") file
             }
             print $0 "\t" tests
-        }' tests/test_*.c tests/data/errata.txt
+        }' tests/test_*.c tests/hard/*.c tests/data/errata.txt
 }
 write() {
     cat <<'END'
