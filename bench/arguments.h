@@ -1,6 +1,6 @@
-/* arguments.h - fresh arguments for the bench programs of functions: POOL random ones, of which a run takes the next
-   WINDOW, so that no branch predictor learns them; loops over them; and the yardstick, the C library's sin (float: sinf) of
-   arguments that rise from -10 to 10. Include it after timing.h and a header of the kit. */
+/* arguments.h - fresh arguments for the bench programs of functions: POOL random ones, of which a run takes the
+   next WINDOW, so that no branch predictor learns them; loops over them; and the yardstick, the C library's sin
+   (float: sinf) of arguments that rise from -10 to 10. Include it after timing.h and a header of the kit. */
 #ifndef VARMASS_ARGUMENTS_H
 #define VARMASS_ARGUMENTS_H
 
@@ -28,33 +28,37 @@ static int next_window(void) { return next_of(WINDOW); }
 
 /* Two loops: name_apart over independent arguments (throughput), and name_chain, with the result before, times 0, in
    each argument (latency). x is the angle, u the argument, m the parameter, w a second one; results are a, b, c. */
-#define BODY(name, ...)                                                                           \
-    static inline void name##_apart(void)                                                         \
-    {                                                                                             \
-        vm_real sum = 0, a = 0, b = 0, c = 0;                                                     \
-        const int first = next_window();                                                          \
-        int i;                                                                                    \
-        for (i = first; i < first + WINDOW; i++) {                                                \
-            const vm_real x = angle[i], u = arg[i], m = parameter[i], w = second[i];              \
-            (void)x, (void)u, (void)m, (void)w;                                                   \
-            __VA_ARGS__;                                                                          \
-            sum += a + b + c;                                                                     \
-        }                                                                                         \
-        sink = sum;                                                                               \
-    }                                                                                             \
-    static inline void name##_chain(void)                                                         \
-    {                                                                                             \
-        vm_real z = 0, a = 0, b = 0, c = 0;                                                       \
-        const int first = next_window();                                                          \
-        int i;                                                                                    \
-        for (i = first; i < first + WINDOW; i++) {                                                \
-            const vm_real x = angle[i] + z, u = arg[i] + z, m = parameter[i] + z, w = second[i];  \
-            (void)x, (void)u, (void)m, (void)w;                                                   \
-            __VA_ARGS__;                                                                          \
-            z = 0 * (a + b + c);                                                                  \
-        }                                                                                         \
-        sink = z;                                                                                 \
+#define APART(name, ...)                                                             \
+    static inline void name##_apart(void)                                            \
+    {                                                                                \
+        vm_real sum = 0, a = 0, b = 0, c = 0;                                        \
+        const int first = next_window();                                             \
+        int i;                                                                       \
+        for (i = first; i < first + WINDOW; i++) {                                   \
+            const vm_real x = angle[i], u = arg[i], m = parameter[i], w = second[i]; \
+            (void)x, (void)u, (void)m, (void)w;                                      \
+            __VA_ARGS__;                                                             \
+            sum += a + b + c;                                                        \
+        }                                                                            \
+        sink = sum;                                                                  \
     }
+#define CHAIN(name, ...)                                                                         \
+    static inline void name##_chain(void)                                                        \
+    {                                                                                            \
+        vm_real z = 0, a = 0, b = 0, c = 0;                                                      \
+        const int first = next_window();                                                         \
+        int i;                                                                                   \
+        for (i = first; i < first + WINDOW; i++) {                                               \
+            const vm_real x = angle[i] + z, u = arg[i] + z, m = parameter[i] + z, w = second[i]; \
+            (void)x, (void)u, (void)m, (void)w;                                                  \
+            __VA_ARGS__;                                                                         \
+            z = 0 * (a + b + c);                                                                 \
+        }                                                                                        \
+        sink = z;                                                                                \
+    }
+#define BODY(name, ...)      \
+    APART(name, __VA_ARGS__) \
+    CHAIN(name, __VA_ARGS__)
 BODY(sin, a = VM_LIBM(sin)(x))
 BODY(random_sin, a = VM_LIBM(sin)(u))
 

@@ -1,5 +1,5 @@
-/* varmass.h, scenes: what an effect costs. A right-hand side of a body on a line with none to five effects, written by
-   hand, by the kit's inline functions, and as a scene, beside the hand-written one. */
+/* varmass.h, scenes: what an effect costs. A right-hand side of a body on a line with none to five effects, written
+   by hand, by the kit's inline functions, and as a scene, beside the hand-written one. */
 #include "timing.h"
 #include "../varmass.h"
 
@@ -64,8 +64,8 @@ int main(int argc, char **argv)
 {
     static void (*const hand[])(void) = {hand_0, hand_1, hand_2, hand_3, hand_4, hand_5};
     static void (*const inlined[])(void) = {inline_0, inline_1, inline_2, inline_3, inline_4, inline_5};
-    static const char *const jobs[] = {"no effect", "1: spring",  "2: and damper", "3: and Van der Pol",
-                                       "4: and gravity", "5: and drive"};
+    static const char *const jobs[] = {"no effect",          "1: spring",      "2: and damper",
+                                       "3: and Van der Pol", "4: and gravity", "5: and drive"};
     vm_real y[2];
     set_up();
     bench_start(argc, argv, "scenes, a right-hand side of a body on a line, beside one written by hand");
