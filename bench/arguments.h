@@ -20,8 +20,7 @@ static double between(double low, double high) { return low + (high - low) * ran
 /* Where the arguments of this run begin, which takes n of them */
 static int next_of(int n)
 {
-    static int first;
-    return first = (first + n) / n % (POOL / n) * n;
+    return bench_position = (bench_position + n) / n % (POOL / n) * n;
 }
 
 static int next_window(void) { return next_of(WINDOW); }
