@@ -4,7 +4,8 @@
 #ifndef VARMASS_ARGUMENTS_H
 #define VARMASS_ARGUMENTS_H
 
-enum { POOL = 65536, WINDOW = 256, ARRAY = 2048 };
+enum { POOL = 65536, WINDOW = 256, SLOW_WINDOW = 32, ARRAY = 2048 };
+static int window = WINDOW; /* arguments of a run; fewer where they take long, lest a run be disturbed */
 static vm_real angle[POOL], arg[POOL], parameter[POOL], second[POOL];
 static volatile vm_real sink;
 
@@ -18,12 +19,9 @@ static double random_number(void) /* 0 <= x < 1 */
 static double between(double low, double high) { return low + (high - low) * random_number(); }
 
 /* Where the arguments of this run begin, which takes n of them */
-static int next_of(int n)
-{
-    return bench_position = (bench_position + n) / n % (POOL / n) * n;
-}
+static int next_of(int n) { return bench_position = (bench_position + n) / n % (POOL / n) * n; }
 
-static int next_window(void) { return next_of(WINDOW); }
+static int next_window(void) { return next_of(window); }
 
 /* Two loops: name_apart over independent arguments (throughput), and name_chain, with the result before, times 0, in
    each argument (latency). x is the angle, u the argument, m the parameter, w a second one; results are a, b, c. */
@@ -33,7 +31,7 @@ static int next_window(void) { return next_of(WINDOW); }
         vm_real sum = 0, a = 0, b = 0, c = 0;                                        \
         const int first = next_window();                                             \
         int i;                                                                       \
-        for (i = first; i < first + WINDOW; i++) {                                   \
+        for (i = first; i < first + window; i++) {                                   \
             const vm_real x = angle[i], u = arg[i], m = parameter[i], w = second[i]; \
             (void)x, (void)u, (void)m, (void)w;                                      \
             __VA_ARGS__;                                                             \
@@ -47,7 +45,7 @@ static int next_window(void) { return next_of(WINDOW); }
         vm_real z = 0, a = 0, b = 0, c = 0;                                                      \
         const int first = next_window();                                                         \
         int i;                                                                                   \
-        for (i = first; i < first + WINDOW; i++) {                                               \
+        for (i = first; i < first + window; i++) {                                               \
             const vm_real x = angle[i] + z, u = arg[i] + z, m = parameter[i] + z, w = second[i]; \
             (void)x, (void)u, (void)m, (void)w;                                                  \
             __VA_ARGS__;                                                                         \
@@ -84,10 +82,11 @@ static inline void measure_function(const char *job, const char *route, const ch
                                     void (*apart)(void), void (*chain)(void))
 {
     char chained[80];
-    measure(job, route, knob, known(error), apart, WINDOW, "sin", sin_apart, WINDOW);
-    if (!chain) return;
+    window = slice(apart, 1) > 5e-4 ? SLOW_WINDOW : WINDOW;
+    measure(job, route, knob, known(error), apart, window, "sin", sin_apart, window);
     snprintf(chained, sizeof chained, "%s (chain)", route);
-    measure(job, chained, knob, known(error), chain, WINDOW, "sin (chain)", sin_chain, WINDOW);
+    if (chain) measure(job, chained, knob, known(error), chain, window, "sin (chain)", sin_chain, window);
+    window = WINDOW;
 }
 
 /* The line of a function of arrays of ARRAY */
