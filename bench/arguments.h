@@ -9,14 +9,14 @@ static int window = WINDOW; /* arguments of a run; fewer where they take long, l
 static vm_real angle[POOL], arg[POOL], parameter[POOL], second[POOL];
 static volatile vm_real sink;
 
-static double random_number(void) /* 0 <= x < 1 */
+static inline double random_number(void) /* 0 <= x < 1 */
 {
     static unsigned long long state = 1;
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     return (double)(state >> 11) / 9007199254740992.;
 }
 
-static double between(double low, double high) { return low + (high - low) * random_number(); }
+static inline double between(double low, double high) { return low + (high - low) * random_number(); }
 
 /* Where the arguments of this run begin, which takes n of them */
 static int next_of(int n) { return bench_position = (bench_position + n) / n % (POOL / n) * n; }

@@ -33,7 +33,6 @@ static const double SLICE = 1e-4, LONGEST = 0.5; /* seconds: of a slice at least
 typedef struct timing {
     double ns, ratio; /* of a call, and to a call of the yardstick */
     double spread;    /* distance of the quartiles of ratio, by ratio */
-    double base;      /* ns of the yardstick */
 } timing;
 
 static const double NO_ERROR = -1; /* none was measured; NAN: what the function gave was no number */
@@ -83,7 +82,7 @@ static timing time_beside(void (*body)(void), double calls, void (*yardstick)(vo
     const int repeats = bench_quick ? QUICK_REPEATS : REPEATS, slices = bench_quick ? QUICK_SLICES : SLICES;
     const long runs = runs_of(body), yardstick_runs = runs_of(yardstick);
     const double start = seconds();
-    double ns[REPEATS], bases[REPEATS], ratio[REPEATS];
+    double ns[REPEATS], ratio[REPEATS];
     timing result;
     int n, k;
     for (n = 0; n < repeats && (n < 3 || seconds() - start < LONGEST); n++) {
@@ -93,12 +92,11 @@ static timing time_beside(void (*body)(void), double calls, void (*yardstick)(vo
             least = fmin(least, slice(body, runs));
         }
         ns[n] = least / calls * 1e9;
-        bases[n] = base / yardstick_calls * 1e9, ratio[n] = ns[n] / bases[n];
+        ratio[n] = ns[n] / (base / yardstick_calls * 1e9);
     }
     qsort(ns, (size_t)n, sizeof *ns, ascending);
-    qsort(bases, (size_t)n, sizeof *bases, ascending);
     qsort(ratio, (size_t)n, sizeof *ratio, ascending);
-    result.ns = quartile(ns, n, 2), result.base = quartile(bases, n, 2), result.ratio = quartile(ratio, n, 2);
+    result.ns = quartile(ns, n, 2), result.ratio = quartile(ratio, n, 2);
     result.spread = (quartile(ratio, n, 3) - quartile(ratio, n, 1)) / result.ratio;
     return result;
 }
@@ -160,8 +158,9 @@ static inline void bench_row(const char *job, const char *route, const char *kno
    Where it takes more than 1.25 times its best in this process, the best is what the ratio is to. */
 static inline void mend_yardstick(timing *t, double *best)
 {
-    *best = *best > 0 ? fmin(*best, t->base) : t->base;
-    if (t->base > 1.25 * *best) t->ratio = t->ns / *best;
+    const double yardstick_ns = t->ns / t->ratio;
+    *best = *best > 0 ? fmin(*best, yardstick_ns) : yardstick_ns;
+    if (yardstick_ns > 1.25 * *best) t->ratio = t->ns / *best;
 }
 
 /* Times body beside a yardstick, with its line */
