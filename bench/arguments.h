@@ -1,10 +1,11 @@
-/* arguments.h - fresh arguments for the bench programs of functions: POOL random ones, of which a run takes the next
-   WINDOW, so that no branch predictor learns them; loops over them; and the yardstick, the C library's sin (float: sinf) of
-   arguments that rise from -10 to 10. Include it after timing.h and a header of the kit. */
+/* arguments.h - fresh arguments for the bench programs of functions: POOL random ones, of which a run takes the
+   next WINDOW, so that no branch predictor learns them; loops over them; and the yardstick, the C library's sin
+   (float: sinf) of arguments that rise from -10 to 10. Include it after timing.h and a header of the kit. */
 #ifndef VARMASS_ARGUMENTS_H
 #define VARMASS_ARGUMENTS_H
 
-enum { POOL = 65536, WINDOW = 256, ARRAY = 2048 };
+enum { POOL = 65536, WINDOW = 256, SLOW_WINDOW = 32, ARRAY = 2048 };
+static int window = WINDOW; /* arguments of a run; fewer where they take long, lest a run be disturbed */
 static vm_real angle[POOL], arg[POOL], parameter[POOL], second[POOL];
 static volatile vm_real sink;
 
@@ -18,43 +19,43 @@ static inline double random_number(void) /* 0 <= x < 1 */
 static inline double between(double low, double high) { return low + (high - low) * random_number(); }
 
 /* Where the arguments of this run begin, which takes n of them */
-static int next_of(int n)
-{
-    static int first;
-    return first = (first + n) / n % (POOL / n) * n;
-}
+static int next_of(int n) { return bench_position = (bench_position + n) / n % (POOL / n) * n; }
 
-static int next_window(void) { return next_of(WINDOW); }
+static int next_window(void) { return next_of(window); }
 
 /* Two loops: name_apart over independent arguments (throughput), and name_chain, with the result before, times 0, in
    each argument (latency). x is the angle, u the argument, m the parameter, w a second one; results are a, b, c. */
-#define BODY(name, ...)                                                                           \
-    static inline void name##_apart(void)                                                         \
-    {                                                                                             \
-        vm_real sum = 0, a = 0, b = 0, c = 0;                                                     \
-        const int first = next_window();                                                          \
-        int i;                                                                                    \
-        for (i = first; i < first + WINDOW; i++) {                                                \
-            const vm_real x = angle[i], u = arg[i], m = parameter[i], w = second[i];              \
-            (void)x, (void)u, (void)m, (void)w;                                                   \
-            __VA_ARGS__;                                                                          \
-            sum += a + b + c;                                                                     \
-        }                                                                                         \
-        sink = sum;                                                                               \
-    }                                                                                             \
-    static inline void name##_chain(void)                                                         \
-    {                                                                                             \
-        vm_real z = 0, a = 0, b = 0, c = 0;                                                       \
-        const int first = next_window();                                                          \
-        int i;                                                                                    \
-        for (i = first; i < first + WINDOW; i++) {                                                \
-            const vm_real x = angle[i] + z, u = arg[i] + z, m = parameter[i] + z, w = second[i];  \
-            (void)x, (void)u, (void)m, (void)w;                                                   \
-            __VA_ARGS__;                                                                          \
-            z = 0 * (a + b + c);                                                                  \
-        }                                                                                         \
-        sink = z;                                                                                 \
+#define APART(name, ...)                                                             \
+    static inline void name##_apart(void)                                            \
+    {                                                                                \
+        vm_real sum = 0, a = 0, b = 0, c = 0;                                        \
+        const int first = next_window();                                             \
+        int i;                                                                       \
+        for (i = first; i < first + window; i++) {                                   \
+            const vm_real x = angle[i], u = arg[i], m = parameter[i], w = second[i]; \
+            (void)x, (void)u, (void)m, (void)w;                                      \
+            __VA_ARGS__;                                                             \
+            sum += a + b + c;                                                        \
+        }                                                                            \
+        sink = sum;                                                                  \
     }
+#define CHAIN(name, ...)                                                                         \
+    static inline void name##_chain(void)                                                        \
+    {                                                                                            \
+        vm_real z = 0, a = 0, b = 0, c = 0;                                                      \
+        const int first = next_window();                                                         \
+        int i;                                                                                   \
+        for (i = first; i < first + window; i++) {                                               \
+            const vm_real x = angle[i] + z, u = arg[i] + z, m = parameter[i] + z, w = second[i]; \
+            (void)x, (void)u, (void)m, (void)w;                                                  \
+            __VA_ARGS__;                                                                         \
+            z = 0 * (a + b + c);                                                                 \
+        }                                                                                        \
+        sink = z;                                                                                \
+    }
+#define BODY(name, ...)      \
+    APART(name, __VA_ARGS__) \
+    CHAIN(name, __VA_ARGS__)
 BODY(sin, a = VM_LIBM(sin)(x))
 BODY(random_sin, a = VM_LIBM(sin)(u))
 
@@ -81,10 +82,11 @@ static inline void measure_function(const char *job, const char *route, const ch
                                     void (*apart)(void), void (*chain)(void))
 {
     char chained[80];
-    measure(job, route, knob, known(error), apart, WINDOW, "sin", sin_apart, WINDOW);
-    if (!chain) return;
+    window = slice(apart, 1) > 5e-4 ? SLOW_WINDOW : WINDOW;
+    measure(job, route, knob, known(error), apart, window, "sin", sin_apart, window);
     snprintf(chained, sizeof chained, "%s (chain)", route);
-    measure(job, chained, knob, known(error), chain, WINDOW, "sin (chain)", sin_chain, WINDOW);
+    if (chain) measure(job, chained, knob, known(error), chain, window, "sin (chain)", sin_chain, window);
+    window = WINDOW;
 }
 
 /* The line of a function of arrays of ARRAY */

@@ -1,7 +1,8 @@
-/* ateb.h: time of a call in units of the C library's sin (float: sinf) and the largest absolute error (of Pi and the
-   beta functions the largest relative one) against quadruple precision; sa and ca of any alpha, of a prepared one to
-   three accuracies, one by one and as arrays. Beside them GSL, which has the inverse of the beta distribution function:
-   one call for the smaller of sa^2 and 1 - sa^2, then a root and a power; Pi_alpha is made ready as a plan has it. */
+/* ateb.h: time of a call in units of the C library's sin (float: sinf) and the largest absolute error (of Pi and
+   the beta functions the largest relative one) against quadruple precision; sa and ca of any alpha, of a prepared
+   one to three accuracies, one by one and as arrays. Beside them GSL, which has the inverse of the beta
+   distribution function: one call for the smaller of sa^2 and 1 - sa^2, then a root and a power; Pi_alpha is made
+   ready as a plan has it. */
 #include "timing.h"
 #include "../ateb.h"
 #include "arguments.h"
@@ -25,12 +26,13 @@ static ateb_plan plan;
 BODY(pi, a = ateb_pi(m))
 BODY(saca, ateb_saca(u, m, &a, &b))
 BODY(plan, ateb_plan_saca(&plan, u, &a, &b))
-BODY(phase, a = ateb_phase(u, w, m))
-BODY(mean, a = ateb_mean(m, w, 1))
-BODY(beta, a = ateb_beta(m, w))
-BODY(inc, a = ateb_beta_inc(u, m, w))
-BODY(inv, a = ateb_beta_inc_inv(u, m, w))
-BODY(nm, ateb_saca_nm(u, m, w, &a, &b))
+APART(making, ateb_plan_init(&plan, m); a = plan.g)
+APART(phase, a = ateb_phase(u, w, m))
+APART(mean, a = ateb_mean(m, w, 1))
+APART(beta, a = ateb_beta(m, w))
+APART(inc, a = ateb_beta_inc(u, m, w))
+APART(inv, a = ateb_beta_inc_inv(u, m, w))
+APART(nm, ateb_saca_nm(u, m, w, &a, &b))
 
 static void array(void)
 {
@@ -62,10 +64,10 @@ static void by_gsl(double s, double alpha, double *sa, double *ca)
     if ((s < 0) != (turned > gsl_pi)) *sa = -*sa;
     if (t > gsl_pi / 2) *ca = -*ca;
 }
-BODY(gsl, by_gsl(u, m, &a, &b))
-BODY(gsl_beta, a = gsl_sf_beta(m, w))
-BODY(gsl_inc, a = gsl_sf_beta_inc(m, w, u))
-BODY(gsl_inv, a = gsl_cdf_beta_Pinv(u, m, w))
+APART(gsl, by_gsl(u, m, &a, &b))
+APART(gsl_beta, a = gsl_sf_beta(m, w))
+APART(gsl_inc, a = gsl_sf_beta_inc(m, w, u))
+APART(gsl_inv, a = gsl_cdf_beta_Pinv(u, m, w))
 static double gsl_beta_of(double x, double a, double b) { return (void)x, gsl_sf_beta(a, b); }
 static double gsl_inc_of(double x, double a, double b) { return gsl_sf_beta_inc(a, b, x); }
 static double gsl_inv_of(double p, double a, double b) { return gsl_cdf_beta_Pinv(p, a, b); }
@@ -174,16 +176,19 @@ static void measure_others(void)
     static const double unit[2] = {0.01, 0.99}, one[2] = {-1, 1}, some[2] = {0.5, 5}, ten[2] = {-10, 10};
     fill(one, some, one);
     measure_function("phase, 0.5 < alpha < 5", "ateb_phase", "", NO_ERROR, phase_apart, NULL);
+    measure_function("making a plan, 0.5 < alpha < 5", "ateb_plan_init", "", NO_ERROR, making_apart, NULL);
     fill(unit, some, some);
     measure_function("B, 0.5 < a, b < 5", "ateb_beta", "", error_of_beta(beta_of, 0), beta_apart, NULL);
     measure_function("I_x, 0.5 < a, b < 5", "ateb_beta_inc", "", error_of_beta(inc_of, 1), inc_apart, NULL);
-    measure_function("x of I_x, 0.5 < a, b < 5", "ateb_beta_inc_inv", "", error_of_beta(inv_of, 2), inv_apart, NULL);
+    measure_function("x of I_x, 0.5 < a, b < 5", "ateb_beta_inc_inv", "", error_of_beta(inv_of, 2), inv_apart,
+                     NULL);
     measure_function("mean, 0.5 < alpha, p < 5", "ateb_mean", "", NO_ERROR, mean_apart, NULL);
 #if GSL
     measure_function("B, 0.5 < a, b < 5", "gsl_sf_beta", "", error_of_beta(gsl_beta_of, 0), gsl_beta_apart, NULL);
-    measure_function("I_x, 0.5 < a, b < 5", "gsl_sf_beta_inc", "", error_of_beta(gsl_inc_of, 1), gsl_inc_apart, NULL);
-    measure_function("x of I_x, 0.5 < a, b < 5", "gsl_cdf_beta_Pinv", "", error_of_beta(gsl_inv_of, 2), gsl_inv_apart,
+    measure_function("I_x, 0.5 < a, b < 5", "gsl_sf_beta_inc", "", error_of_beta(gsl_inc_of, 1), gsl_inc_apart,
                      NULL);
+    measure_function("x of I_x, 0.5 < a, b < 5", "gsl_cdf_beta_Pinv", "", error_of_beta(gsl_inv_of, 2),
+                     gsl_inv_apart, NULL);
 #endif
     fill(ten, some, some);
     measure_function("saca, two indices, 0.5 to 5", "ateb_saca_nm", "", NO_ERROR, nm_apart, NULL);

@@ -1,8 +1,8 @@
-/* integrators.h: work against precision. For each problem and method the time of a run and the error at its end, over
-   tolerances from 1e-3 to 1e-14 or numbers of steps; from that, by interpolation, the time to given errors, as a ratio
-   to that of a hand-written Dormand-Prince loop (rk_loops.h); GSL's methods beside it. The CSV file has a line a
-   setting (ratio: to 1000 steps of the hand-written RK4 loop) and a line an error; the table only the latter, with the
-   evaluations as the knob. Then what right-hand sides that are not smooth cost, in evaluations. */
+/* integrators.h: work against precision. For each problem and method the time of a run and the error at its end,
+   over tolerances from 1e-3 to 1e-14 or numbers of steps; from that, by interpolation, the time to given errors, as
+   a ratio to that of a hand-written Dormand-Prince loop (rk_loops.h); GSL's methods beside it. The CSV file has a
+   line a setting (ratio: to 1000 steps of the hand-written RK4 loop) and a line an error; the table only the
+   latter, with the evaluations as the knob. Then what right-hand sides that are not smooth cost, in evaluations. */
 #include "timing.h"
 #include "../integrators.h"
 #include "problems.h"
@@ -39,49 +39,49 @@ typedef struct result {
 
 /* The right-hand side as each method wants it, inlined, called through a pointer, and counted; and the methods made
    for it. knob: the tolerance, or the number of steps */
-#define METHODS_FOR(name, n)                                                                        \
-    static inline void name##_counted(double t, const double *y, double *d)                       \
-    {                                                                                             \
-        calls++;                                                                                  \
-        name##_f(t, y, d);                                                                        \
-    }                                                                                             \
-    static inline int name##_rhs(double t, const double *y, double *d, void *ctx)                 \
-    {                                                                                             \
-        (void)ctx;                                                                                \
-        name##_f(t, y, d);                                                                        \
-        return 0;                                                                                 \
-    }                                                                                             \
-    RK4_LOOP_OF(name, n, name##_f)                                                                \
-    DP54_LOOP_OF(name, n, name##_f)                                                               \
-    DP54_LOOP_OF(name##_counting, n, name##_counted)                                              \
-    static result name##_run_rk4_loop(double T, double knob, double *y)                           \
-    {                                                                                             \
-        result r = {4 * (long)knob, (long)knob};                                                  \
-        name##_rk4_loop(T, (long)knob, y);                                                        \
-        return r;                                                                                 \
-    }                                                                                             \
-    static result name##_run_rk4(double T, double knob, double *y)                                \
-    {                                                                                             \
-        result r = {4 * (long)knob, (long)knob};                                                  \
-        double work[RK4_WORK(n)], t = 0;                                                          \
-        rk4_solve(name##_rhs, NULL, n, &t, T, (long)knob, y, work);                               \
-        return r;                                                                                 \
-    }                                                                                             \
-    static result name##_run_dp54_loop(double T, double knob, double *y)                          \
-    {                                                                                             \
-        result r = {0, 0};                                                                        \
-        name##_dp54_loop(T, knob, y);                                                             \
-        return r;                                                                                 \
-    }                                                                                             \
-    static result name##_count_dp54_loop(double T, double knob, double *y)                        \
-    {                                                                                             \
-        result r;                                                                                 \
-        calls = 0;                                                                                \
-        name##_counting_dp54_loop(T, knob, y);                                                    \
-        r.evals = calls, r.steps = calls / 6;                                                     \
-        return r;                                                                                 \
-    }                                                                                             \
-    CONTROLLED_RUN(name, n, rk45, RK45_WORK)                                                      \
+#define METHODS_FOR(name, n)                                                      \
+    static inline void name##_counted(double t, const double *y, double *d)       \
+    {                                                                             \
+        calls++;                                                                  \
+        name##_f(t, y, d);                                                        \
+    }                                                                             \
+    static inline int name##_rhs(double t, const double *y, double *d, void *ctx) \
+    {                                                                             \
+        (void)ctx;                                                                \
+        name##_f(t, y, d);                                                        \
+        return 0;                                                                 \
+    }                                                                             \
+    RK4_LOOP_OF(name, n, name##_f)                                                \
+    DP54_LOOP_OF(name, n, name##_f)                                               \
+    DP54_LOOP_OF(name##_counting, n, name##_counted)                              \
+    static result name##_run_rk4_loop(double T, double knob, double *y)           \
+    {                                                                             \
+        result r = {4 * (long)knob, (long)knob};                                  \
+        name##_rk4_loop(T, (long)knob, y);                                        \
+        return r;                                                                 \
+    }                                                                             \
+    static result name##_run_rk4(double T, double knob, double *y)                \
+    {                                                                             \
+        result r = {4 * (long)knob, (long)knob};                                  \
+        double work[RK4_WORK(n)], t = 0;                                          \
+        rk4_solve(name##_rhs, NULL, n, &t, T, (long)knob, y, work);               \
+        return r;                                                                 \
+    }                                                                             \
+    static result name##_run_dp54_loop(double T, double knob, double *y)          \
+    {                                                                             \
+        result r = {0, 0};                                                        \
+        name##_dp54_loop(T, knob, y);                                             \
+        return r;                                                                 \
+    }                                                                             \
+    static result name##_count_dp54_loop(double T, double knob, double *y)        \
+    {                                                                             \
+        result r;                                                                 \
+        calls = 0;                                                                \
+        name##_counting_dp54_loop(T, knob, y);                                    \
+        r.evals = calls, r.steps = calls / 6;                                     \
+        return r;                                                                 \
+    }                                                                             \
+    CONTROLLED_RUN(name, n, rk45, RK45_WORK)                                      \
     CONTROLLED_RUN(name, n, rk87, RK87_WORK)
 
 METHODS_FOR(cubic, 2)
@@ -92,15 +92,16 @@ METHODS_FOR(orbit, 4)
 
 typedef result (*runner)(double T, double knob, double *y);
 
-#define METHODS_OF(name)                                                                                  \
-    {                                                                                                     \
-        name##_rhs, name##_run_rk4_loop, name##_run_rk4, name##_run_dp54_loop, name##_count_dp54_loop,    \
-            name##_run_rk45, name##_run_rk87                                                              \
+#define METHODS_OF(name)                                                                               \
+    {                                                                                                  \
+        name##_rhs, name##_run_rk4_loop, name##_run_rk4, name##_run_dp54_loop, name##_count_dp54_loop, \
+            name##_run_rk45, name##_run_rk87                                                           \
     }
 static const struct methods {
     ode_rhs rhs;
     runner rk4_loop, rk4, dp54_loop, dp54_count, rk45, rk87;
-} methods[PROBLEMS] = {METHODS_OF(cubic), METHODS_OF(mass), METHODS_OF(momentum), METHODS_OF(body), METHODS_OF(orbit)};
+} methods[PROBLEMS] = {METHODS_OF(cubic), METHODS_OF(mass), METHODS_OF(momentum), METHODS_OF(body),
+                       METHODS_OF(orbit)};
 
 static const char *const method_names[METHODS] = {"rk4_loop", "rk4_solve", "dp54_loop", "rk45_solve", "rk87_solve",
                                                   "gsl_rk4",  "gsl_rkf45", "gsl_rkck",  "gsl_rk8pd"};
@@ -192,8 +193,8 @@ static void yardstick(void)
 /* Settings that a quick run leaves out are interpolated by their neighbours */
 static int used(int setting) { return !bench_quick || setting % 3 == 0; }
 
-/* A step of a fixed size takes as long as any other: of many only some are timed. The curves of the others end where a
-   run takes too many evaluations to be timed in a slice. */
+/* A step of a fixed size takes as long as any other: of many only some are timed. The curves of the others end
+   where a run takes too many evaluations to be timed in a slice. */
 static void measure_curve(curve *c)
 {
     int s;
@@ -217,8 +218,8 @@ static void measure_curve(curve *c)
     }
 }
 
-/* In *time (ratio: to the yardstick) and evaluations, what an error takes, between the last setting that makes a larger
-   one and the next; 0 if the error is not reached */
+/* In *time (ratio: to the yardstick) and evaluations, what an error takes, between the last setting that makes a
+   larger one and the next; 0 if the error is not reached */
 static int time_to(const curve *c, double goal, timing *time, double *evals)
 {
     int before = -1, next = -1, s;

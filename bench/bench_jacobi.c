@@ -1,6 +1,7 @@
-/* jacobi.h: time of a call in units of the C library's sin (float: sinf), of independent arguments and in a chain, and
-   the largest error against quadruple precision; GSL's functions beside it. Errors are absolute, of K and E relative,
-   of dn by its largest value. The last lines are one quantity by every route, the AGM's with its steps as the knob. */
+/* jacobi.h: time of a call in units of the C library's sin (float: sinf), of independent arguments and in a chain,
+   and the largest error against quadruple precision; GSL's functions beside it. Errors are absolute, of K and E
+   relative, of dn by its largest value. The last lines are one quantity by every route, the AGM's with its steps as
+   the knob. */
 #include "timing.h"
 #include "../jacobi.h"
 #include "arguments.h"
@@ -26,6 +27,7 @@ BODY(solve, a = jacobi_solve_kpK(m))
 BODY(means, jacobi_cn_means(m, &a, &b, &c))
 BODY(sncndn, jacobi_sncndn(u, m, &a, &b, &c))
 BODY(plan, jacobi_plan_sncndn(&plan, u, &a, &b, &c))
+APART(making, jacobi_plan_init(&plan, m); a = plan.m1)
 BODY(agm, jacobi_agm_sncndn(u, m, steps, &a, &b, &c))
 BODY(agm_K, a = jacobi_agm_K(m))
 
@@ -51,8 +53,8 @@ static void by_agm(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 
 #if GSL
 BODY(gsl_elljac, gsl_sf_elljac_e(u, m, &a, &b, &c))
-BODY(gsl_K, a = gsl_sf_ellint_Kcomp(w, GSL_PREC_DOUBLE))
-BODY(gsl_E, a = gsl_sf_ellint_Ecomp(w, GSL_PREC_DOUBLE))
+APART(gsl_K, a = gsl_sf_ellint_Kcomp(w, GSL_PREC_DOUBLE))
+APART(gsl_E, a = gsl_sf_ellint_Ecomp(w, GSL_PREC_DOUBLE))
 static void by_gsl(double u, double m, double *sn, double *cn, double *dn) { gsl_sf_elljac_e(u, m, sn, cn, dn); }
 static double by_gsl_K(double m) { return gsl_sf_ellint_Kcomp(sqrt(m), GSL_PREC_DOUBLE); }
 static double by_gsl_E(double m) { return gsl_sf_ellint_Ecomp(sqrt(m), GSL_PREC_DOUBLE); }
@@ -126,6 +128,7 @@ static void measure_complete(void)
     measure_function("E, 0 < m < 1", "gsl_sf_ellint_Ecomp", "", error_of_complete(by_gsl_E, 1), gsl_E_apart, NULL);
 #endif
     measure_function("means, 0 < m < 1", "jacobi_cn_means", "", NO_ERROR, means_apart, means_chain);
+    measure_function("making a plan, 0 < m < 1", "jacobi_plan_init", "", NO_ERROR, making_apart, NULL);
     fill(1, 0, -30, -1);
     measure_function("K, -30 < m < -1", "jacobi_K", "", error_of_complete(by_K, 0), K_apart, K_chain);
     measure_function("E, -30 < m < -1", "jacobi_E", "", error_of_complete(by_E, 1), E_apart, E_chain);
@@ -138,9 +141,8 @@ static void measure_any_m(void)
     static const struct {
         const char *label;
         double size, quarters;
-    } reach[3] = {{"|u| < K/2", 0, 0.5},
-                  {"|u| < 2K", 0, 2},
-                  {IS_FLOAT ? "|u| < 1e4" : "|u| < 1e9", IS_FLOAT ? 1e4 : 1e9, 0}};
+    } reach[3] = {
+        {"|u| < K/2", 0, 0.5}, {"|u| < 2K", 0, 2}, {IS_FLOAT ? "|u| < 1e4" : "|u| < 1e9", IS_FLOAT ? 1e4 : 1e9, 0}};
     char job[80];
     int i, j;
     for (i = 0; i < 3; i++)

@@ -103,7 +103,9 @@ int main(int argc, char **argv)
             const double ts = evaluations_to(goal, log_error[1], log_evals[1]);
             if (!(dp > 0 && ts > 0)) continue;
             printf("  1e%d: %.0f/%.0f = %.2f", goal, ts, dp, ts / dp);
-            if (csv) fprintf(csv, "pairs,%s,Tsitouras,,1e%d,%.0f,%.3f\n", problems[i].name, goal, ts, ts / dp);
+            if (csv)
+                fprintf(csv, "pairs,%s to 1e%d,Tsitouras,,1e%d,%.0f,%.3f\n", problems[i].name, goal, goal, ts,
+                        ts / dp);
         }
         puts("");
     }

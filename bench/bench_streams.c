@@ -205,8 +205,8 @@ int main(int argc, char **argv)
         for (k = 0; k < sizeof numbers / sizeof *numbers; k++) {
             set_streams(numbers[k]);
             snprintf(knob, sizeof knob, "%d", numbers[k]);
-            measure(levels[i].name, levels[i].route, knob, NO_ERROR, levels[i].kit, COUNT, "by hand", levels[i].hand,
-                    COUNT);
+            measure(levels[i].name, levels[i].route, knob, NO_ERROR, levels[i].kit, COUNT, "by hand",
+                    levels[i].hand, COUNT);
         }
     set_streams(1);
     measure("space, with the account", "vm_rhs_balanced", "1", NO_ERROR, count_balanced, COUNT, "vm_rhs", count_3,

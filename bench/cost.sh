@@ -1,6 +1,6 @@
 #!/bin/sh
-# Bring the tables and figures of docs/cost.md up to date from the last run of make bench. In the document a table stands
-# between the lines <!-- table NAME --> and <!-- end -->.
+# Bring the tables and figures of docs/cost.md up to date from the last run of make bench. In the document a table
+# stands between the lines <!-- table NAME --> and <!-- end -->.
 # usage: cost.sh FOLDER FIGURES DOCUMENT DOCUMENT_FIGURES, FOLDER with the programs' CSV files
 folder=$1 figures=$2 document=$3 document_figures=$4
 tables=$folder/tables
@@ -14,16 +14,19 @@ routes() {
     echo '| by | double: error | ns | x sin | -O3 -march=native: ns | float: error | ns | x sinf |'
     echo '|---|---|---|---|---|---|---|---|'
     for kind in "" _float _wide; do sed "s/^/${kind:-double},/" "$folder/$1$kind.csv"; done | awk -F, -v job="$2" '
+        function row(a, b, c, d, e, f, g, h) {print "| `" a "` | " b " | " c " | " d " | " e " | " f " | " g " | " h " |"}
         $3 == job && $4 !~ /chain/ {
             key = $4 ($5 != "" ? ", " $5 : "")
             if (!(key in seen)) {seen[key] = 1; order[++n] = key}
-            error[key, $1] = $6; ns[key, $1] = sprintf($7 < 100 ? "%.1f" : "%.0f", $7); ratio[key, $1] = sprintf("%.3g", $8)
+            error[key, $1] = $6
+            ns[key, $1] = sprintf($7 < 100 ? "%.1f" : "%.0f", $7)
+            ratio[key, $1] = sprintf("%.3g", $8)
         }
         END {
             for (i = 1; i <= n; i++) {
                 k = order[i]
-                print "| `" k "` | " error[k, "double"] " | " ns[k, "double"] " | " ratio[k, "double"] " | " ns[k, "_wide"] " | " \
-                    error[k, "_float"] " | " ns[k, "_float"] " | " ratio[k, "_float"] " |"
+                row(k, error[k, "double"], ns[k, "double"], ratio[k, "double"], ns[k, "_wide"], error[k, "_float"],
+                    ns[k, "_float"], ratio[k, "_float"])
             }
         }'
 }
@@ -56,9 +59,21 @@ awk -F, '
     END {
         for (i = 1; i <= n; i++) {
             k = order[i]
-            if (ns[k, "scene"] != "") print "| " k " | " ns[k, "by hand"] " | " ns[k, "inline functions"] " | " ns[k, "scene"] " |"
+            if (k !~ /^(no effect|[0-9]: )/) continue
+            print "| " k " | " ns[k, "by hand"] " | " ns[k, "inline functions"] " | " ns[k, "scene"] " |"
         }
     }' "$folder/scenes.csv" >"$tables/scenes"
+
+awk -F, '
+    BEGIN {print "| an effect beside a damper | adds, x sin | beyond its arithmetic |\n|---|---|---|"}
+    $3 == "adds to a scene" {all = $7}
+    $3 == "adds beyond its arithmetic" {gsub(/;/, ",", $2); printf "| %s | %.2f | %.2f |\n", $2, all, $7}
+    ' "$folder/scenes.csv" >"$tables/effects"
+
+awk -F, '
+    BEGIN {print "| bodies in a chain | ns a body |\n|---|---|"}
+    $2 ~ /^a body of a chain/ {sub(/.* /, "", $2); printf "| %s | %.1f |\n", $2, $6}
+    ' "$folder/scenes.csv" >"$tables/chain"
 
 awk -F, '
     BEGIN {print "| level | by | no stream | 1 | 4 |\n|---|---|---|---|---|"}
@@ -68,8 +83,12 @@ awk -F, '
         if (!(key in seen)) {seen[key] = 1; order[++n] = key}
         cell[key, $4] = sprintf("%.1f (%.2f)", $6, $7)
     }
-    END {for (i = 1; i <= n; i++) print "| " order[i] " | " cell[order[i], 0] " | " cell[order[i], 1] " | " cell[order[i], 4] " |"}
-    ' "$folder/streams.csv" >"$tables/streams"
+    END {
+        for (i = 1; i <= n; i++) {
+            k = order[i]
+            print "| " k " | " cell[k, 0] " | " cell[k, 1] " | " cell[k, 4] " |"
+        }
+    }' "$folder/streams.csv" >"$tables/streams"
 
 for table in oscillator oscillator_all rotation; do sh bench/motion_tables.sh "$folder" $table >"$tables/$table"; done
 

@@ -14,15 +14,15 @@ static volatile vm_real sink;
 #define SEPARATE
 #endif
 
-#define COUNT(name, ...)                          \
-    SEPARATE static void count_##name(void)       \
-    {                                             \
-        vm_real a = 0, b = 0, c = 0;              \
-        int i;                                    \
-        for (i = 0; i < CALLS; i++) {             \
-            __VA_ARGS__;                          \
-            sink = a, sink = b, sink = c;         \
-        }                                         \
+#define COUNT(name, ...)                    \
+    SEPARATE static void count_##name(void) \
+    {                                       \
+        vm_real a = 0, b = 0, c = 0;        \
+        int i;                              \
+        for (i = 0; i < CALLS; i++) {       \
+            __VA_ARGS__;                    \
+            sink = a, sink = b, sink = c;   \
+        }                                   \
     }
 
 COUNT(nothing, (void)a)
@@ -94,12 +94,8 @@ COUNT(vm_lambert_w0, a = vm_lambert_w0(p[i] * 5))
 COUNT(vm_lambert_wm1, a = vm_lambert_wm1(p[i] * VM_C(-0.36)))
 
 static const vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
-static const vm_body piece = {1,
-                              {VM_C(0.1), VM_C(0.1), VM_C(0.1), 0, 0, 0},
-                              {1, 0, 0, 0},
-                              {VM_C(0.4), 0, 0},
-                              {10, 2, 0},
-                              {0, 0, 3}};
+static const vm_body piece = {
+    1, {VM_C(0.1), VM_C(0.1), VM_C(0.1), 0, 0, 0}, {1, 0, 0, 0}, {VM_C(0.4), 0, 0}, {10, 2, 0}, {0, 0, 3}};
 static vm_body rest;
 static vm_body2 whole2, piece2, rest2;
 static vm_free_motion motion;
@@ -140,7 +136,8 @@ static void set_up(void)
     int i;
     for (i = 0; i < CALLS; i++) {
         state = (state * 1664525ul + 1013904223ul) & 0xfffffffful;
-        p[i] = ((vm_real)(state >> 8) + VM_C(0.5)) / 16777216, u[i] = 6 * p[i] - 3, m[i] = VM_C(1.9) * p[i] - VM_C(0.95);
+        p[i] = ((vm_real)(state >> 8) + VM_C(0.5)) / 16777216, u[i] = 6 * p[i] - 3,
+        m[i] = VM_C(1.9) * p[i] - VM_C(0.95);
         state = (state * 1664525ul + 1013904223ul) & 0xfffffffful;
         alpha[i] = VM_C(0.5) + 3 * ((vm_real)(state >> 8) / 16777216), other[i] = 4 - alpha[i];
         if (i % 2) m[i] = -m[i];
@@ -171,17 +168,51 @@ static void set_plans(void)
 
 int main(void)
 {
-    static void (*const counts[])(void) = {
-        count_nothing, count_jacobi_K, count_jacobi_E, count_jacobi_sncndn, count_jacobi_sn, count_jacobi_cd,
-        count_jacobi_am, count_jacobi_plan_init, count_jacobi_kpK, count_jacobi_solve_kpK, count_jacobi_solve_K,
-        count_jacobi_cn_means, count_jacobi_agm_sncndn, count_jacobi_agm_K, count_ateb_pi, count_ateb_saca,
-        count_ateb_sa, count_ateb_phase, count_ateb_integral_sa2, count_ateb_mean, count_ateb_pi_nm,
-        count_ateb_saca_nm, count_ateb_beta, count_ateb_beta_inc, count_ateb_beta_inc_inv, count_ateb_plan_init,
-        count_rk4_step, count_rk45_step, count_rk87_step, count_vm_lambert_w0, count_vm_lambert_wm1,
-        count_vm_separate, count_vm_attach, count_vm_separate2, count_vm_free_init, count_vm_free_at,
-        count_vm_osc_exact, count_vm_osc_period, count_vm_osc_amplitude_law, count_vm_osc_at_to_1e_3,
-        count_vm_osc_plan_init, count_vm_osc_plan_at_to_1e_3, count_vm_rhs_1_stream, count_vm_scene_rhs_no_effect,
-        count_vm_scene_rhs_3_effects};
+    static void (*const counts[])(void) = {count_nothing,
+                                           count_jacobi_K,
+                                           count_jacobi_E,
+                                           count_jacobi_sncndn,
+                                           count_jacobi_sn,
+                                           count_jacobi_cd,
+                                           count_jacobi_am,
+                                           count_jacobi_plan_init,
+                                           count_jacobi_kpK,
+                                           count_jacobi_solve_kpK,
+                                           count_jacobi_solve_K,
+                                           count_jacobi_cn_means,
+                                           count_jacobi_agm_sncndn,
+                                           count_jacobi_agm_K,
+                                           count_ateb_pi,
+                                           count_ateb_saca,
+                                           count_ateb_sa,
+                                           count_ateb_phase,
+                                           count_ateb_integral_sa2,
+                                           count_ateb_mean,
+                                           count_ateb_pi_nm,
+                                           count_ateb_saca_nm,
+                                           count_ateb_beta,
+                                           count_ateb_beta_inc,
+                                           count_ateb_beta_inc_inv,
+                                           count_ateb_plan_init,
+                                           count_rk4_step,
+                                           count_rk45_step,
+                                           count_rk87_step,
+                                           count_vm_lambert_w0,
+                                           count_vm_lambert_wm1,
+                                           count_vm_separate,
+                                           count_vm_attach,
+                                           count_vm_separate2,
+                                           count_vm_free_init,
+                                           count_vm_free_at,
+                                           count_vm_osc_exact,
+                                           count_vm_osc_period,
+                                           count_vm_osc_amplitude_law,
+                                           count_vm_osc_at_to_1e_3,
+                                           count_vm_osc_plan_init,
+                                           count_vm_osc_plan_at_to_1e_3,
+                                           count_vm_rhs_1_stream,
+                                           count_vm_scene_rhs_no_effect,
+                                           count_vm_scene_rhs_3_effects};
     static void (*const of_plans[])(void) = {count_jacobi_plan_sncndn, count_jacobi_plan_sncndn_array,
                                              count_ateb_plan_saca_3, count_ateb_plan_saca_3_to_1e_4,
                                              count_ateb_plan_saca_4_3};

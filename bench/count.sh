@@ -1,10 +1,11 @@
 #!/bin/sh
 # Instructions of a call of every public function, counted by callgrind, so that they are the same in every run.
-# usage: CC=compiler FLAGS=flags count.sh FOLDER, with FOLDER/double and FOLDER/float from bench/count.c; the table goes
-# to FOLDER/counts.md and to the screen
+# usage: CC=compiler FLAGS=flags count.sh FOLDER, with FOLDER/double and FOLDER/float from bench/count.c; the table
+# goes to FOLDER/counts.md and to the screen
 folder=$1
 count() { # count PRECISION : lines "function instructions"
-    LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file="$folder/$1.out" "$folder/$1" 2>/dev/null | awk '{print "calls", $1}'
+    LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file="$folder/$1.out" "$folder/$1" 2>/dev/null |
+        awk '{print "calls", $1}'
     callgrind_annotate --inclusive=yes --threshold=100 "$folder/$1.out" |
         awk 'match($0, /:count_[a-z]/) {
             instructions = $1

@@ -43,14 +43,6 @@ double exact_beta_inc_inv(double p, double a, double b, double x)
     return (double)(x - (beta_inc(x, a, b) - p) / density);
 }
 
-exact_value exact_lambert_w0(double x)
-{
-    quad w = log1pq(x);
-    int i;
-    for (i = 0; i < 12; i++) w -= (w - x * expq(-w)) / (1 + w);
-    return words(w);
-}
-
 #else
 static const exact_value none = {(double)NAN, 0};
 
@@ -65,6 +57,4 @@ exact_value exact_beta(double a, double b) { return (void)a, (void)b, none; }
 exact_value exact_beta_inc(double x, double a, double b) { return (void)x, (void)a, (void)b, none; }
 
 double exact_beta_inc_inv(double p, double a, double b, double x) { return p + a + b + x + none.high; }
-
-exact_value exact_lambert_w0(double x) { return (void)x, none; }
 #endif

@@ -15,7 +15,6 @@ void exact_saca(double s, double alpha, exact_value sa_ca_pi[3]);
 exact_value exact_beta(double a, double b);
 exact_value exact_beta_inc(double x, double a, double b);
 double exact_beta_inc_inv(double p, double a, double b, double near_to_it); /* one step of Newton's method */
-exact_value exact_lambert_w0(double x);
 
 static inline double error_of(double got, exact_value exact) { return fabs((got - exact.high) - exact.low); }
 

@@ -17,9 +17,9 @@ error(route) = strcol(2) eq problem && strcol(3) eq route ? $5 : NaN
 # route, the setting at which its name stands, and where that is from the point
 array route[7] = ["rk4_solve", "rk45_solve", "rk87_solve", "rk4_loop", "dp54_loop", "gsl_rkf45", "gsl_rk8pd"]
 array names[7] = ["rk4", "rk45", "rk87", "", "", "GSL rkf45", "GSL rk8pd"]
-array at[7] = [problem eq "orbit" ? "1.16e+04" : "6.55e+04", problem eq "cubic" ? "1e-12" : "1e-14", "1e-10", "", "", "1e-05", "1e-14"]
-array dx[7] = [problem eq "orbit" ? 1 : -3.5, problem eq "cubic" ? 0.2 : 1, -4.5, 0, 0, 1, problem eq "orbit" ? -2 : -1]
-array dy[7] = [-0.7, -0.6, -0.4, 0, 0, 0.4, -0.9]
+array at[7] = [problem eq "orbit" ? "1.16e+04" : "6.55e+04", problem eq "cubic" ? "3.16e-14" : "1e-14", "1e-10", "", "", "1e-05", "1e-14"]
+array dx[7] = [problem eq "orbit" ? 1 : -3.5, problem eq "cubic" ? 0.2 : 1, -4.5, 0, 0, 1, problem eq "orbit" ? -2 : problem eq "cubic" ? -4 : -1]
+array dy[7] = [-0.7, -0.6, -0.4, 0, 0, 0.4, problem eq "cubic" ? -1.3 : -0.9]
 array colour[7] = [green, sky, blue, black, black, grey, grey]
 array dash[7] = [1, 1, 1, 3, 2, 1, 1]
 array shape[7] = [9, 5, 7, 8, 4, 5, 7]

@@ -6,7 +6,10 @@
 #include <math.h>
 
 /* x'' = -x^3 */
-static inline void cubic_f(double t, const double *y, double *d) { (void)t, d[0] = y[1], d[1] = -y[0] * y[0] * y[0]; }
+static inline void cubic_f(double t, const double *y, double *d)
+{
+    (void)t, d[0] = y[1], d[1] = -y[0] * y[0] * y[0];
+}
 
 /* (m x')' = -x^3, m = 1 + 0.1 t, by velocity and by momentum */
 static inline void mass_f(double t, const double *y, double *d)
@@ -54,12 +57,32 @@ typedef struct problem {
 
 static const problem problems[PROBLEMS] = {
     {"cubic", "x'' = -x^3", cubic_f, 2, 100, {1, 0}, {-0.99282192702465530435, -0.11917344555285698982}},
-    {"mass", "(m x')' = -x^3, y = (x, x')", mass_f, 2, 50, {1, 0}, {-0.21022546532589420703, -0.15784032868484443872}},
-    {"momentum", "(m x')' = -x^3, y = (x, m x')", momentum_f, 2, 50, {1, 0},
+    {"mass",
+     "(m x')' = -x^3, y = (x, x')",
+     mass_f,
+     2,
+     50,
+     {1, 0},
+     {-0.21022546532589420703, -0.15784032868484443872}},
+    {"momentum",
+     "(m x')' = -x^3, y = (x, m x')",
+     momentum_f,
+     2,
+     50,
+     {1, 0},
      {-0.21022546532589420703, -0.94704197210906667614}},
-    {"body", "Euler's rigid body", body_f, 3, 60, {1, 0.1, 0.9},
+    {"body",
+     "Euler's rigid body",
+     body_f,
+     3,
+     60,
+     {1, 0.1, 0.9},
      {-0.84160440624400955797, -0.54927408767451257482, 0.84425469628727009534}},
-    {"orbit", "Arenstorf's orbit", orbit_f, 4, 17.0652165601579625588917206249,
+    {"orbit",
+     "Arenstorf's orbit",
+     orbit_f,
+     4,
+     17.0652165601579625588917206249,
      {0.994, 0, 0, -2.00158510637908252240537862224},
      {0.99399999999990884034, -3.0309430229824181664e-13, -4.9285365810550524652e-11, -2.0015851063932702385}}};
 

@@ -10,7 +10,8 @@ mu1 = mpf(1 - 0.012277471)
 def orbit(t, y):
     r1, r2 = (y[0] + mu)**2 + y[1]**2, (y[0] - mu1)**2 + y[1]**2
     r1, r2 = mu1 / (r1 * sqrt(r1)), mu / (r2 * sqrt(r2))
-    return [y[2], y[3], y[0] + 2 * y[3] - r1 * (y[0] + mu) - r2 * (y[0] - mu1), y[1] - 2 * y[2] - r1 * y[1] - r2 * y[1]]
+    return [y[2], y[3], y[0] + 2 * y[3] - r1 * (y[0] + mu) - r2 * (y[0] - mu1),
+            y[1] - 2 * y[2] - r1 * y[1] - r2 * y[1]]
 
 
 problems = {
