@@ -20,7 +20,7 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects
+TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects refusals
 SCRIPTS = headers plans package scene_cost golden sweep errata
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)

@@ -539,7 +539,7 @@ VM_API int vmi_options_good(const rk45_options *o, int n)
 {
     int i;
     if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_good(o, n)) return 0;
-    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min) || !(o->h_max > 0)) return 0;
+    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
     if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
     for (i = 0; i < o->n_events; i++)
         if (!o->events[i].g || o->events[i].room < 0) return 0;
