@@ -656,10 +656,10 @@ VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longes
     return ODE_OK;
 }
 
-/* The shortest step that is tried */
+/* The shortest step that is tried; not 0 at t = 0, where steps that fail would become shorter without end */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
-    vm_real least = 4 * VM_EPSILON * VM_FABS(t);
+    vm_real least = 4 * VM_EPSILON * VM_FABS(t) + VM_MIN;
     return least > o->h_min ? least : o->h_min;
 }
 

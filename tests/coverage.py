@@ -5,7 +5,8 @@ Every test program is built in double and float without optimisation and run, an
 code is there with these and in optimised builds only. A line with nothing but a brace, a comment or a directive is none. A branch is each of the two outcomes of a
 condition, && and || having one each side; conditions that the compiler knows are none. What counts is the union over
 the programs, since each of them has its own copies of the functions. BUILD/coverage/missed.txt lists what no program
-executes; BUILD/coverage/map.json, for mutate.py, which programs execute which line, and how long they take.
+executes; BUILD/coverage/map.json, for mutate.py, which programs execute a line, the most often
+first, and how long they take.
 
 usage: coverage.py BUILD TEST...      from the top of the project; ends with an error below LEAST percent
 """
@@ -120,12 +121,14 @@ def main():
             for line, count in counts.items():
                 lines[header][line] = lines[header].get(line, 0) + count
                 if count:
-                    programs[header].setdefault(line, []).append(name)
+                    programs[header].setdefault(line, []).append((count, name))
         for header, spans in sides.items():
             for span, (taken, not_taken) in spans.items():
                 known = branches[header].setdefault(span, [0, 0])
                 known[0] += taken
                 known[1] += not_taken
+    programs = {header: {line: [name for _, name in sorted(names, reverse=True)] for line, names in of_line.items()}
+                for header, of_line in programs.items()}
     with open(f'{folder}/map.json', 'w') as file:
         json.dump({'seconds': {name: seconds for name, seconds, _, _ in measured}, 'programs': programs}, file)
     enough = report(folder, lines, branches)

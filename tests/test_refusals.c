@@ -118,6 +118,8 @@ static void test_special_functions(void)
     REFUSES(beta_inc_both, 0, R(0.5), R(0.5), 2, 3);
     REFUSES(beta_inc_inv_both, 0, R(0.5), R(0.5), 2, 3);
     CHECK(isnan(jacobi_solve_K(VM_NAN)) && isnan(jacobi_solve_K(-1)) && isnan(jacobi_solve_K_m1(VM_NAN)));
+    CHECK(isnan(jacobi_solve_K(VM_INFINITY)) && isnan(jacobi_solve_K_m1(VM_INFINITY)) &&
+          isnan(jacobi_agm_K(-VM_INFINITY)));
     CHECK(isnan(jacobi_agm_K(VM_NAN)) && isnan(jacobi_agm_K(2)) && jacobi_agm_K(1) == VM_INFINITY);
     jacobi_agm_sncndn(1, 1, 8, &sn, &cn, &dn);
     CHECK(isnan(sn) || fabs((double)sn - tanh(1)) < 4 * (double)VM_EPSILON);
@@ -238,6 +240,11 @@ static int combine(trial *a)
 static void test_jumps(void)
 {
     vm_balance left;
+    const vm_body *volatile none = NULL;
+    vm_body huge, point, whole;
+    vm_body2 flat, other;
+    int i;
+    memset(&huge, 0, sizeof huge), memset(&flat, 0, sizeof flat);
     REFUSES(separate, 3, BODY, PART, BLOW);
     REFUSES(attach, 3, BODY, PART, BLOW);
     REFUSES(separate_relative, 3, RESTING, PART, BLOW);
@@ -248,6 +255,26 @@ static void test_jumps(void)
     REFUSES(attach_relative2, 3, RESTING2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2);
     REFUSES(balance, 3, BODY, PART, BLOW, R(0.1), R(0.2), R(0.3));
     REFUSES_NULL(relative, 3), REFUSES_NULL(absolute, 3), REFUSES_NULL(relative2, 3), REFUSES_NULL(absolute2, 3);
+    for (i = 0; i < 6; i++) { /* an inertia of nothing but one number; a point's */
+        vm_inertia one = {0, 0, 0, 0, 0, 0};
+        CHECK(vm_inertia_possible(&one));
+        (i == 0   ? &one.xx
+         : i == 1 ? &one.yy
+         : i == 2 ? &one.zz
+         : i == 3 ? &one.xy
+         : i == 4 ? &one.xz
+                  : &one.yz)[0] = 1;
+        CHECK(!vm_inertia_possible(&one));
+    }
+    CHECK(isnan(vm_energy_gain(none, 0, NULL, NULL, NULL)) && isnan(vm_energy_loss(none, 0, NULL, NULL, NULL)));
+    huge.mass = VM_MAX, huge.v.x = 4; /* finite numbers whose products are not */
+    CHECK(vm_balance_between(0, NULL, 1, &huge, NULL, vmi_vec3(0, 0, 0), &left) == VM_NOT_FINITE);
+    huge.mass = VM_MAX / 2, huge.v.x = 1, huge.r.y = 64;
+    CHECK(vm_balance_between(0, NULL, 1, &huge, NULL, vmi_vec3(0, 0, 0), &left) == VM_NOT_FINITE);
+    huge.r.y = 0, point = huge, point.r.x = 64;
+    CHECK(vm_attach(&huge, &point, NULL, &whole) == VM_NOT_FINITE);
+    flat.mass = VM_MAX / 2, other = flat, other.x = 64;
+    CHECK(vm_attach2(&flat, &other, NULL, &flat) == VM_NOT_FINITE);
     CHECK(vm_balance_between(-1, NULL, 0, NULL, NULL, vmi_vec3(0, 0, 0), &left) == VM_BAD_ARGUMENT);
     CHECK(vm_balance_between(0, NULL, -1, NULL, NULL, vmi_vec3(0, 0, 0), &left) == VM_BAD_ARGUMENT);
     REFUSES(combine, 4, 3, 2, R(0.4), R(0.5), R(0.6), 0, 0, 0, R(0.4), R(0.5), R(0.6), 0, 0, 0, 1, 2, 3);
@@ -947,6 +974,60 @@ static void test_slow_vibrations(void)
 
 /* -- integrators.h -- */
 
+/* Stops, or ceases to be a number, at one of its evaluations */
+static long countdown;
+static int breaks(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    oscillate(t, y, dydt, NULL);
+    if (--countdown >= 0) return 0;
+    if (ctx) dydt[0] = VM_NAN;
+    return ctx ? 0 : 9;
+}
+static vm_real no_number(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)ctx;
+    return t < R(0.1) ? y[0] : VM_NAN;
+}
+
+static void test_broken_right_hand_sides(void)
+{
+    int when, kind;
+    vm_real work[RK87_WORK(2)], out[2];
+    rk45_options o;
+    ode_event e;
+    rk45 s;
+    for (kind = 0; kind < 2; kind++) {
+        for (when = 0; when < 60; when++) {
+            vm_real y[2] = {1, 0}, t = 0;
+            void *ctx = kind ? &when : NULL;
+            countdown = when;
+            CHECK(kind || rk4_solve(breaks, ctx, 2, &t, 1, 3, y, work) == (when < 12 ? ODE_RHS_STOPPED : ODE_OK));
+        }
+        for (when = 0; when < 60; when++) {
+            const vm_real y[2] = {1, 0};
+            int status;
+            countdown = when;
+            if (rk45_init(&s, breaks, kind ? &when : NULL, 2, 0, y, NULL, work) == 0) {
+                status = rk45_solve(&s, 1);
+                CHECK(status == (kind ? ODE_NOT_FINITE : ODE_RHS_STOPPED) || status == ODE_OK);
+                CHECK(isfinite((double)s.y[0]) && isfinite((double)s.t));
+            }
+            countdown = when;
+            if (rk87_init(&s, breaks, kind ? &when : NULL, 2, 0, y, NULL, work) == 0 && rk87_step(&s) == 0) {
+                out[0] = 7;
+                status = rk87_interpolate(&s, s.t / 2, out);
+                CHECK(status == ODE_OK || out[0] == 7);
+            }
+        }
+    }
+    memset(&e, 0, sizeof e), memset(&o, 0, sizeof o);
+    e.g = no_number, o.events = &e, o.n_events = 1, out[0] = 1, out[1] = 0;
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, out, &o, work) == ODE_OK && rk45_solve(&s, 1) == ODE_NOT_FINITE);
+    o.n_events = 0, o.h0 = R(1e-3), o.h_max = R(1e-4);
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, out, &o, work) == ODE_OK && rk45_step(&s) == ODE_OK &&
+          s.t <= R(1e-4));
+}
+
 static void test_integrators(void)
 {
     vm_real y[2] = {1, 0}, low[2] = {0}, t = 0, work[RK87_WORK(2)], out[2] = {0};
@@ -1061,6 +1142,95 @@ static void test_scenes(void)
           vm_scene_balance(NULL, 0, NULL, NULL) == VM_BAD_ARGUMENT);
 }
 
+/* A run's output at given times, events of a mass, jumps between absent and present bodies, refused runs */
+static int outputs;
+static int remember(vm_real t, const vm_real *y, vm_scene *scene, void *ctx)
+{
+    (void)y, (void)scene;
+    if (outputs < 4) ((vm_real *)ctx)[outputs] = t;
+    return ++outputs == 3; /* the third is enough */
+}
+
+static void test_runs(void)
+{
+    const vm_real times[5] = {R(-1), R(0.5), R(0.75), R(1.5), 9};
+    vm_real seen[4], y[64], work[VM_SCENE_WORK(64)], t = 0, atol[64];
+    vm_scene_body bodies[2];
+    vm_effect effects[1];
+    vm_event events[1];
+    ode_event located[1];
+    rk45_options options = rk45_defaults(NULL);
+    vm_scene s;
+    vm_book book;
+    vm_body part;
+    int i, k;
+    memset(&s, 0, sizeof s), memset(&part, 0, sizeof part);
+    for (i = 0; i < 64; i++) atol[i] = R(1e-3);
+    part.mass = R(0.5), part.inertia.zz = R(0.01), part.v.x = 1;
+    s.bodies = bodies, s.n_bodies = 1, s.output = remember, s.output_ctx = seen, s.times = times, s.n_times = 5;
+    bodies[0] = vm_scene_with_mass_state(vm_scene_line(2, 0, 1));
+    effects[0] = vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1);
+    s.effects = effects, s.n_effects = 1;
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
+    CHECK(outputs == 3 && seen[0] == R(0.5) && seen[1] == R(0.75) && seen[2] == R(1.5) && t == R(1.5));
+    check_error("mass of a stream", "", "eps", fabs((double)y[2] - 0.5) / (double)VM_EPSILON, 16, 0, 0);
+    CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_BAD_ARGUMENT &&
+          vm_scene_run(&s, &t, VM_INFINITY, y, work, NULL) < 0);
+    options.atol_each = atol, CHECK(vm_scene_run(&s, &t, R(1.75), y, work, &options) == VM_OK && t == R(1.75));
+    options.h0 = VM_NAN, CHECK(vm_scene_run(&s, &t, 2, y, work, &options) == VM_NOT_INTEGRATED);
+    s.output = NULL, s.times = NULL;
+    for (i = 0; i < 2; i++) { /* the mass passes 1.25, as a state and by a law */
+        bodies[0] = vm_scene_line(2, 0, 1);
+        if (i == 0) bodies[0] = vm_scene_with_mass_state(bodies[0]);
+        effects[0] = i == 0 ? vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1)
+                            : vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1);
+        events[0] = vm_then_stop(vm_event_mass(0, R(1.25), -1));
+        s.events = events, s.located = located, s.n_events = 1, t = 0;
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
+        check_error("event of a mass", i ? "law" : "state", "eps", fabs((double)t - 0.75) / (double)VM_EPSILON, 32,
+                    0, 0);
+    }
+    for (k = 0; k < 9; k++) { /* jumps: what comes of them, with and without a book */
+        const int bad = k > 3;
+        vm_scene_body (*make)(vm_real, vm_real, vm_real) = k % 2 ? vm_scene_axle : vm_scene_line;
+        memset(&s, 0, sizeof s), t = 0;
+        s.bodies = bodies, s.n_bodies = 2, s.events = events, s.located = located, s.n_events = 1;
+        bodies[0] = make(2, R(0.1), 3), bodies[1] = vm_scene_absent(make(R(0.5), 0, 0));
+        part.mass = R(0.5), part.v.x = 1, part.omega.z = 1, part.inertia.zz = R(0.01);
+        events[0] = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
+        if (k == 2)
+            bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2),
+            bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
+        if (k == 3) bodies[1].absent = 0, events[0] = vm_then_attach(vm_event_at(1), 0, 1);
+        if (k == 4 || k == 5) events[0].part.mass = 2;                /* nothing is left */
+        if (k == 6) bodies[1].absent = 0;                             /* into what is there already */
+        if (k == 7) events[0] = vm_then_attach(vm_event_at(1), 0, 1); /* what is not there */
+        if (k == 8) {                                                 /* a plane's rest that is a point */
+            bodies[0] = vm_scene_plane(2, R(0.01), vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
+            bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
+            part.r.x = part.v.y = 0, part.v.x = 1, part.omega.z = 2, events[0].part = part;
+            events[0].part.r.x = 1; /* where the whole is by then */
+        }
+        vm_scene_keep_book(&s, k == 0 ? &book : NULL);
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+        i = vm_scene_run(&s, &t, 2, y, work, NULL);
+        CHECK((i < 0) == bad && t == (bad ? 1 : 2));
+        if (k == 0) { /* 2 * 3 - 0.5 * 1 over 1.5 */
+            check_error("jump on a line", "", "eps", fabs((double)y[1] - 11. / 3) / (double)VM_EPSILON, 8, 0, 0);
+            CHECK(vm_scene_balance(&s, t, NULL, &book) == VM_BAD_ARGUMENT &&
+                  vm_scene_balance(&s, t, y, NULL) == VM_BAD_ARGUMENT);
+        }
+    }
+    memset(&s, 0, sizeof s), t = 0; /* a law's mass runs out */
+    bodies[0] = vm_scene_line(2, 0, 1), s.bodies = bodies, s.n_bodies = 1;
+    effects[0] = vm_effect_mass_law(0, NULL, NULL, vmi_vec3(0, 0, 0), 0);
+    s.effects = effects, s.n_effects = 1;
+    CHECK(vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
+    effects[0] = vm_effect_mass(0, -1, 1, 0, 0);
+    CHECK(vm_scene_check(&s, NULL) < 0);
+    CHECK(vm_force_stream(2, 3, R(0.5), 4) == 2 && vm_force_stream(-1, 2, 1, 7) == -2);
+}
+
 int main(void)
 {
     test_special_functions();
@@ -1071,6 +1241,8 @@ int main(void)
     test_oscillators();
     test_slow_vibrations();
     test_integrators();
+    test_broken_right_hand_sides();
     test_scenes();
+    test_runs();
     return check_finish("refusals");
 }
