@@ -9,6 +9,8 @@
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F
 #   make test-cross   the same bits on every target (minutes)
+#   make coverage   lines and branches that the tests execute       make test-mutate SEED=n COUNT=n   wrong headers
+#   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
 
@@ -27,7 +29,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
+.PHONY: coverage test-mutate test-sanitize proof sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -76,6 +78,21 @@ points: build/command
 # a campaign of minutes: the same bits on every target that can be had, with emulators
 test-cross:
 	sh tests/cross.sh build docs/cross.md
+
+# campaigns of minutes: what the tests execute, whether they notice wrong headers, what tools find in the headers
+COUNT = 100
+MUTATED = # a header's name, none: all four
+coverage:
+	@sh tests/install.sh "command -v clang && (command -v llvm-cov || command -v llvm-cov-14)" clang llvm
+	@mkdir -p build && python3 tests/coverage.py build $(TESTS)
+build/coverage/map.json:
+	-$(MAKE) coverage
+test-mutate: build/coverage/map.json
+	python3 tests/mutate.py build $(SEED) $(COUNT) $(MUTATED)
+test-sanitize:
+	@sh tests/install.sh "command -v clang" clang; mkdir -p build; sh tests/sanitize.sh build $(TESTS)
+proof:
+	@mkdir -p build; sh tests/eva.sh build
 
 # a controller on an emulated Cortex-M4F
 CORTEX_M4F = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16

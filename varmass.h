@@ -5294,7 +5294,8 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
     const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0));
     vm_real a, b, larger;
     *A = *psi = VM_NAN;
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0)) return;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0))
+        return;
     a = VM_FABS(x), b = vmi_raised(VM_FABS(s), 2 / n);
     larger = a > b ? a : b;
     *A = larger == 0 || a == 0 || b == 0 ? larger

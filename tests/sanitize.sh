@@ -22,9 +22,8 @@ sanitized() { # sanitized NAME "COMPILER FLAGS" TEST...
     done
 }
 
-ub="undefined,float-cast-overflow,float-divide-by-zero"
 if [ -n "$quick" ]; then
-    sanitized gcc "gcc -std=c99 -g -O1 -fsanitize=address,$ub -fno-sanitize=float-divide-by-zero -fno-sanitize-recover=all" "$@"
+    sanitized gcc "gcc -std=c99 -g -O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" "$@"
     check_finish sanitize
     exit
 fi
