@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Lines and branches of the four headers that the tests execute, by clang's source-based coverage.
 
-Every test program is built in double and float without optimisation and run, and as it is with fused multiply-adds: some
-code is there with these and in optimised builds only. A line with nothing but a brace, a comment or a directive is none. A branch is each of the two outcomes of a
-condition, && and || having one each side; conditions that the compiler knows are none. What counts is the union over
-the programs, since each of them has its own copies of the functions. BUILD/coverage/missed.txt lists what no program
-executes; BUILD/coverage/map.json, for mutate.py, which programs execute a line, the most often
-first, and how long they take.
+Every test program is built in double and float without optimisation and run, and as it is with fused multiply-adds:
+some code is there with these and in optimised builds only. A line with nothing but a brace, a comment or a directive
+is none. A branch is each of the two outcomes of a condition, && and || having one each side; conditions that the
+compiler knows are none. What counts is the union over the programs, since each of them has its own copies of the
+functions. BUILD/coverage/missed.txt lists what no program executes; BUILD/coverage/map.json, for mutate.py, which
+programs execute a line, the most often first, and how long they take.
 
-usage: coverage.py BUILD TEST...      from the top of the project; ends with an error below LEAST percent
+usage: coverage.py BUILD TEST... from the top of the project; ends with an error below LEAST percent
 """
 import json
 import os
@@ -40,10 +40,11 @@ def measure(job):
     """One program: (name, seconds, {header: {line: count}}, {header: {span: [taken, not taken]}})."""
     folder, name, source, flags = job
     program, profile = f'{folder}/{name}', f'{folder}/{name}.profraw'
-    subprocess.check_call(['clang', '-std=c99', '-w', '-fprofile-instr-generate', '-fcoverage-mapping', *flags, source,
-                           '-o', program, '-lm'])
+    subprocess.check_call(['clang', '-std=c99', '-w', '-fprofile-instr-generate', '-fcoverage-mapping', *flags,
+                           source, '-o', program, '-lm'])
     start = time.monotonic()
-    output = subprocess.run([program], env={**os.environ, 'LLVM_PROFILE_FILE': profile}, stdout=subprocess.PIPE, text=True)
+    output = subprocess.run([program], env={**os.environ, 'LLVM_PROFILE_FILE': profile}, stdout=subprocess.PIPE,
+                            text=True)
     seconds = time.monotonic() - start
     if output.returncode and not name.endswith('_contracted'): # clang 14 miscompiles a check with counters at -O1
         sys.exit(f'{name} fails: {output.stdout[-2000:]}')
@@ -97,7 +98,8 @@ def report(folder, lines, branches):
         half = [(span, side) for span, sides in sorted(real.items()) for side in (0, 1) if not sides[side]]
         share = [100 * (1 - len(bare) / len(lines[header])), 100 * (1 - len(half) / (2 * len(real)))]
         enough = enough and min(share) >= LEAST
-        print(f'{header + ".h":14}{len(lines[header]):7}{len(bare):8}{share[0]:8.2f}%{2 * len(real):10}{len(half):8}{share[1]:8.2f}%')
+        print(f'{header + ".h":14}{len(lines[header]):7}{len(bare):8}{share[0]:8.2f}%'
+              f'{2 * len(real):10}{len(half):8}{share[1]:8.2f}%')
         for line in bare:
             print(f'{header}.h:{line}: {function_at(source, line)}: {source[line - 1].strip()}', file=missed)
         for span, side in half:

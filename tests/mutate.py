@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Wrong headers that the tests are to notice: one token of a header changed at a time.
 
-A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an index
-or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by the map
-that coverage.py leaves; the programs that execute the line are built and run, those that do most often first, until one fails, ends
-with a signal or takes ten times its time. Where MANY programs pass, the mutant counts as a survivor and is printed, to
-be judged: it is equivalent (the results are as good), or a test is missing.
+A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an
+index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
+the map that coverage.py leaves; the programs that execute the line are built and run, those that do most often first,
+until one fails, ends with a signal or takes ten times its time. Where MANY programs pass, the mutant counts as a
+survivor and is printed, to be judged: it is equivalent (the results are as good), or a test is missing.
 
-usage: mutate.py BUILD SEED COUNT [HEADER]      from the top of the project, after coverage.py
+usage: mutate.py BUILD SEED COUNT [HEADER] from the top of the project, after coverage.py
 """
 import json
 import os
@@ -79,8 +79,8 @@ def judge(job):
     verdict = 'survived'
     for name in order:
         test = re.sub(r'_(float|contracted)$', '', name)
-        if subprocess.run(['gcc', '-std=c99', '-O1', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm'],
-                          cwd=folder, stderr=subprocess.DEVNULL).returncode:
+        compile_it = ['gcc', '-std=c99', '-O1', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm']
+        if subprocess.run(compile_it, cwd=folder, stderr=subprocess.DEVNULL).returncode:
             verdict = 'stillborn'
             break
         try:
@@ -104,21 +104,24 @@ def main():
     executed = {header: {int(line): names for line, names in known['programs'][header].items()
                          if code_of(sources[header][int(line) - 1])} for header in chosen}
     rng = random.Random(seed)
-    mutants = [draw(rng, sources, {header: sorted(lines) for header, lines in executed.items()}) for _ in range(count)]
-    jobs = [(f'{build}/mutants/{seed}-{k}', mutant, sources[mutant[0]], executed[mutant[0]][mutant[1]], known['seconds'])
-            for k, mutant in enumerate(mutants)]
+    lines = {header: sorted(of_line) for header, of_line in executed.items()}
+    mutants = [draw(rng, sources, lines) for _ in range(count)]
+    jobs = [(f'{build}/mutants/{seed}-{k}', mutant, sources[mutant[0]], executed[mutant[0]][mutant[1]],
+             known['seconds']) for k, mutant in enumerate(mutants)]
     verdicts = {header: Counter() for header in chosen}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for verdict, (header, line, kind, text) in pool.map(judge, jobs):
             verdicts[header][verdict] += 1
             if verdict == 'survived':
-                print(f'{header}.h:{line}: {kind}\n    {sources[header][line - 1].strip()}\n    {text.strip()}', flush=True)
+                print(f'{header}.h:{line}: {kind}', sources[header][line - 1].strip(), text.strip(), sep='\n    ',
+                      flush=True)
     enough = True
     for header, counts in verdicts.items():
         alive = counts['caught'] + counts['survived']
         share = 100 * counts['caught'] / alive if alive else 100
         enough = enough and share >= LEAST
-        print(f'{header + ".h":14} {counts["caught"]} of {alive} caught, {share:.1f} %; {counts["stillborn"]} did not compile')
+        print(f'{header + ".h":14} {counts["caught"]} of {alive} caught, {share:.1f} %; '
+              f'{counts["stillborn"]} did not compile')
     sys.exit(not enough)
 
 

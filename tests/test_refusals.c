@@ -1171,6 +1171,9 @@ static void test_runs(void)
     s.effects = effects, s.n_effects = 1;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
     CHECK(outputs == 3 && seen[0] == R(0.5) && seen[1] == R(0.75) && seen[2] == R(1.5) && t == R(1.5));
+    s.times = times + 1, s.n_times = 4, outputs = 0, t = 0; /* the first time is one to come */
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
+    CHECK(outputs == 3 && seen[0] == R(0.5) && t == R(1.5));
     check_error("mass of a stream", "", "eps", fabs((double)y[2] - 0.5) / (double)VM_EPSILON, 16, 0, 0);
     CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_BAD_ARGUMENT &&
           vm_scene_run(&s, &t, VM_INFINITY, y, work, NULL) < 0);
