@@ -14,6 +14,9 @@
 #   make test-cross   the same bits on every target (minutes)
 #   make test-fuzz SECONDS=n   all functions fuzzed      make evaluations COUNT=n   n of each special function
 #   make test-threads   everything from many threads, under ThreadSanitizer
+
+#   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
+#   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make clean    remove build/
 
@@ -25,14 +28,14 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard
+TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard refusals
 SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme fuzz hard_cases
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads
+.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -117,6 +120,21 @@ test-threads:
 	for precision in "" -DVM_USE_FLOAT; do \
 	    clang -std=c99 -O1 -g -fsanitize=thread $$precision tests/threads.c -o build/tests/threads -lm -lpthread && \
 	    ./build/tests/threads 8 20 || exit 1; done
+
+# campaigns of minutes: what the tests execute, whether they notice wrong headers, what tools find in the headers
+MUTANTS = 100
+MUTATED = # a header's name, none: all four
+coverage:
+	@sh tests/install.sh "command -v clang && (command -v llvm-cov || command -v llvm-cov-14)" clang llvm
+	@mkdir -p build && python3 tests/coverage.py build $(TESTS)
+build/coverage/map.json:
+	-$(MAKE) coverage
+test-mutate: build/coverage/map.json
+	python3 tests/mutate.py build $(SEED) $(MUTANTS) $(MUTATED)
+test-sanitize:
+	@sh tests/install.sh "command -v clang" clang; mkdir -p build; sh tests/sanitize.sh build $(TESTS)
+proof:
+	@mkdir -p build; sh tests/eva.sh build
 
 # a controller on an emulated Cortex-M4F
 CORTEX_M4F = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16

@@ -539,7 +539,7 @@ VM_API int vmi_options_good(const rk45_options *o, int n)
 {
     int i;
     if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_good(o, n)) return 0;
-    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min) || !(o->h_max > 0)) return 0;
+    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
     if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
     for (i = 0; i < o->n_events; i++)
         if (!o->events[i].g || o->events[i].room < 0) return 0;
@@ -656,10 +656,10 @@ VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longes
     return ODE_OK;
 }
 
-/* The shortest step that is tried */
+/* The shortest step that is tried; not 0 at t = 0, where steps that fail would become shorter without end */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
-    vm_real least = 4 * VM_EPSILON * VM_FABS(t);
+    vm_real least = 4 * VM_EPSILON * VM_FABS(t) + VM_MIN;
     return least > o->h_min ? least : o->h_min;
 }
 

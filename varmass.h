@@ -5017,7 +5017,8 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
     r.delta = (mass + drive - j) / 2;
     r.A = mass + 2 * (drive - j);
     r.shift = mass * d->speed / (d->omega * r.k * r.k);
-    if (!VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) || !VM_IS_FINITE(r.shift))
+    if (!VM_IS_FINITE(d->inertia) || !VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) ||
+        !VM_IS_FINITE(r.shift))
         return VM_NOT_FINITE;
     *s = r;
     return VM_OK;
@@ -5028,7 +5029,7 @@ VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a
 {
     const vm_real square = s ? 1 - s->A * phi : VM_NAN;
     vm_real m, sine, cosine;
-    if (!(square > 0) || !VM_IS_FINITE(phi)) return VM_NAN;
+    if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a) || !VM_IS_FINITE(particular)) return VM_NAN;
     m = VM_SQRT(square);
     vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &sine, &cosine);
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
@@ -5389,7 +5390,8 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
     const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0));
     vm_real a, b, larger;
     *A = *psi = VM_NAN;
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s)) return;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0))
+        return;
     a = VM_FABS(x), b = vmi_raised(VM_FABS(s), 2 / n);
     larger = a > b ? a : b;
     *A = larger == 0 || a == 0 || b == 0 ? larger

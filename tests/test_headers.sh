@@ -48,6 +48,14 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
 done
 printf '#include "varmass.h"\n' >"$build/shared.c"
+single_precision() { # in float nothing is computed in double, for which a Cortex-M4F has no unit
+    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -DVM_USE_FLOAT -DVM_API= -I. \
+        -c "$build/shared.c" -o "$build/cortex.o" || return 1
+    ! arm-none-eabi-nm -u "$build/cortex.o" | grep -E '__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d)|__(add|sub|mul|div)df3'
+}
+if command -v arm-none-eabi-gcc >/dev/null; then check "float on a Cortex-M4F: no double arithmetic" single_precision
+else echo "no arm-none-eabi-gcc here: whether float computes in double on a Cortex-M4F is not checked"
+fi
 check "a shared library of all functions builds without a warning" $cc -std=c99 -O2 -Wall -Wextra -Werror -shared -fPIC -DVM_API= -I. \
     "$build/shared.c" -o "$build/libvarmass.so" -lm
 check "float and double in one program: builds" $cc -std=c99 -O2 tests/mixed_double.c tests/mixed_float.c -o "$build/mixed" -lm

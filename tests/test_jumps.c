@@ -11,7 +11,7 @@
 enum { PARTICLES = 14, PIECES = 4 };
 
 /* 1e-13 relative to the momenta involved, and the like in float */
-static const double particle_bound = 1e-13 / DBL_EPSILON;
+static const double particle_bound = 25; /* worst: 8.5 */
 
 typedef struct shot {
     particle p[PARTICLES];
@@ -82,10 +82,10 @@ static void check_momenta(const shot *s, int i)
     sums sum = {0, {0, 0, 0}, {0, 0, 0}, 0, 0, 0};
     add_whole(&sum, 1, s, &s->whole);
     check_error("(1) K", "particles", "eps",
-                size_of(vmi_sub(K, vector(sum.K[0], sum.K[1], sum.K[2]))) / sum.K_size / eps, 100, i, 0);
+                size_of(vmi_sub(K, vector(sum.K[0], sum.K[1], sum.K[2]))) / sum.K_size / eps, 25, i, 0);
     check_error("(7) L", "particles", "eps",
-                size_of(vmi_sub(L, vector(sum.L[0], sum.L[1], sum.L[2]))) / sum.L_size / eps, 100, i, 0);
-    check_error("(93) T", "particles", "eps", fabs((double)vm_kinetic_energy(&s->whole) / sum.T - 1) / eps, 100, i,
+                size_of(vmi_sub(L, vector(sum.L[0], sum.L[1], sum.L[2]))) / sum.L_size / eps, 25, i, 0);
+    check_error("(93) T", "particles", "eps", fabs((double)vm_kinetic_energy(&s->whole) / sum.T - 1) / eps, 20, i,
                 0);
     add_piece(&sum, -1, s, 0, &s->piece[0]); /* (4), (10): as if the whole came of piece 0 and nothing else */
     if (vm_balance_between(1, s->piece, 1, &s->whole, NULL, about, &b)) {
@@ -93,12 +93,12 @@ static void check_momenta(const shot *s, int i)
         return;
     }
     check_error("(6) balance", "particles", "eps",
-                size_of(vmi_sub(b.momentum, vector(sum.K[0], sum.K[1], sum.K[2]))) / sum.K_size / eps, 100, i, 0);
+                size_of(vmi_sub(b.momentum, vector(sum.K[0], sum.K[1], sum.K[2]))) / sum.K_size / eps, 25, i, 0);
     check_error("(12) balance", "particles", "eps",
-                size_of(vmi_sub(b.angular_momentum, vector(sum.L[0], sum.L[1], sum.L[2]))) / sum.L_size / eps, 100,
+                size_of(vmi_sub(b.angular_momentum, vector(sum.L[0], sum.L[1], sum.L[2]))) / sum.L_size / eps, 25,
                 i, 0);
     check_error("energy", "particles", "eps",
-                fabs((double)b.energy - sum.T) / eps / (double)vm_kinetic_energy(&s->whole), 400, i, 0);
+                fabs((double)b.energy - sum.T) / eps / (double)vm_kinetic_energy(&s->whole), 280, i, 0);
     CHECK((double)b.momentum_scale < 1.01 * sum.K_size && b.angular_momentum_scale > 0);
 }
 
@@ -224,7 +224,7 @@ static void check_energy(const char *what, const char *region, const vm_body *wh
         size += (double)b->mass * size_of(b->v) * size_of(b->v) +
                 trace * size_of(b->omega) * (size_of(b->omega) + size_of(whole->omega));
     }
-    check_error(what, region, "eps", fabs(difference - theorem) / eps / size, 8, index, n);
+    check_error(what, region, "eps", fabs(difference - theorem) / eps / size, 2, index, n);
 }
 
 /* Carnot's loss of an attachment and the gain (113), (118) of a separation, of one piece and of several, with the
@@ -1179,7 +1179,7 @@ static void test_inertia(void)
         check_error("split", "", "eps",
                     (fabs((double)(rest.xx - a.inertia.xx)) + fabs((double)(rest.xz - a.inertia.xz))) / eps /
                         (double)vmi_trace(&whole),
-                    16, i, 0);
+                    5, i, 0);
         check_error("centre (15)", "split", "eps", size_of(vmi_add(back, centre)) / eps, 12, i, 0);
     }
     CHECK(vm_inertia_possible(&point) && vm_inertia_possible(&needle) && vm_inertia_possible(&plate));

@@ -431,7 +431,8 @@ static void test_approximations(void)
             near("(308)", "", (double)cn, sign, is_float ? 1e-4 : 1e-13);
         }
         near("k^2, alpha -> 0", "", (double)vm_osc_m_jacobi(0), -1.807854731049967665, 1e-14);
-        near("(308)", "cd modulus", (double)(vm_osc_m_jacobi(0) / (vm_osc_m_jacobi(0) - 1)), 0.643856219147754647, 1e-15);
+        near("(308)", "cd modulus", (double)(vm_osc_m_jacobi(0) / (vm_osc_m_jacobi(0) - 1)), 0.643856219147754647,
+             1e-15);
         near("(309)", "", (double)ateb_pi(R(1e12)) / 1e12, 1, 1e-10);
         near("k^2, alpha -> inf", "", (double)vm_osc_m_jacobi(R(1e12)), 0.806192642052912167, 1e-10);
         near("(307)", "2 at alpha = 0", (double)ateb_pi(0), 2, 1e-15);

@@ -1,0 +1,1249 @@
+/* All headers: what is refused. Every number that a function takes is made NaN and infinite in turn, every pointer
+   null; it must say so (a negative status, or NaN), and leave what it would have written as it was. */
+#include "../varmass.h"
+#include "check.h"
+
+#define R(x) ((vm_real)(x))
+
+enum { NUMBERS = 64, OUTPUT = 8192 };
+typedef struct trial {
+    vm_real x[NUMBERS];           /* what the function is given */
+    int taken, null;              /* how many of them; which pointer is null, -1 for none */
+    unsigned char output[OUTPUT]; /* what it writes */
+} trial;
+
+/* The next numbers of the trial, as a struct that has nothing else, or as a single one */
+static void take(trial *a, void *numbers, size_t size)
+{
+    memcpy(numbers, a->x + a->taken, size);
+    a->taken += (int)(size / sizeof(vm_real));
+}
+static vm_real next(trial *a) { return a->x[a->taken++]; }
+#define POINTER(k, pointer) (a->null == (k) ? NULL : (pointer))
+#define OUT(k, type, at) (a->null == (k) ? NULL : (type *)(void *)a->output + (at))
+
+/* A function with a value: NaN is its refusal */
+static int value(trial *a, vm_real y)
+{
+    if (y == y) memcpy(a->output, &y, sizeof y);
+    return y == y ? 0 : -1;
+}
+
+static void refuses(const char *name, int (*call)(trial *), const vm_real *good, int numbers, int pointers)
+{
+    const vm_real bad[3] = {VM_NAN, VM_INFINITY, -VM_INFINITY};
+    static trial a;
+    static unsigned char before[OUTPUT];
+    int i, k, worked = 1;
+    memset(before, 0x55, sizeof before);
+    for (i = -1; i < numbers + pointers; i++) {
+        for (k = 0; k < (i >= 0 && i < numbers ? 3 : 1); k++) {
+            int status;
+            memset(&a, 0, sizeof a);
+            memcpy(a.x, good, (size_t)numbers * sizeof *good);
+            memcpy(a.output, before, sizeof before);
+            a.null = i >= numbers ? i - numbers : -1;
+            if (i >= 0 && i < numbers) a.x[i] = bad[k];
+            status = call(&a);
+            if (i < 0) worked = status >= 0 && memcmp(a.output, before, sizeof before) != 0 && a.taken == numbers;
+            else worked = status < 0 && memcmp(a.output, before, sizeof before) == 0;
+            if (!worked) printf("%s: %s %d, status %d\n", name, i < numbers ? "number" : "pointer", i, status);
+            CHECK(worked);
+        }
+    }
+}
+#define REFUSES(call, pointers, ...)                                             \
+    do {                                                                         \
+        const vm_real good[] = {__VA_ARGS__};                                    \
+        refuses(#call, call, good, (int)(sizeof good / sizeof *good), pointers); \
+    } while (0)
+
+#define REFUSES_NULL(call, pointers) refuses(#call, call, &nothing, 0, pointers)
+static const vm_real nothing = 0;
+
+/* -- jacobi.h, ateb.h -- */
+
+static int agm_sncndn(trial *a)
+{
+    const vm_real u = next(a), m = next(a);
+    vm_real sn, cn, dn;
+    jacobi_agm_sncndn(u, m, 8, &sn, &cn, &dn);
+    return cn == cn && dn == dn ? value(a, sn) : -1;
+}
+static int mean(trial *a)
+{
+    const vm_real alpha = next(a), p = next(a), q = next(a);
+    return value(a, ateb_mean(alpha, p, q));
+}
+static int phase(trial *a)
+{
+    const vm_real sa = next(a), ca = next(a), alpha = next(a);
+    return value(a, ateb_phase(sa, ca, alpha));
+}
+static int saca_nm(trial *a)
+{
+    const vm_real s = next(a), n = next(a), m = next(a);
+    vm_real sa, ca;
+    ateb_saca_nm(s, n, m, &sa, &ca);
+    return ca == ca ? value(a, sa) : -1;
+}
+static int beta_inc(trial *a)
+{
+    const vm_real x = next(a), p = next(a), q = next(a);
+    return value(a, ateb_beta_inc(x, p, q));
+}
+static int beta_inc_both(trial *a)
+{
+    const vm_real x = next(a), y = next(a), p = next(a), q = next(a);
+    vm_real lower, upper;
+    ateb_beta_inc_both(x, y, p, q, &lower, &upper);
+    return upper == upper ? value(a, lower) : -1;
+}
+static int beta_inc_inv_both(trial *a)
+{
+    const vm_real x = next(a), y = next(a), p = next(a), q = next(a);
+    vm_real lower, upper, ln;
+    ateb_beta_inc_inv_both(x, y, p, q, &lower, &upper, &ln);
+    return upper == upper && ln == ln ? value(a, lower) : -1;
+}
+
+static void test_special_functions(void)
+{
+    vm_real sn, cn, dn, p, q;
+    REFUSES(agm_sncndn, 0, 1, R(0.5));
+    REFUSES(mean, 0, 3, 2, 2);
+    REFUSES(phase, 0, R(0.5), R(0.7), 3);
+    REFUSES(saca_nm, 0, R(0.5), 2, 3);
+    REFUSES(beta_inc, 0, R(0.5), 2, 3);
+    REFUSES(beta_inc_both, 0, R(0.5), R(0.5), 2, 3);
+    REFUSES(beta_inc_inv_both, 0, R(0.5), R(0.5), 2, 3);
+    CHECK(isnan(jacobi_solve_K(VM_NAN)) && isnan(jacobi_solve_K(-1)) && isnan(jacobi_solve_K_m1(VM_NAN)));
+    CHECK(isnan(jacobi_solve_K(VM_INFINITY)) && isnan(jacobi_solve_K_m1(VM_INFINITY)) &&
+          isnan(jacobi_agm_K(-VM_INFINITY)));
+    CHECK(isnan(jacobi_agm_K(VM_NAN)) && isnan(jacobi_agm_K(2)) && jacobi_agm_K(1) == VM_INFINITY);
+    jacobi_agm_sncndn(1, 1, 8, &sn, &cn, &dn);
+    CHECK(isnan(sn) || fabs((double)sn - tanh(1)) < 4 * (double)VM_EPSILON);
+    ateb_beta_inc_both(R(0.5), R(0.25), 2, 3, &p, &q); /* no complement */
+    CHECK(isnan(p) && isnan(q));
+    ateb_beta_inc_inv_both(R(0.5), R(0.25), 2, 3, &p, &q, &sn);
+    CHECK(isnan(p) && isnan(q) && isnan(sn));
+    ateb_beta_inc_both(R(-0.5), R(1.5), 2, 3, &p, &q);
+    CHECK(isnan(p) && isnan(q));
+    CHECK(isnan(ateb_mean(3, 2, -1)) && isnan(ateb_mean(3, -1, 2)) && isnan(ateb_pi_nm(2, -1)));
+}
+
+/* -- Bodies and jumps -- */
+
+#define RESTING \
+    R(3), R(0.4), R(0.5), R(0.6), R(0.01), R(0.02), R(0.03), R(0.8), R(0.1), R(0.2), R(0.3), R(0.1), R(0.2), R(0.1)
+#define BODY RESTING, R(1), R(-2), R(0.5), R(0.7), R(-0.4), R(1.1)
+#define RESTING_PART R(0.5), R(0.01), R(0.01), R(0.01), 0, 0, 0, 1, 0, 0, 0, R(0.1), R(0.3), R(0.1)
+#define PART RESTING_PART, 1, 2, R(0.5), R(0.7), R(0.4), R(0.1)
+#define BLOW R(0.3), R(0.2), R(0.1), R(0.01), R(0.02), R(0.03), R(0.1), R(0.2), R(0.1)
+#define RESTING2(mass, inertia, x) R(mass), R(inertia), R(x), R(0.2), R(0.3)
+#define BODY2(mass, inertia, x) RESTING2(mass, inertia, x), R(1), R(-2), R(0.7)
+#define BLOW2 R(0.3), R(0.2), R(0.01), R(0.1), R(0.2)
+
+typedef int (*jump)(const vm_body *, const vm_body *, const vm_impulse *, vm_body *);
+typedef int (*jump2)(const vm_body2 *, const vm_body2 *, const vm_impulse2 *, vm_body2 *);
+static int any_jump(trial *a, jump function, size_t what_matters)
+{
+    vm_body whole, part;
+    vm_impulse blow;
+    memset(&whole, 0, sizeof whole);
+    take(a, &whole, what_matters), take(a, &part, sizeof part), take(a, &blow, sizeof blow);
+    return function(POINTER(0, &whole), POINTER(1, &part), &blow, OUT(2, vm_body, 0));
+}
+static int any_jump2(trial *a, jump2 function, size_t what_matters)
+{
+    vm_body2 whole, part;
+    vm_impulse2 blow;
+    memset(&whole, 0, sizeof whole);
+    take(a, &whole, what_matters), take(a, &part, sizeof part), take(a, &blow, sizeof blow);
+    return function(POINTER(0, &whole), POINTER(1, &part), &blow, OUT(2, vm_body2, 0));
+}
+static int separate(trial *a) { return any_jump(a, vm_separate, sizeof(vm_body)); }
+static int attach(trial *a) { return any_jump(a, vm_attach, sizeof(vm_body)); }
+static int separate_relative(trial *a) { return any_jump(a, vm_separate_relative, offsetof(vm_body, v)); }
+static int attach_relative(trial *a) { return any_jump(a, vm_attach_relative, offsetof(vm_body, v)); }
+static int separate2(trial *a) { return any_jump2(a, vm_separate2, sizeof(vm_body2)); }
+static int attach2(trial *a) { return any_jump2(a, vm_attach2, sizeof(vm_body2)); }
+static int separate_relative2(trial *a) { return any_jump2(a, vm_separate_relative2, offsetof(vm_body2, vx)); }
+static int attach_relative2(trial *a) { return any_jump2(a, vm_attach_relative2, offsetof(vm_body2, vx)); }
+
+static int separate_for(trial *a)
+{
+    vm_body whole, part;
+    vm_impulse blow;
+    vm_vec3 v, omega;
+    take(a, &whole, sizeof whole), take(a, &part, offsetof(vm_body, v)), take(a, &blow, sizeof blow);
+    take(a, &v, sizeof v), take(a, &omega, sizeof omega);
+    part.v = part.omega = vmi_vec3(0, 0, 0); /* they are what is asked for */
+    return vm_separate_for(POINTER(0, &whole), POINTER(1, &part), &blow, &v, &omega, OUT(2, vm_body, 0));
+}
+static int separate_for2(trial *a)
+{
+    vm_body2 whole, part;
+    vm_impulse2 blow;
+    vm_real v[2], omega;
+    take(a, &whole, sizeof whole), take(a, &part, sizeof part), take(a, &blow, sizeof blow);
+    take(a, v, sizeof v), omega = next(a);
+    return vm_separate_for2(POINTER(0, &whole), POINTER(1, &part), &blow, v, &omega, OUT(2, vm_body2, 0));
+}
+static int separate_for_spin2(trial *a)
+{
+    vm_body2 whole, part;
+    vm_impulse2 blow;
+    take(a, &whole, sizeof whole), take(a, &part, offsetof(vm_body2, vx)), take(a, &blow, sizeof blow);
+    part.vx = part.vy = VM_NAN, part.omega = next(a); /* the velocity is what is asked for */
+    return vm_separate_for_spin2(POINTER(0, &whole), POINTER(1, &part), &blow, next(a), OUT(2, vm_body2, 0));
+}
+static int relative(trial *a)
+{
+    static const vm_body b;
+    return vm_to_relative(POINTER(0, &b), POINTER(1, &b), OUT(2, vm_body, 0));
+}
+static int absolute(trial *a)
+{
+    static const vm_body b;
+    return vm_to_absolute(POINTER(0, &b), POINTER(1, &b), OUT(2, vm_body, 0));
+}
+static int relative2(trial *a)
+{
+    static const vm_body2 b;
+    return vm_to_relative2(POINTER(0, &b), POINTER(1, &b), OUT(2, vm_body2, 0));
+}
+static int absolute2(trial *a)
+{
+    static const vm_body2 b;
+    return vm_to_absolute2(POINTER(0, &b), POINTER(1, &b), OUT(2, vm_body2, 0));
+}
+static int balance(trial *a)
+{
+    vm_body before, after;
+    vm_impulse blow;
+    vm_vec3 about;
+    take(a, &before, sizeof before), take(a, &after, sizeof after), take(a, &blow, sizeof blow);
+    take(a, &about, sizeof about);
+    return vm_balance_between(1, POINTER(0, &before), 1, POINTER(1, &after), &blow, about, OUT(2, vm_balance, 0));
+}
+static int combine(trial *a)
+{
+    vm_inertia first, second;
+    vm_vec3 d;
+    const vm_real m = next(a), n = next(a);
+    take(a, &first, sizeof first), take(a, &second, sizeof second), take(a, &d, sizeof d);
+    return vm_combine_inertia(m, POINTER(0, &first), n, POINTER(1, &second), d, OUT(2, vm_inertia, 0),
+                              OUT(3, vm_vec3, 10));
+}
+
+static void test_jumps(void)
+{
+    vm_balance left;
+    vm_body huge, point, whole;
+    vm_body2 flat, other;
+    int i;
+    memset(&huge, 0, sizeof huge), memset(&flat, 0, sizeof flat);
+    REFUSES(separate, 3, BODY, PART, BLOW);
+    REFUSES(attach, 3, BODY, PART, BLOW);
+    REFUSES(separate_relative, 3, RESTING, PART, BLOW);
+    REFUSES(attach_relative, 3, RESTING, PART, BLOW);
+    REFUSES(separate2, 3, BODY2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2);
+    REFUSES(attach2, 3, BODY2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2);
+    REFUSES(separate_relative2, 3, RESTING2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2);
+    REFUSES(attach_relative2, 3, RESTING2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2);
+    REFUSES(balance, 3, BODY, PART, BLOW, R(0.1), R(0.2), R(0.3));
+    REFUSES_NULL(relative, 3), REFUSES_NULL(absolute, 3), REFUSES_NULL(relative2, 3), REFUSES_NULL(absolute2, 3);
+    for (i = 0; i < 6; i++) { /* an inertia of nothing but one number; a point's */
+        vm_inertia one = {0, 0, 0, 0, 0, 0};
+        CHECK(vm_inertia_possible(&one));
+        (i == 0   ? &one.xx
+         : i == 1 ? &one.yy
+         : i == 2 ? &one.zz
+         : i == 3 ? &one.xy
+         : i == 4 ? &one.xz
+                  : &one.yz)[0] = 1;
+        CHECK(!vm_inertia_possible(&one));
+    }
+    huge.mass = VM_MAX, huge.v.x = 4; /* finite numbers whose products are not */
+    CHECK(vm_balance_between(0, NULL, 1, &huge, NULL, vmi_vec3(0, 0, 0), &left) == VM_NOT_FINITE);
+    huge.mass = VM_MAX / 2, huge.v.x = 1, huge.r.y = 64;
+    CHECK(vm_balance_between(0, NULL, 1, &huge, NULL, vmi_vec3(0, 0, 0), &left) == VM_NOT_FINITE);
+    huge.r.y = 0, point = huge, point.r.x = 64;
+    CHECK(vm_attach(&huge, &point, NULL, &whole) == VM_NOT_FINITE);
+    flat.mass = VM_MAX / 2, other = flat, other.x = 64;
+    CHECK(vm_attach2(&flat, &other, NULL, &flat) == VM_NOT_FINITE);
+    CHECK(vm_balance_between(-1, NULL, 0, NULL, NULL, vmi_vec3(0, 0, 0), &left) == VM_BAD_ARGUMENT);
+    CHECK(vm_balance_between(0, NULL, -1, NULL, NULL, vmi_vec3(0, 0, 0), &left) == VM_BAD_ARGUMENT);
+    REFUSES(combine, 4, 3, 2, R(0.4), R(0.5), R(0.6), 0, 0, 0, R(0.4), R(0.5), R(0.6), 0, 0, 0, 1, 2, 3);
+    REFUSES(separate_for, 3, BODY, RESTING_PART, BLOW, 1, 2, 3, 3, 2, 1);
+    REFUSES(separate_for2, 3, BODY2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2, 1, 2, R(0.5));
+    REFUSES(separate_for_spin2, 3, BODY2(3, 2, 0.1), RESTING2(1, 0.1, 0.3), BLOW2, R(0.1), R(0.5));
+}
+
+/* -- The broken rotor, the pendulum -- */
+
+#define ROTOR 10, R(0.5), 4000, R(0.3), R(0.2), R(0.01)
+#define STATE6 R(0.01), R(0.02), R(0.3), R(0.1), R(-0.2), 10
+
+static int steady(trial *a)
+{
+    vm_rotor r;
+    take(a, &r, sizeof r);
+    return value(a, vm_rotor_steady(POINTER(0, &r), next(a)));
+}
+static int growth(trial *a)
+{
+    vm_rotor r;
+    take(a, &r, sizeof r);
+    return value(a, vm_rotor_growth(next(a), POINTER(0, &r), 25));
+}
+static int char_poly(trial *a)
+{
+    vm_rotor r;
+    take(a, &r, sizeof r);
+    return vm_rotor_char_poly(POINTER(0, &r), next(a), OUT(1, vm_real, 0));
+}
+static int eigenvalues(trial *a)
+{
+    vm_rotor r;
+    take(a, &r, sizeof r);
+    return vm_rotor_eigenvalues(POINTER(0, &r), next(a), OUT(1, vm_real, 0), OUT(2, vm_real, 8));
+}
+static int routh(trial *a)
+{
+    vm_rotor r;
+    take(a, &r, sizeof r);
+    return vm_rotor_routh(POINTER(0, &r), next(a), OUT(1, vm_real, 0));
+}
+static int rotor_free(trial *a)
+{
+    vm_rotor r;
+    vm_real y[6];
+    const vm_real t = next(a);
+    take(a, &r, offsetof(vm_rotor, s)), take(a, y, sizeof y);
+    r.s = 0;
+    return vm_rotor_free(t, POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
+}
+static int orbit(trial *a)
+{
+    vm_rotor r;
+    vm_real y[6] = {0};
+    memset(&r, 0, sizeof r);
+    take(a, &r, sizeof r), y[0] = next(a), y[3] = next(a);
+    return vm_rotor_orbit(POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
+}
+static int break_off(trial *a)
+{
+    vm_rotor r;
+    vm_rotor_piece piece;
+    vm_real y[6];
+    take(a, &r, sizeof r), take(a, y, sizeof y), take(a, &piece, sizeof piece);
+    return vm_rotor_break_off(POINTER(0, &r), POINTER(1, y), POINTER(2, &piece), OUT(3, vm_rotor_break, 0));
+}
+static int to_polar(trial *a)
+{
+    vm_real y[6];
+    take(a, y, sizeof y);
+    return vm_rotor_to_polar(POINTER(0, y), OUT(1, vm_real, 0));
+}
+static int from_polar(trial *a)
+{
+    vm_real y[6];
+    take(a, y, sizeof y);
+    return vm_rotor_from_polar(POINTER(0, y), OUT(1, vm_real, 0));
+}
+static int pendulum(trial *a)
+{
+    vm_pendulum p = {0, 0, 0, 0, VM_AXES_COS_SIN};
+    const vm_real part = next(a), Omega = next(a), ux = next(a), uy = next(a);
+    p.mass = next(a), p.length = next(a), p.angle = next(a), p.rate = next(a);
+    return vm_pendulum_separate(POINTER(0, &p), part, Omega, ux, uy, OUT(1, vm_pendulum_cut, 0));
+}
+
+static void test_rotor(void)
+{
+    const vm_rotor rotor = {ROTOR}, centred = {10, R(0.5), 4000, R(0.3), R(0.2), 0};
+    vm_pendulum swing = {2, 1, R(0.3), 1, VM_AXES_COS_SIN};
+    vm_pendulum_cut cut;
+    REFUSES(steady, 1, ROTOR, 15);
+    REFUSES(growth, 1, ROTOR, 3);
+    REFUSES(char_poly, 2, ROTOR, 15);
+    REFUSES(eigenvalues, 3, ROTOR, 15);
+    REFUSES(routh, 2, ROTOR, 15);
+    REFUSES(rotor_free, 3, 1, 10, R(0.5), 4000, R(0.3), R(0.2), STATE6);
+    REFUSES(orbit, 3, ROTOR, 1, 2);
+    REFUSES(break_off, 4, 10, R(0.5), 4000, R(0.3), R(0.2), 0, STATE6, 1, R(0.001), R(0.1), R(0.3), R(0.2), R(0.7));
+    REFUSES(to_polar, 2, STATE6);
+    REFUSES(from_polar, 2, STATE6);
+    REFUSES(pendulum, 2, R(0.3), 1, R(0.1), R(0.2), 2, 1, R(0.3), 1);
+    CHECK(vm_rotor_stable(&rotor, 15) && !vm_rotor_stable(&centred, 15) && !vm_rotor_stable(NULL, 15));
+    CHECK(!vm_rotor_stable(&rotor, VM_NAN) && !vm_rotor_stable(&rotor, 25));
+    swing.rate = VM_MAX / 4; /* finite, but its energy is not */
+    CHECK(vm_pendulum_separate(&swing, R(0.3), 1, 0, 0, &cut) == VM_NOT_FINITE);
+    swing.rate = 1, swing.mass = VM_MAX / 4, swing.length = 4;
+    CHECK(vm_pendulum_separate(&swing, R(0.3), 1, 0, 0, &cut) == VM_NOT_FINITE);
+}
+
+/* -- Free rotation, streams -- */
+
+static int free_init(trial *a)
+{
+    vm_body b;
+    take(a, &b, sizeof b);
+    return vm_free_init(OUT(0, vm_free_motion, 0), POINTER(1, &b), next(a));
+}
+static int free_at(trial *a)
+{
+    const vm_body b = {3, {R(0.4), R(0.5), R(0.6), 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}, {1, 0, 0}, {1, 2, 1}};
+    vm_free_motion motion;
+    if (vm_free_init(&motion, &b, 0)) return -1;
+    return vm_free_at(POINTER(0, &motion), next(a), OUT(1, vm_body, 0));
+}
+static int free_attitude(trial *a)
+{
+    const vm_body b = {3, {R(0.4), R(0.5), R(0.6), 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}, {1, 0, 0}, {1, 2, 1}};
+    vm_free_motion motion;
+    if (vm_free_init(&motion, &b, 0)) return -1;
+    return vm_free_attitude(POINTER(0, &motion), next(a), OUT(1, vm_quat, 0), OUT(2, vm_vec3, 8));
+}
+
+/* rate, at, velocity, spin, gyration */
+static void take_stream(trial *a, vm_stream *s)
+{
+    memset(s, 0, sizeof *s);
+    s->rate = next(a);
+    take(a, &s->at, sizeof s->at), take(a, &s->velocity, sizeof s->velocity), take(a, &s->spin, sizeof s->spin);
+    take(a, &s->gyration, sizeof s->gyration);
+}
+#define STREAM R(-0.1), R(0.3), R(0.2), R(0.1), 1, 2, 3, R(0.1), R(0.2), R(0.3), R(0.01), R(0.01), R(0.01), 0, 0, 0
+
+static int reactive_loads(trial *a)
+{
+    vm_body b;
+    vm_stream s;
+    vm_vec3 centre;
+    take(a, &b, sizeof b), take_stream(a, &s), take(a, &centre, sizeof centre);
+    return vm_reactive_loads(POINTER(0, &b), centre, 1, POINTER(1, &s), OUT(2, vm_reactive, 0));
+}
+static int accelerations(trial *a)
+{
+    vm_body b;
+    vm_reactive loads;
+    vm_vec3 force, moment;
+    memset(&loads, 0, sizeof loads);
+    take(a, &b, offsetof(vm_body, r)), take(a, &loads, offsetof(vm_reactive, drift));
+    b.r = b.v = b.omega = vmi_vec3(1, 2, 3);
+    take(a, &force, sizeof force), take(a, &moment, sizeof moment);
+    return vm_accelerations(POINTER(0, &b), POINTER(1, &loads), force, moment, OUT(2, vm_vec3, 0),
+                            OUT(3, vm_vec3, 4));
+}
+static int flow_start(trial *a)
+{
+    vm_flow flow;
+    vm_body b;
+    vm_stream s;
+    vm_store store;
+    memset(&flow, 0, sizeof flow);
+    take(a, &b, sizeof b), take_stream(a, &s), take(a, &store, sizeof store);
+    take(a, &flow.centre, sizeof flow.centre), take(a, &flow.force, sizeof flow.force);
+    take(a, &flow.moment, sizeof flow.moment);
+    s.from = &store, flow.n = 1, flow.streams = POINTER(0, &s);
+    return vm_flow_start(POINTER(1, &flow), POINTER(2, &b), OUT(3, vm_real, 0));
+}
+static int flow_body(trial *a)
+{
+    vm_flow flow;
+    vm_real y[VM_RHS];
+    memset(&flow, 0, sizeof flow);
+    take(a, y, VM_Y_CENTRE * sizeof *y), take(a, y + VM_Y_INERTIA, 6 * sizeof *y);
+    y[VM_Y_CENTRE] = y[VM_Y_CENTRE + 1] = y[VM_Y_CENTRE + 2] = 0; /* not looked at */
+    return vm_flow_body(POINTER(0, &flow), VM_RHS, POINTER(1, y), OUT(2, vm_body, 0));
+}
+static int levi_civita(trial *a)
+{
+    const vm_real v0 = next(a), m0 = next(a), m = next(a), u = next(a);
+    return value(a, vm_levi_civita(v0, m0, m, u, next(a)));
+}
+static int tsiolkovsky(trial *a)
+{
+    const vm_real v0 = next(a), m0 = next(a), m = next(a);
+    return value(a, vm_tsiolkovsky(v0, m0, m, next(a)));
+}
+static int linear_flow(trial *a)
+{
+    vm_stream1 s = {0, 0, VM_RELATIVE};
+    const vm_real t = next(a), x0 = next(a), v0 = next(a), m0 = next(a), force = next(a);
+    s.rate = next(a), s.velocity = next(a);
+    return vm_linear_flow(t, x0, v0, m0, force, POINTER(0, &s), OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+static int jet_damping(trial *a)
+{
+    vm_jet jet;
+    vm_vec3 omega;
+    const vm_real t = next(a);
+    take(a, &jet, sizeof jet), take(a, &omega, sizeof omega);
+    return vm_jet_damping(t, POINTER(0, &jet), omega, OUT(1, vm_vec3, 0));
+}
+static int stop_1(vm_real t, const vm_real *y, vm_flow1 *flow) { return (void)t, (void)y, (void)flow, 7; }
+static int stop_2(vm_real t, const vm_real *y, vm_flow2 *flow) { return (void)t, (void)y, (void)flow, 7; }
+static int stop_3(vm_real t, const vm_real *y, vm_flow *flow) { return (void)t, (void)y, (void)flow, 7; }
+
+static void test_streams(void)
+{
+    vm_stream1 s1 = {R(-0.1), 2, VM_RELATIVE};
+    vm_flow1 flow1 = {1, &s1, 0, stop_1, NULL, 0};
+    vm_stream2 s2 = {R(-0.1), VM_RELATIVE, 0, 0, 0, 0, 0, 0};
+    vm_flow2 flow2 = {1, &s2, 0, 0, 0, stop_2, NULL, 0};
+    vm_flow flow;
+    vm_stream1 late = {-1, 2, VM_ABSOLUTE};
+    vm_real y[VM_RHS_BALANCED] = {0, 1, 2}, rates[VM_RHS_BALANCED], x, v;
+    const vm_body b = {3, {R(0.4), R(0.5), R(0.6), 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}, {1, 0, 0}, {1, 2, 1}};
+    vm_jet jet = {-1, 1, 2, 1, R(0.1), 1, 1};
+    vm_vec3 omega;
+    memset(&flow, 0, sizeof flow), flow.update = stop_3;
+    REFUSES(free_init, 2, BODY, 0);
+    REFUSES(free_at, 2, 1);
+    REFUSES(free_attitude, 3, 1);
+    REFUSES(reactive_loads, 3, BODY, STREAM, R(0.1), R(0.2), R(0.3));
+    REFUSES(accelerations, 4, 3, R(0.4), R(0.5), R(0.6), 0, 0, 0, 1, 0, 0, 0, 1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3, 1,
+            2, 3);
+    REFUSES(flow_start, 4, BODY, STREAM, R(0.1), R(0.1), R(0.1), R(0.01), R(0.01), R(0.01), 0, 0, 0, 1, 2, 3, 1, 2,
+            3, 1, 2, 3);
+    REFUSES(flow_body, 3, 1, 2, 3, 1, 0, 0, 0, 1, 2, 3, R(0.1), R(0.2), R(0.3), 3, 2, 2, 2, 0, 0, 0);
+    REFUSES(levi_civita, 0, 1, 3, 2, 1, R(0.5));
+    REFUSES(tsiolkovsky, 0, 1, 3, 2, 1);
+    REFUSES(linear_flow, 3, 1, 2, 3, 4, 1, R(-0.1), 2);
+    REFUSES(jet_damping, 2, 1, R(-0.1), 1, 2, R(0.1), R(0.2), R(0.1), 1, 1, 2, 3);
+    CHECK(vm_rhs1(0, y, rates, &flow1) == 7 && vm_rhs2(0, y, rates, &flow2) == 7);
+    CHECK(vm_rhs_translation(0, y, rates, &flow) == 7 && vm_rhs_carried(0, y, rates, &flow) == 7);
+    CHECK(isnan(vm_levi_civita(1, -3, 2, 1, 0)) && isnan(vm_tsiolkovsky(1, -3, 2, 1)));
+    CHECK(vm_linear_flow(1, 0, 0, -1, 0, &late, &x, &v) == VM_BAD_MASS);
+    CHECK(vm_linear_flow(2, 0, 0, 1, 0, &late, &x, &v) == VM_BAD_MASS);
+    late.motion = 77;
+    CHECK(vm_linear_flow(R(0.1), 0, 0, 1, 0, &late, &x, &v) == VM_BAD_ARGUMENT);
+    CHECK(vm_jet_damping(2, &jet, vmi_vec3(1, 2, 3), &omega) == VM_BAD_INERTIA); /* the axial moment is used up */
+    jet.axial = -1;
+    CHECK(vm_jet_damping(0, &jet, vmi_vec3(1, 2, 3), &omega) == VM_BAD_INERTIA);
+    jet.axial = 1, jet.transverse = 0;
+    CHECK(vm_jet_damping(0, &jet, vmi_vec3(1, 2, 3), &omega) == VM_BAD_INERTIA);
+    {
+        const vm_store store = {{0, 0, 0}, {0, 0, 0, 0, 0, 0}};
+        vm_stream s;
+        vm_reactive loads;
+        memset(&s, 0, sizeof s), s.rate = -1, s.from = &store;
+        CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_BAD_ARGUMENT);
+        s.from = NULL, s.velocity.x = s.rate = VM_MAX / 2; /* each is finite */
+        CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_NOT_FINITE);
+        s.velocity.x = 0, s.rate = VM_MAX / 8, s.at.y = 64;
+        CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_NOT_FINITE);
+    }
+}
+
+/* -- The drum, Lagrange's equations -- */
+
+#define DRUM R(0.5), 10, 2, R(0.1), 3, R(0.05), 4000, 20
+
+static int drum_at(trial *a)
+{
+    vm_drum d;
+    const vm_real phi = next(a);
+    take(a, &d, offsetof(vm_drum, speed)), d.speed = 3, d.damping = 0, d.stiffness = 4000, d.omega = 20;
+    return vm_drum_at(phi, POINTER(0, &d), OUT(1, vm_drum_geometry, 0));
+}
+/* What the motion of a rigid shaft needs: neither mass nor stiffness */
+static vm_drum turning_drum(trial *a)
+{
+    vm_drum d = {0, 10, 0, 0, 0, 0, 4000, 0};
+    d.radius = next(a), d.inertia = next(a), d.band = next(a), d.speed = next(a), d.damping = next(a),
+    d.omega = next(a);
+    return d;
+}
+static int drum_rate(trial *a)
+{
+    const vm_real phi = next(a);
+    const vm_drum d = turning_drum(a);
+    return value(a, vm_drum_rate(phi, POINTER(0, &d)));
+}
+static int drum_angle(trial *a)
+{
+    const vm_real t = next(a);
+    const vm_drum d = turning_drum(a);
+    return value(a, vm_drum_angle(t, POINTER(0, &d)));
+}
+static int shaft_init(trial *a)
+{
+    vm_drum d;
+    take(a, &d, sizeof d);
+    return vm_drum_shaft_init(POINTER(0, &d), OUT(1, vm_drum_shaft, 0));
+}
+static int deflection(trial *a)
+{
+    vm_drum_shaft s;
+    const vm_real phi = next(a), amplitude = next(a), alpha = next(a), particular = next(a);
+    s.k = next(a), s.A = next(a), s.delta = R(0.02), s.shift = 0;
+    return value(a, vm_drum_deflection(phi, POINTER(0, &s), amplitude, alpha, particular));
+}
+
+static vm_real kinetic(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+{
+    (void)t, (void)ctx;
+    return masses[0] * ((1 + q[0] * q[0]) * rates[0] * rates[0] + rates[1] * rates[1]) / 2;
+}
+static void one_mass(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
+{
+    (void)q, (void)ctx;
+    masses[0] = 2 - t;
+}
+static vm_real frozen_work[VM_LAGRANGE_RHS_WORK(2, 1)];
+static vm_lagrange system_of_two(void)
+{
+    const vm_lagrange l = {2, 1, one_mass, kinetic, NULL, NULL, NULL, frozen_work};
+    return l;
+}
+static int lagrange_start(trial *a)
+{
+    vm_lagrange l = system_of_two();
+    vm_real q[2], rates[2];
+    const vm_real t = next(a);
+    take(a, q, sizeof q), take(a, rates, sizeof rates);
+    return vm_lagrange_start(POINTER(0, &l), t, POINTER(1, q), POINTER(2, rates), OUT(3, vm_real, 0));
+}
+static int lagrange_rates(trial *a)
+{
+    vm_lagrange l = system_of_two();
+    const vm_real y[4] = {1, 1, 1, 1};
+    return vm_lagrange_rates(POINTER(0, &l), 0, POINTER(1, y), OUT(2, vm_real, 0));
+}
+static int frozen_derivative(trial *a)
+{
+    vm_lagrange l = system_of_two();
+    vm_real q[2], rates[2];
+    q[0] = rates[0] = rates[1] = q[1] = 1;
+    return value(a, vm_frozen_derivative(POINTER(0, &l), 0, POINTER(1, q), POINTER(2, rates), 1));
+}
+
+static void test_lagrange(void)
+{
+    const vm_real scales[2] = {2, R(0.5)}, q[2] = {R(0.3), R(0.2)}, rates[2] = {1, 2};
+    vm_lagrange l = system_of_two();
+    vm_real y[4], derivative;
+    int i;
+    REFUSES(drum_at, 2, 1, R(0.5), 10, 2, R(0.1));
+    REFUSES(drum_rate, 1, 1, R(0.5), 2, R(0.1), 3, R(0.05), 20);
+    REFUSES(drum_angle, 1, 1, R(0.5), 2, R(0.1), 3, R(0.05), 20);
+    REFUSES(shaft_init, 2, DRUM);
+    REFUSES(deflection, 1, 1, R(0.1), R(0.2), R(0.3), 2, R(0.01));
+    REFUSES(lagrange_start, 4, 1, R(0.3), R(0.2), 1, 2);
+    REFUSES_NULL(lagrange_rates, 3);
+    REFUSES_NULL(frozen_derivative, 3);
+    CHECK(isnan(vm_frozen_derivative(&l, 0, q, rates, -1)) && isnan(vm_frozen_derivative(&l, 0, q, rates, 2)));
+    derivative = vm_frozen_derivative(&l, 0, q, rates, 0);
+    l.scales = scales; /* the difference's steps are others, the derivative m q q'^2 is not */
+    check_error("dT/dq", "scales", "eps",
+                fabs((double)(vm_frozen_derivative(&l, 0, q, rates, 0) - derivative)) / (double)VM_EPSILON, 250, 0,
+                0);
+    for (i = 0; i < 6; i++) {
+        l = system_of_two();
+        if (i == 0) l.n = 0;
+        if (i == 1) l.n_masses = -1;
+        if (i == 2) l.energy = NULL;
+        if (i == 3) l.work = NULL;
+        if (i == 4) l.masses = NULL;
+        CHECK(vm_lagrange_start(i == 5 ? NULL : &l, 0, q, rates, y) == VM_BAD_ARGUMENT);
+    }
+}
+
+/* -- Oscillators -- */
+
+static int osc_energy(trial *a)
+{
+    const vm_real x = next(a), v = next(a), omega0 = next(a);
+    return value(a, vm_osc_energy(x, v, omega0, next(a)));
+}
+static int osc_amplitude(trial *a)
+{
+    const vm_real x = next(a), v = next(a), omega0 = next(a);
+    vm_real A, psi;
+    vm_osc_amplitude_phase(x, v, omega0, next(a), &A, &psi);
+    return psi == psi ? value(a, A) : -1;
+}
+static int osc_period(trial *a)
+{
+    const vm_real x0 = next(a), omega0 = next(a);
+    return value(a, vm_osc_period(x0, omega0, next(a)));
+}
+static vm_law law_of(trial *a, int kind)
+{
+    vm_law law = vm_law_linear(next(a), next(a));
+    law.kind = kind, law.f2 = next(a);
+    return law;
+}
+static int law_at_of(trial *a, int kind)
+{
+    const vm_real t = next(a);
+    const vm_law law = law_of(a, kind);
+    return vm_law_at(POINTER(0, &law), t, OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+static int law_quadratic(trial *a) { return law_at_of(a, VM_LAW_QUADRATIC); }
+static int law_power(trial *a) { return law_at_of(a, VM_LAW_POWER); }
+static int law_exponential(trial *a)
+{
+    const vm_real t = next(a), f0 = next(a);
+    const vm_law law = vm_law_exponential(f0, next(a));
+    return vm_law_at(POINTER(0, &law), t, OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+static int law_integral(trial *a)
+{
+    const vm_real t = next(a);
+    const vm_law law = law_of(a, VM_LAW_QUADRATIC);
+    return vm_law_inverse_integral(POINTER(0, &law), t, OUT(1, vm_real, 0));
+}
+
+/* x, v, reactive, damping, alpha and both laws */
+static vm_osc_problem osc_problem(trial *a)
+{
+    vm_osc_problem o;
+    memset(&o, 0, sizeof o);
+    o.x = next(a), o.v = next(a), o.reactive = next(a), o.damping = next(a), o.alpha = next(a);
+    o.mass.f0 = next(a), o.mass.f1 = next(a), o.stiffness.f0 = next(a), o.stiffness.f1 = next(a);
+    return o;
+}
+#define PROBLEM R(0.1), R(0.2), 1, R(0.01), 3, 2, R(0.01), 3, R(0.02)
+static int osc_plan(trial *a)
+{
+    const vm_osc_problem o = osc_problem(a);
+    return vm_osc_plan_init(OUT(0, vm_osc_plan, 0), POINTER(1, &o));
+}
+static int osc_by(trial *a)
+{
+    const vm_osc_problem o = osc_problem(a);
+    const vm_real t = next(a);
+    return vm_osc_by(POINTER(0, &o), VM_ROUTE_SECOND, t, next(a), OUT(1, vm_osc_motion, 0));
+}
+static int osc_at(trial *a)
+{
+    const vm_osc_problem o = osc_problem(a);
+    const vm_real t = next(a);
+    return vm_osc_at(POINTER(0, &o), t, next(a), OUT(1, vm_osc_motion, 0));
+}
+static int osc_averaged(trial *a)
+{
+    const vm_real now[9] = {PROBLEM};
+    const vm_real t = next(a), A = next(a);
+    trial other;
+    vm_osc_problem o;
+    vm_osc_plan p;
+    memset(&other, 0, sizeof other), memcpy(other.x, now, sizeof now);
+    o = osc_problem(&other);
+    if (vm_osc_plan_init(&p, &o)) return -1;
+    return vm_osc_averaged(POINTER(0, &p), VM_ROUTE_TRIG, t, A, OUT(1, vm_real, 0), OUT(2, vm_real, 1),
+                           OUT(3, vm_real, 2));
+}
+
+static int calls, fails_after;
+static int failing_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    *f = 2 + t / 10, *rate = R(0.1);
+    return ++calls > fails_after;
+}
+
+static void test_oscillators(void)
+{
+    const vm_real now[9] = {PROBLEM}, times[4] = {0, 1, 2, 3}, values[4] = {1, 2, 3, 4};
+    trial a;
+    vm_osc_problem o;
+    vm_osc_plan p;
+    vm_osc_motion m;
+    vm_law law;
+    vm_real f, rate, twice[4], unsorted[4] = {0, 2, 1, 3}, bad[4] = {1, 2, 3, 4};
+    int i;
+    REFUSES(osc_energy, 0, R(0.1), R(0.2), 2, 3);
+    REFUSES(osc_amplitude, 0, R(0.1), R(0.2), 2, 3);
+    REFUSES(osc_period, 0, R(0.1), 2, 3);
+    REFUSES(law_quadratic, 3, R(0.5), 3, R(0.1), R(0.01));
+    REFUSES(law_power, 3, R(0.5), 3, R(0.1), 2);
+    REFUSES(law_exponential, 3, R(0.5), 3, R(0.1));
+    REFUSES(law_integral, 2, R(0.5), 3, R(0.1), R(0.01));
+    REFUSES(osc_plan, 2, PROBLEM);
+    REFUSES(osc_by, 2, PROBLEM, R(0.3), R(0.01));
+    REFUSES(osc_at, 2, PROBLEM, R(0.3), R(0.1));
+    REFUSES(osc_averaged, 4, R(0.3), R(0.1));
+    memset(&a, 0, sizeof a), memcpy(a.x, now, sizeof now);
+    o = osc_problem(&a);
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    CHECK(vm_osc_averaged(&p, -1, 0, 1, &f, &rate, twice) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_SECOND, 0, 1, &f, &rate, twice) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_TRIG, 0, -1, &f, &rate, twice) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_TRIG, -1000, 1, &f, &rate, twice) == VM_BAD_MASS);
+    p.has_ateb = 0; /* without a plan the same wave */
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, 1, &f, &rate, twice) == VM_OK);
+    law = vm_law_linear(1, 0), law.kind = 77;
+    CHECK(vm_law_at(&law, 0, &f, &rate) == VM_BAD_ARGUMENT &&
+          vm_law_inverse_integral(&law, 1, &f) == VM_BAD_ARGUMENT);
+    law = vm_law_linear(1, -1);
+    CHECK(vm_law_at(&law, 2, &f, &rate) == VM_BAD_MASS && vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS);
+    law = vm_law_quadratic(1, -3, 2); /* negative between its ends */
+    CHECK(vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS &&
+          vm_law_inverse_integral(&law, R(0.25), &f) == VM_OK);
+    for (i = 0; i < 8; i++) { /* a table that is none */
+        bad[2] = i == 4 ? -1 : i == 5 ? VM_NAN : 3, unsorted[2] = i == 7 ? VM_NAN : 1;
+        law = vm_law_table(i == 0 ? 1 : 4,
+                           i == 1             ? NULL
+                           : i == 3 || i == 7 ? unsorted
+                                              : times,
+                           i == 2           ? NULL
+                           : i > 3 && i < 6 ? bad
+                                            : values);
+        CHECK(vm_law_inverse_integral(&law, i == 6 ? 4 : 1, &f) < 0);
+        CHECK((i > 2 && i != 6) || vm_law_at(&law, i == 6 ? -1 : 1, &f, &rate) == VM_BAD_ARGUMENT);
+    }
+    for (fails_after = 0; fails_after < 40; fails_after++) { /* a law that fails at each of its calls */
+        law = vm_law_user(failing_law, NULL), calls = 0;
+        CHECK(vm_law_inverse_integral(&law, 1, &f) < 0 || fails_after >= calls);
+        o.mass = law;
+        for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) {
+            int status;
+            memset(&m, 0x55, sizeof m), calls = 0;
+            status = vm_osc_by(&o, i, 1, 0, &m);
+            if (calls > fails_after) CHECK(status < 0);
+        }
+        calls = 0, CHECK(vm_osc_at(&o, 1, 0, &m) < 0 || fails_after >= calls);
+    }
+}
+
+/* -- Van der Pol, Laval's rotor, pairs, harmonic excitation -- */
+
+static int vdp_init(trial *a)
+{
+    vm_vdp v;
+    memset(&v, 0, sizeof v);
+    v.alpha = next(a), v.k = next(a), v.b = next(a), v.c = next(a), v.reactive = next(a);
+    v.method = VM_VDP_JACOBI;
+    if (a->null == 0) return vm_vdp_init(NULL);
+    if (vm_vdp_init(&v) < 0) return v.a1 == 0 && v.a2 == 0 && v.a3 == 0 ? -1 : 0;
+    return value(a, v.a1);
+}
+static int vdp_amplitude(trial *a)
+{
+    vm_vdp v = {3, 2, R(0.1), R(0.2), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
+    vm_linear_mass m;
+    const vm_real t = next(a), A0 = next(a);
+    take(a, &m, sizeof m);
+    if (vm_vdp_init(&v)) return -1;
+    return value(a, vm_vdp_amplitude(&v, t, A0, m));
+}
+static const vm_power_force cubic = {2, 3};
+static vm_laval laval(void)
+{
+    vm_laval r;
+    memset(&r, 0, sizeof r);
+    r.stiffness = vm_laval_power, r.stiffness_ctx = (void *)&cubic, r.reactive = 1;
+    return r;
+}
+static int laval_frequency(trial *a)
+{
+    const vm_laval r = laval();
+    const vm_real A = next(a);
+    return value(a, vm_laval_frequency(&r, A, next(a), 1));
+}
+static int laval_amplitude(trial *a)
+{
+    const vm_laval r = laval();
+    const vm_real A0 = next(a), mass0 = next(a);
+    return value(a, vm_laval_amplitude(&r, A0, mass0, next(a)));
+}
+static int pair_at(trial *a)
+{
+    vm_pair p = {0, 0, 0, NULL, NULL};
+    vm_linear_mass m;
+    vm_real y[4];
+    const vm_real t = next(a);
+    p.alpha = next(a), p.k = next(a), p.reactive = next(a);
+    take(a, y, sizeof y), take(a, &m, sizeof m);
+    return vm_pair_at(&p, t, y, m, (vm_real *)(void *)a->output);
+}
+static int pair_split(trial *a)
+{
+    vm_linear_mass m;
+    vm_pair p = {0, 0, 0, vm_slow_mass_linear, NULL};
+    vm_real y[4];
+    const vm_real t = next(a);
+    p.alpha = next(a), p.k = next(a), p.reactive = next(a), p.mass_ctx = &m;
+    take(a, y, sizeof y), take(a, &m, sizeof m);
+    return vm_pair_split(&p, t, y, (vm_real *)(void *)a->output);
+}
+static vm_forced forced(trial *a)
+{
+    vm_forced f;
+    memset(&f, 0, sizeof f);
+    f.alpha = next(a), f.b = next(a), f.reactive = next(a);
+    take(a, &f.now, sizeof f.now);
+    return f;
+}
+#define FORCED 3, R(0.1), 1, 2, R(0.01), 3, R(0.01), 2, R(0.01), R(0.5)
+static int forced_init(trial *a)
+{
+    vm_forced f = forced(a);
+    if (a->null == 0) return vm_forced_init(NULL);
+    return vm_forced_init(&f) < 0 ? -1 : value(a, f.pi);
+}
+static vm_forced prepared(void)
+{
+    const vm_real now[10] = {FORCED};
+    vm_forced f;
+    trial a;
+    memset(&a, 0, sizeof a), memcpy(a.x, now, sizeof now);
+    f = forced(&a);
+    CHECK(vm_forced_init(&f) == VM_OK);
+    return f;
+}
+static int forced_split(trial *a)
+{
+    const vm_forced f = prepared();
+    vm_real motion[3];
+    take(a, motion, sizeof motion);
+    return vm_forced_split(&f, 0, motion, (vm_real *)(void *)a->output);
+}
+static int forced_join(trial *a)
+{
+    const vm_forced f = prepared();
+    vm_real y[3];
+    take(a, y, sizeof y);
+    return vm_forced_join(&f, 0, y, (vm_real *)(void *)a->output);
+}
+static int adiabaticity(trial *a)
+{
+    const vm_real A = next(a), mass = next(a), mass_rate = next(a), k = next(a), k_rate = next(a), b = next(a),
+                  reactive = next(a);
+    return value(a, vm_adiabaticity(A, mass, mass_rate, k, k_rate, b, reactive, next(a)));
+}
+static int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t, (void)ctx;
+    dydt[0] = y[1], dydt[1] = -y[0];
+    return 0;
+}
+
+static void test_slow_vibrations(void)
+{
+    vm_vdp v = {3, 2, R(0.1), R(0.2), 1, -1, NULL, NULL, 0, 0, 0};
+    vm_forced f = prepared();
+    vm_steady curve[2];
+    vm_passage passage;
+    vm_point points[4];
+    vm_real y[3] = {1, 0, 0}, motion[3], state[2] = {1, 0}, work[RK45_WORK(2)], buffer[2];
+    rk45 s;
+    REFUSES(vdp_init, 1, 3, 2, R(0.1), R(0.2), 1);
+    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT), v.method = VM_VDP_TRIGONOMETRIC + 1;
+    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT), v.method = VM_VDP_ATEB, v.alpha = -1;
+    CHECK(vm_vdp_init(&v) == VM_DOMAIN), v.alpha = 1, v.k = 0;
+    CHECK(vm_vdp_init(&v) == VM_DOMAIN);
+    REFUSES(vdp_amplitude, 0, 1, R(0.1), 2, R(0.01));
+    REFUSES(laval_frequency, 0, R(0.1), 2);
+    REFUSES(laval_amplitude, 0, R(0.1), 2, 3);
+    REFUSES(pair_at, 0, 1, 3, 2, 1, R(0.1), R(0.2), R(0.3), R(0.4), 2, R(0.01));
+    REFUSES(pair_split, 0, 1, 3, 2, 1, R(0.1), R(0.2), R(0.3), R(0.4), 2, R(0.01));
+    REFUSES(forced_init, 1, FORCED);
+    REFUSES(forced_split, 0, 1, R(0.2), R(0.3));
+    REFUSES(forced_join, 0, 1, R(0.2), R(0.3));
+    y[0] = -1, CHECK(vm_forced_join(&f, 0, y, motion) == VM_DOMAIN);
+    CHECK(vm_forced_curve(&f, 0, VM_NAN, curve) == VM_DOMAIN &&
+          vm_forced_curve(&f, 0, VM_INFINITY, curve) == VM_DOMAIN && vm_forced_curve(&f, 0, 0, curve) == VM_DOMAIN);
+    f.now.force = 0;
+    CHECK(vm_forced_curve(&f, 0, 1, curve) == 0 && vm_forced_passage(&f, 0, 1, &passage) == VM_DOMAIN);
+    f = prepared(), f.alpha = -1;
+    CHECK(vm_forced_init(&f) == VM_DOMAIN);
+    f = prepared(), f.alpha = 1, CHECK(vm_forced_init(&f) == VM_OK);
+    CHECK(vm_forced_passage(&f, 0, VM_NAN, &passage) == VM_DOMAIN &&
+          vm_forced_passage(&f, 0, VM_INFINITY, &passage) == VM_DOMAIN);
+    CHECK(vm_forced_passage(&f, 0, 1, &passage) == VM_OK && isnan(passage.delta)); /* linear: nothing holds it */
+    REFUSES(adiabaticity, 0, R(0.1), 2, R(0.01), 3, R(0.02), R(0.1), 1, 3);
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, state, NULL, work) == ODE_OK);
+    CHECK(vm_find_points_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == 0); /* no step yet */
+    CHECK(vm_find_points_of_step(NULL, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_points_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, NULL, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_points_of_step(&s, -1, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_points_of_step(&s, 0, -1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_points_of_step(&s, 2, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_points_of_step(&s, 0, 2, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+}
+
+/* -- integrators.h -- */
+
+/* Stops, or ceases to be a number, at one of its evaluations */
+static long countdown;
+static int breaks(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    oscillate(t, y, dydt, NULL);
+    if (--countdown >= 0) return 0;
+    if (ctx) dydt[0] = VM_NAN;
+    return ctx ? 0 : 9;
+}
+static vm_real no_number(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)ctx;
+    return t < R(0.1) ? y[0] : VM_NAN;
+}
+
+static void test_broken_right_hand_sides(void)
+{
+    int when, kind;
+    vm_real work[RK87_WORK(2)], out[2];
+    rk45_options o;
+    ode_event e;
+    rk45 s;
+    for (kind = 0; kind < 2; kind++) {
+        for (when = 0; when < 60; when++) {
+            vm_real y[2] = {1, 0}, t = 0;
+            void *ctx = kind ? &when : NULL;
+            countdown = when;
+            CHECK(kind || rk4_solve(breaks, ctx, 2, &t, 1, 3, y, work) == (when < 12 ? ODE_RHS_STOPPED : ODE_OK));
+        }
+        for (when = 0; when < 60; when++) {
+            const vm_real y[2] = {1, 0};
+            int status;
+            countdown = when;
+            if (rk45_init(&s, breaks, kind ? &when : NULL, 2, 0, y, NULL, work) == 0) {
+                status = rk45_solve(&s, 1);
+                CHECK(status == (kind ? ODE_NOT_FINITE : ODE_RHS_STOPPED) || status == ODE_OK);
+                CHECK(isfinite((double)s.y[0]) && isfinite((double)s.t));
+            }
+            countdown = when;
+            if (rk87_init(&s, breaks, kind ? &when : NULL, 2, 0, y, NULL, work) == 0 && rk87_step(&s) == 0) {
+                out[0] = 7;
+                status = rk87_interpolate(&s, s.t / 2, out);
+                CHECK(status == ODE_OK || out[0] == 7);
+            }
+        }
+    }
+    memset(&e, 0, sizeof e), memset(&o, 0, sizeof o);
+    e.g = no_number, o.events = &e, o.n_events = 1, out[0] = 1, out[1] = 0;
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, out, &o, work) == ODE_OK && rk45_solve(&s, 1) == ODE_NOT_FINITE);
+    o.n_events = 0, o.h0 = R(1e-3), o.h_max = R(1e-4);
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, out, &o, work) == ODE_OK && rk45_step(&s) == ODE_OK &&
+          s.t <= R(1e-4));
+}
+
+static void test_integrators(void)
+{
+    vm_real y[2] = {1, 0}, low[2] = {0}, t = 0, work[RK87_WORK(2)], out[2] = {0};
+    rk45 s;
+    rk45_options o;
+    int status, other;
+    for (status = ODE_STEP_TOO_SMALL - 2; status <= ODE_STIFF + 2; status++)
+        for (other = status + 1; other <= ODE_STIFF; other++)
+            if (status >= ODE_STEP_TOO_SMALL) CHECK(strcmp(ode_strerror(status), ode_strerror(other)) != 0);
+    CHECK(rk4_step(oscillate, NULL, 2, VM_NAN, 1, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_step(oscillate, NULL, 2, 0, VM_INFINITY, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_step(oscillate, NULL, 2, 0, 1, NULL, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_step(oscillate, NULL, 2, 0, 1, y, NULL) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_step(NULL, NULL, 2, 0, 1, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve(oscillate, NULL, 2, NULL, 1, 10, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve(oscillate, NULL, 2, &t, VM_NAN, 10, y, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve_compensated(oscillate, NULL, 2, NULL, 1, 10, y, low, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve_compensated(oscillate, NULL, 2, &t, VM_INFINITY, 10, y, low, work) == ODE_BAD_ARGUMENT);
+    CHECK(rk4_solve_compensated(oscillate, NULL, 0, &t, 1, 10, y, low, work) == ODE_BAD_ARGUMENT);
+    CHECK(y[0] == 1 && y[1] == 0 && t == 0);
+    for (other = 0; other < 8; other++) { /* options that are none */
+        memset(&o, 0, sizeof o);
+        if (other == 0) o.h0 = VM_NAN;
+        if (other == 1) o.h_min = -1;
+        if (other == 2) o.h_max = -1;
+        if (other == 3) o.h_min = 2, o.h_max = 1;
+        if (other == 4) o.rtol = VM_INFINITY;
+        if (other == 5) o.atol = VM_NAN;
+        if (other == 6) o.n_events = -1;
+        if (other == 7) o.n_events = 1;
+        CHECK(rk45_init(&s, oscillate, NULL, 2, 0, y, &o, work) == ODE_BAD_ARGUMENT);
+    }
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, y, NULL, work) == ODE_OK && rk45_step(&s) == ODE_OK);
+    CHECK(rk45_interpolate(NULL, 0, out) == ODE_BAD_ARGUMENT && rk45_interpolate(&s, 0, NULL) == ODE_BAD_ARGUMENT);
+    CHECK(rk87_interpolate(&s, 0, out) == ODE_BAD_ARGUMENT &&
+          rk45_solve_with(NULL, oscillate, 2, 1) == ODE_BAD_ARGUMENT);
+    CHECK(rk87_init(&s, oscillate, NULL, 2, 0, y, NULL, work) == ODE_OK && rk87_step(&s) == ODE_OK);
+    CHECK(rk87_interpolate(NULL, 0, out) == ODE_BAD_ARGUMENT && rk87_interpolate(&s, 0, NULL) == ODE_BAD_ARGUMENT);
+    CHECK(rk45_interpolate(&s, 0, out) == ODE_BAD_ARGUMENT &&
+          rk87_solve_with(NULL, oscillate, 2, 1) == ODE_BAD_ARGUMENT);
+    CHECK(rk87_solve_with(&s, oscillate, 2, 1) == ODE_OK && s.t == 1);
+    CHECK(out[0] == 0 && out[1] == 0);
+}
+
+/* -- Scenes -- */
+
+enum { BAD_SCENES = 26 };
+
+static void test_scenes(void)
+{
+    const vm_real times[2] = {1, 2}, falling[2] = {2, 1}, unknown[2] = {1, VM_NAN};
+    int k;
+    for (k = -1; k < BAD_SCENES; k++) {
+        vm_scene_body bodies[3];
+        vm_effect effects[1];
+        vm_event events[1];
+        ode_event located[1];
+        vm_scene s;
+        vm_body part;
+        memset(&part, 0, sizeof part), memset(&s, 0, sizeof s);
+        part.mass = 1, part.q.w = 1;
+        bodies[0] = vm_scene_point(2, vmi_vec3(0, 0, 0), vmi_vec3(1, 0, 0));
+        bodies[1] = vm_scene_absent(vm_scene_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
+        bodies[2] = vm_scene_free(&part);
+        effects[0] = vm_effect_gravity(0, 1, R(-9.81));
+        events[0] = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
+        s.bodies = bodies, s.n_bodies = 3, s.effects = effects, s.n_effects = 1;
+        s.events = events, s.located = located, s.n_events = 1, s.times = times, s.n_times = 2;
+        switch (k) {
+        case 0: s.n_bodies = 0; break;
+        case 1: s.bodies = NULL; break;
+        case 2: s.n_effects = -1; break;
+        case 3: s.effects = NULL; break;
+        case 4: s.n_events = -1; break;
+        case 5: s.events = NULL; break;
+        case 6: s.located = NULL; break;
+        case 7: s.n_times = -1; break;
+        case 8: s.times = falling; break;
+        case 9: s.times = unknown; break;
+        case 10: bodies[0].motion = VM_LINE - 1; break;
+        case 11: bodies[0].motion = VM_FREE + 1; break;
+        case 12: bodies[0].put = NULL; break;
+        case 13: bodies[0].start.inertia.xx = 1; break;
+        case 14: bodies[0].start.inertia.yy = 1; break;
+        case 15: bodies[0].start.inertia.zz = 1; break;
+        case 16: bodies[0].start.inertia.xy = 1; break;
+        case 17: bodies[0].start.inertia.xz = 1; break;
+        case 18: bodies[0].start.inertia.yz = 1; break;
+        case 19: effects[0].coordinate = -1; break;
+        case 20: effects[0].coordinate = 3; break;
+        case 21: effects[0].body = 2, effects[0].coordinate = 3; break;
+        case 22: events[0].external.linear.x = VM_NAN; break;
+        case 23: events[0].external.couple.x = VM_NAN; break;
+        case 24: events[0].jump_body = 3; break;
+        case 25: events[0].other = 5; break;
+        default: break;
+        }
+        CHECK((vm_scene_check(&s, NULL) == VM_OK) == (k < 0));
+    }
+    for (k = -1; k < 2; k++) { /* an effect that is switched */
+        vm_scene_body body = vm_scene_line(1, 0, 0);
+        vm_effect effect = vm_effect_gravity(0, 0, 1);
+        vm_event event = vm_then_switch(vm_event_at(1), k, 1);
+        ode_event located;
+        vm_scene s;
+        memset(&s, 0, sizeof s);
+        s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1, s.events = &event, s.n_events = 1;
+        s.located = &located;
+        CHECK(vm_scene_check(&s, NULL) == (k == 0 ? VM_OK : VM_NO_SUCH_EFFECT));
+    }
+    CHECK(vm_scene_check(NULL, NULL) == VM_BAD_ARGUMENT &&
+          vm_scene_balance(NULL, 0, NULL, NULL) == VM_BAD_ARGUMENT);
+}
+
+/* A run's output at given times, events of a mass, jumps between absent and present bodies, refused runs */
+static int outputs;
+static int remember(vm_real t, const vm_real *y, vm_scene *scene, void *ctx)
+{
+    (void)y, (void)scene;
+    if (outputs < 4) ((vm_real *)ctx)[outputs] = t;
+    return ++outputs == 3; /* the third is enough */
+}
+
+static void test_runs(void)
+{
+    const vm_real times[5] = {R(-1), R(0.5), R(0.75), R(1.5), 9};
+    vm_real seen[4], y[64], work[VM_SCENE_WORK(64)], t = 0, atol[64];
+    vm_scene_body bodies[2];
+    vm_effect effects[1];
+    vm_event events[1];
+    ode_event located[1];
+    rk45_options options = rk45_defaults(NULL);
+    vm_scene s;
+    vm_book book;
+    vm_body part;
+    int i, k;
+    memset(&s, 0, sizeof s), memset(&part, 0, sizeof part);
+    for (i = 0; i < 64; i++) atol[i] = R(1e-3);
+    part.mass = R(0.5), part.inertia.zz = R(0.01), part.v.x = 1;
+    s.bodies = bodies, s.n_bodies = 1, s.output = remember, s.output_ctx = seen, s.times = times, s.n_times = 5;
+    bodies[0] = vm_scene_with_mass_state(vm_scene_line(2, 0, 1));
+    effects[0] = vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1);
+    s.effects = effects, s.n_effects = 1;
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
+    CHECK(outputs == 3 && seen[0] == R(0.5) && seen[1] == R(0.75) && seen[2] == R(1.5) && t == R(1.5));
+    s.times = times + 1, s.n_times = 4, outputs = 0, t = 0; /* the first time is one to come */
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
+    CHECK(outputs == 3 && seen[0] == R(0.5) && t == R(1.5));
+    check_error("mass of a stream", "", "eps", fabs((double)y[2] - 0.5) / (double)VM_EPSILON, 16, 0, 0);
+    CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_BAD_ARGUMENT &&
+          vm_scene_run(&s, &t, VM_INFINITY, y, work, NULL) < 0);
+    options.atol_each = atol, CHECK(vm_scene_run(&s, &t, R(1.75), y, work, &options) == VM_OK && t == R(1.75));
+    options.h0 = VM_NAN, CHECK(vm_scene_run(&s, &t, 2, y, work, &options) == VM_NOT_INTEGRATED);
+    s.output = NULL, s.times = NULL;
+    for (i = 0; i < 2; i++) { /* the mass passes 1.25, as a state and by a law */
+        bodies[0] = vm_scene_line(2, 0, 1);
+        if (i == 0) bodies[0] = vm_scene_with_mass_state(bodies[0]);
+        effects[0] = i == 0 ? vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1)
+                            : vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1);
+        events[0] = vm_then_stop(vm_event_mass(0, R(1.25), -1));
+        s.events = events, s.located = located, s.n_events = 1, t = 0;
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
+        check_error("event of a mass", i ? "law" : "state", "eps", fabs((double)t - 0.75) / (double)VM_EPSILON, 32,
+                    0, 0);
+    }
+    for (k = 0; k < 9; k++) { /* jumps: what comes of them, with and without a book */
+        const int bad = k > 3;
+        vm_scene_body (*make)(vm_real, vm_real, vm_real) = k % 2 ? vm_scene_axle : vm_scene_line;
+        memset(&s, 0, sizeof s), t = 0;
+        s.bodies = bodies, s.n_bodies = 2, s.events = events, s.located = located, s.n_events = 1;
+        bodies[0] = make(2, R(0.1), 3), bodies[1] = vm_scene_absent(make(R(0.5), 0, 0));
+        part.mass = R(0.5), part.v.x = 1, part.omega.z = 1, part.inertia.zz = R(0.01);
+        events[0] = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
+        if (k == 2)
+            bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2),
+            bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
+        if (k == 3) bodies[1].absent = 0, events[0] = vm_then_attach(vm_event_at(1), 0, 1);
+        if (k == 4 || k == 5) events[0].part.mass = 2;                /* nothing is left */
+        if (k == 6) bodies[1].absent = 0;                             /* into what is there already */
+        if (k == 7) events[0] = vm_then_attach(vm_event_at(1), 0, 1); /* what is not there */
+        if (k == 8) {                                                 /* a plane's rest that is a point */
+            bodies[0] = vm_scene_plane(2, R(0.01), vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
+            bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
+            part.r.x = part.v.y = 0, part.v.x = 1, part.omega.z = 2, events[0].part = part;
+            events[0].part.r.x = 1; /* where the whole is by then */
+        }
+        vm_scene_keep_book(&s, k == 0 ? &book : NULL);
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+        i = vm_scene_run(&s, &t, 2, y, work, NULL);
+        CHECK((i < 0) == bad && t == (bad ? 1 : 2));
+        if (k == 0) { /* 2 * 3 - 0.5 * 1 over 1.5 */
+            check_error("jump on a line", "", "eps", fabs((double)y[1] - 11. / 3) / (double)VM_EPSILON, 8, 0, 0);
+            CHECK(vm_scene_balance(&s, t, NULL, &book) == VM_BAD_ARGUMENT &&
+                  vm_scene_balance(&s, t, y, NULL) == VM_BAD_ARGUMENT);
+        }
+    }
+    memset(&s, 0, sizeof s), t = 0; /* a law's mass runs out */
+    bodies[0] = vm_scene_line(2, 0, 1), s.bodies = bodies, s.n_bodies = 1;
+    effects[0] = vm_effect_mass_law(0, NULL, NULL, vmi_vec3(0, 0, 0), 0);
+    s.effects = effects, s.n_effects = 1;
+    CHECK(vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
+    effects[0] = vm_effect_mass(0, -1, 1, 0, 0);
+    CHECK(vm_scene_check(&s, NULL) < 0);
+    CHECK(vm_force_stream(2, 3, R(0.5), 4) == 2 && vm_force_stream(-1, 2, 1, 7) == -2);
+}
+
+int main(void)
+{
+    test_special_functions();
+    test_jumps();
+    test_rotor();
+    test_streams();
+    test_lagrange();
+    test_oscillators();
+    test_slow_vibrations();
+    test_integrators();
+    test_broken_right_hand_sides();
+    test_scenes();
+    test_runs();
+    return check_finish("refusals");
+}
