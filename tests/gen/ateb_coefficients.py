@@ -5,9 +5,8 @@ F(t) = sqrt(pi) Gamma(4 + q)/Gamma(q + 1/2), q = (1 + t)/2, -1 <= t <= 1: interp
 turned into powers of t. F is analytic up to q = -4, so a coefficient is about 1/18 of the one before it. The leading
 ones are given in two or three words.
 
-g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), for the quick route: in 32 intervals, powers of the distance to the middle,
-the constant term and the slope in two words, the first of the slope's with half of the digits. And within 2e-4, to
-count quarters by.
+g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), for the quick route: powers of the distance to the nearest multiple of 1/32,
+the constant term and the slope in two words, the first of the slope's with half of the digits.
 
 The logarithm and the exponential of one word: ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2), e^z = 1 + z + z^2 E(z).
 """
@@ -70,8 +69,8 @@ def quick(bits, degree):
     digits = 20 if bits == 53 else 12
     print(f"/* p = {bits}, g, degree {degree} */")
     worst = mpf(0)
-    for i in range(32):
-        middle, half = (i + mpf(1) / 2) / 32, mpf(1) / 64
+    for i in range(33):
+        middle, half = mpf(i) / 32, mpf(1) / 64
         scaled = powers(lambda t: g(middle + half * t), degree)
         c = [x / half**j for j, x in enumerate(scaled)]
         high = [rounded(x, bits // 2 if j == 1 else bits) for j, x in enumerate(c)]
@@ -107,7 +106,6 @@ if __name__ == "__main__":
     table(24, 17, 11, 5)
     quick(53, 9)
     quick(24, 5)
-    interpolated("g, roughly", g, mpf(0), mpf(1), 4, 6)
     for degree, digits in ((6, 20), (2, 12)):
         interpolated("L", L, mpf(0), mpf("0.0325"), degree, digits)
     for degree, digits in ((10, 20), (5, 12)):
