@@ -1112,20 +1112,63 @@ typedef struct VM_TAG(vmi_ateb_point) {
     vm_real h;             /* what is left of r */
 } vmi_ateb_point;
 
-/* (F - 1)/(z b) for F = 2F1(1, b; c; z), b <= c, k = c - b: Gauss's continued fraction [3, 15.7], F = 1/(1 - b
-   z/X_1), X_j = c + j - 1 - a_j z/X_(j+1), a_2m = m (k + m - 1), a_2m+1 = (b + m)(c + m - 1), m times two levels,
-   which gain 7 bits or more for z < 0.303; X = P/Q. */
-VM_API vm_real vmi_hypergeometric(vm_real b, vm_real c, vm_real k, vm_real z, int m)
+/* Gauss's continued fraction [3, 15.7]: 2F1(1, b; c; z) = 1/(1 - b z/X_1), X_j = c + j - 1 - a_j z/X_(j+1), a_(2n-1) =
+   n (c - b + n - 1), a_2n = (b + n)(c + n - 1). From its end, two steps of it at once, which gain 7 bits or more for
+   z < 0.303; X_(2n-1) = P/Q. What a step needs is made before, without waiting for the one before it. */
+enum { VMI_ATEB_W_STEPS = VM_MANT_DIG > 24 ? 7 : 3, VMI_ATEB_P_STEPS = VM_MANT_DIG > 24 ? 6 : 3 };
+
+/* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w), w < 0.303: X_j = (j + 1/2) P/Q, a_j/((j + 1/2)(j + 3/2)) =
+   constant + q slope, those of odd and even j in turn */
+VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
-    vm_real n = (vm_real)m, P = (c + 2 * n) * (1 - z * (1 + z / 2) / 4), Q = 1;
-    for (; n > 0; n -= 1) {
-        const vm_real zn = z * n, c1 = c + (2 * n - 2), c2 = c1 + 1;
-        const vm_real a1 = zn * (k + (n - 1)), a2 = (b * z + zn) * (c + (n - 1));
-        const vm_real next = c2 * P - a2 * Q;
-        P = (c1 * c2 - a1) * P - c1 * a2 * Q;
+    VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,   VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
+                                     VM_C(36.0) / 143, VM_C(49.0) / 195,  VM_C(64.0) / 255,  VM_C(81.0) / 323,
+                                     VM_C(100.0) / 399, VM_C(121.0) / 483, VM_C(144.0) / 575, VM_C(169.0) / 675,
+                                     VM_C(196.0) / 783, VM_C(225.0) / 899};
+    VM_TABLE vm_real slope[14] = {VM_C(-4.0) / 15,   VM_C(6.0) / 35,   VM_C(-8.0) / 63,   VM_C(10.0) / 99,
+                                  VM_C(-12.0) / 143, VM_C(14.0) / 195, VM_C(-16.0) / 255, VM_C(18.0) / 323,
+                                  VM_C(-20.0) / 399, VM_C(22.0) / 483, VM_C(-24.0) / 575, VM_C(26.0) / 675,
+                                  VM_C(-28.0) / 783, VM_C(30.0) / 899};
+    vm_real e[2 * VMI_ATEB_W_STEPS], P = 1 - w * (1 + w / 2) / 4, Q = 1;
+    int i;
+    for (i = 0; i < 2 * VMI_ATEB_W_STEPS; i++) e[i] = w * (constant[i] + q * slope[i]);
+    for (i = 2 * VMI_ATEB_W_STEPS - 2; i >= 0; i -= 2) {
+        const vm_real next = P - e[i + 1] * Q;
+        P = next - e[i] * P;
         Q = next;
     }
-    return Q / (P - b * z * Q);
+    return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
+}
+
+/* P and Q of F = 2F1(1, 2 q; 1 + q; p), p < 0.251: X_1 = P/Q, F = P/(P - 2 q p Q) */
+VM_API void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P_out, vm_real *Q_out)
+{
+    VM_TABLE vm_real steps[6] = {1, 2, 3, 4, 5, 6};
+    vm_real PP[VMI_ATEB_P_STEPS], PQ[VMI_ATEB_P_STEPS], QP[VMI_ATEB_P_STEPS], QQ[VMI_ATEB_P_STEPS];
+    vm_real P = (1 + q + 2 * VMI_ATEB_P_STEPS) * (1 - p * (1 + p / 2) / 4), Q = 1;
+    const vm_real two_qq = 2 * q * q;
+    int i;
+    for (i = 0; i < VMI_ATEB_P_STEPS; i++) {
+        const vm_real n = steps[i], nn = n * n, a1 = p * (nn - n * q), a2 = p * (two_qq + 3 * n * q + nn);
+        const vm_real c1 = q + (2 * n - 1), c2 = q + 2 * n;
+        PP[i] = c1 * c2 - a1, PQ[i] = c1 * a2;
+        QP[i] = c2, QQ[i] = a2;
+    }
+    for (i = VMI_ATEB_P_STEPS - 1; i >= 0; i--) {
+        const vm_real next = PP[i] * P - PQ[i] * Q;
+        Q = QP[i] * P - QQ[i] * Q;
+        P = next;
+    }
+    *P_out = P;
+    *Q_out = Q;
+}
+
+/* T with 1 + q T = 2F1(1, 2 q; 1 + q; p) */
+VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
+{
+    vm_real P, Q;
+    vmi_ateb_p_fraction(q, p, &P, &Q);
+    return 2 * p * Q / (P - 2 * q * p * Q);
 }
 
 /* (1 - a^q)/q with a = (1 + t)/(1 - t) of which ln a is small */
@@ -1138,7 +1181,6 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 /* The point for 0 <= r <= 0.55; guess: the Taylor series of the inverse to r^9, within 1e-5. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
 {
-    const int m = VM_MANT_DIG > 24 ? 7 : 3; /* w < 0.303 */
     const vm_real k = 1 - q, rr = r * r;
     const vm_real c1 = -1 / VM_C(3.0);
     const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
@@ -1147,7 +1189,7 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
     const vm_real guess = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)));
     const vm_real v = vmi_head(guess), w = v * v /* exact */, b = q + VM_C(0.5);
     const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q),
-                  F_minus_1 = w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m);
+                  F_minus_1 = w * b * vmi_ateb_w_fraction(q, w);
     at->v = v, at->v_lo = 0;
     at->x = 1 - w;
     at->u = 1 - one_minus_u;
@@ -1160,7 +1202,6 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_ateb_point *at)
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
-    const int m = VM_MANT_DIG > 24 ? 6 : 3;                                            /* p < 0.251 */
     const vm_real q = c->q.hi;
     const vm_real z = (2 * r - c->g.hi) - c->g.lo; /* 2 q d = 1 - q z */
     const int from_r = r < d;
@@ -1180,7 +1221,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_a
     at->v = 1 - 2 * p, at->v_lo = (1 - at->v) - 2 * p;
     at->x = 4 * p * (1 - p);
     at->u = y - (y * (q * u_rest) - y_lo);
-    at->h = at->u * (p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, m)) - y * u_rest / 2;
+    at->h = at->u * vmi_ateb_T(q, p) / 2 - y * u_rest / 2;
 }
 
 /* Taylor's series from the point to s, for rests that are 1e-4 of u or less */
@@ -1573,17 +1614,16 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 /* r in the first quarter, where h = ln(w/x) */
 VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 {
-    const vm_real q = c->q.hi, k = (1 - q) - c->q.lo;
+    const vm_real q = c->q.hi;
     const vm_real e = h.hi < 0 ? vmi_exp(h.hi, h.lo) : vmi_exp(-h.hi, -h.lo), sum = 1 + e;
     if (h.hi < VM_C(-0.84)) { /* w < 0.302 */
         const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
-        const int m = VM_MANT_DIG > 24 ? 7 : 3;
         const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q);
-        return v + v * (w * b * vmi_hypergeometric(b, VM_C(1.5), k, w, m) * (1 - one_minus_u) - one_minus_u);
+        return v + v * (w * b * vmi_ateb_w_fraction(q, w) * (1 - one_minus_u) - one_minus_u);
     } else {
         const vm_real x = h.hi > 0 ? e / sum : 1 / sum, v = VM_SQRT(h.hi > 0 ? 1 / sum : e / sum),
                       p = x / (2 + 2 * v);
-        const vm_real T = 2 * p * vmi_hypergeometric(2 * q, 1 + q, 1 - q, p, VM_MANT_DIG > 24 ? 6 : 3);
+        const vm_real T = vmi_ateb_T(q, p);
         vm_two ln_x = vmi_log(sum); /* ln x = -(h + ln(1 + e^-h)) or -ln(1 + e^h) */
         vm_real one_minus_u, p_lo;
         int i;
@@ -1949,8 +1989,7 @@ VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
     vm_real sa, ca, w, rest;
     ateb_saca(s, alpha, &sa, &ca);
     w = sa * sa;
-    if (VM_FABS(s) < 1 && w < VM_C(0.5))
-        rest = sa * ca * (w * b * vmi_hypergeometric(b, VM_C(1.5), 1 - q, w, VM_MANT_DIG > 24 ? 12 : 6));
+    if (VM_FABS(s) < VM_C(0.55)) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
     else rest = s - sa * ca;
     return rest / (1 + 2 * q);
 }
