@@ -1042,20 +1042,36 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
     return 2 * t + t * x * L;
 }
 
-/* ln x for normal x > 0 */
-VM_API vm_real vmi_ateb_ln(vm_real x)
+/* z = x/2^k from sqrt(1/2) to sqrt 2, for normal x > 0 */
+VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
     const vmi_bits least = UINT64_C(0x3fe6a09e667f3bcd); /* sqrt(1/2) */
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
 #else
     const vmi_bits least = UINT32_C(0x3f3504f3);
-    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
 #endif
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG, above = vmi_to_bits(x) - least;
-    const vm_real k = (vm_real)((int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1));
-    const vm_real z = vmi_from_bits((above & (one - 1)) + least);
-    return k * ln2_hi + (vmi_ateb_ln_ratio((z - 1) / (z + 1)) + k * ln2_lo);
+    *k = (vm_real)((int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1));
+    return vmi_from_bits((above & (one - 1)) + least);
+}
+
+/* ln(2^k (1 + t)/(1 - t)) */
+VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
+{
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    return k * ln2_hi + (vmi_ateb_ln_ratio(t) + k * ln2_lo);
+}
+
+/* ln x for normal x > 0 */
+VM_API vm_real vmi_ateb_ln(vm_real x)
+{
+    vm_real k;
+    const vm_real z = vmi_ateb_mantissa(x, &k);
+    return vmi_ateb_ln_of(k, (z - 1) / (z + 1));
 }
 
 /* (e^z - 1 - z)/z^2, |z| < 0.36 */
@@ -1103,22 +1119,26 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
      r = B_w(1/2, q)/2 = sa |ca| 2F1(1, q + 1/2; 3/2; w)
      2 q d = q B_x(q, 1/2) = |ca| (1 + q T),  1 + q T = 2F1(1, 2q; 1+q; p),           p = (1 - sa)/2
    the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w < 0.303
-   and p < 0.251.
-   From a guess, a point of the curve is computed, exact but for rounding, and Taylor's series in the small rest
-   h = r - r(point) leads from there to s. */
+   and p < 0.251. */
 
-typedef struct VM_TAG(vmi_ateb_point) {
-    vm_real v, v_lo, u, x; /* sa, ca, ca^(alpha+1) = 1 - sa^2 */
-    vm_real h;             /* what is left of r */
-} vmi_ateb_point;
+/* Gauss's continued fraction [3, 15.7]: 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), Y_j = 1 - e_j/Y_(j+1), e_(2n-1) =
+   n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)), e_2n = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)). What does not
+   depend on z is made ahead of it. Two levels gain 7 bits or more for z < 0.303; e_j tends to z/4. */
+enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
-/* Gauss's continued fraction [3, 15.7]: 2F1(1, b; c; z) = 1/(1 - b z/X_1), X_j = c + j - 1 - a_j z/X_(j+1), a_(2n-1) =
-   n (c - b + n - 1), a_2n = (b + n)(c + n - 1). From its end, two steps of it at once, which gain 7 bits or more for
-   z < 0.303; X_(2n-1) = P/Q. What a step needs is made before, without waiting for the one before it. */
-enum { VMI_ATEB_W_STEPS = VM_MANT_DIG > 24 ? 7 : 3, VMI_ATEB_P_STEPS = VM_MANT_DIG > 24 ? 6 : 3 };
+/* Y_1 = P/Q from the Y after the last of the levels */
+VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
+{
+    int j;
+    *P = Y, *Q = 1;
+    for (j = levels - 2; j >= 0; j -= 2) {
+        const vm_real next = *P - (e_by_z[j + 1] * z) * *Q;
+        *P = next - (e_by_z[j] * z) * *P;
+        *Q = next;
+    }
+}
 
-/* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w), w < 0.303: X_j = (j + 1/2) P/Q, a_j/((j + 1/2)(j + 3/2)) =
-   constant + q slope, those of odd and even j in turn */
+/* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w), w < 0.303 */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
     VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,   VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
@@ -1129,38 +1149,26 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
                                   VM_C(-12.0) / 143, VM_C(14.0) / 195, VM_C(-16.0) / 255, VM_C(18.0) / 323,
                                   VM_C(-20.0) / 399, VM_C(22.0) / 483, VM_C(-24.0) / 575, VM_C(26.0) / 675,
                                   VM_C(-28.0) / 783, VM_C(30.0) / 899};
-    vm_real e[2 * VMI_ATEB_W_STEPS], P = 1 - w * (1 + w / 2) / 4, Q = 1;
-    int i;
-    for (i = 0; i < 2 * VMI_ATEB_W_STEPS; i++) e[i] = w * (constant[i] + q * slope[i]);
-    for (i = 2 * VMI_ATEB_W_STEPS - 2; i >= 0; i -= 2) {
-        const vm_real next = P - e[i + 1] * Q;
-        P = next - e[i] * P;
-        Q = next;
-    }
+    vm_real e_by_w[VMI_ATEB_W_LEVELS + 2], P, Q;
+    int j;
+    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = constant[j] + q * slope[j];
+    vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4), &P,
+                      &Q);
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
-/* P and Q of F = 2F1(1, 2 q; 1 + q; p), p < 0.251: X_1 = P/Q, F = P/(P - 2 q p Q) */
-VM_API void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P_out, vm_real *Q_out)
+/* P and Q of F = 2F1(1, 2 q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), p < 0.251 */
+VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
 {
-    VM_TABLE vm_real steps[6] = {1, 2, 3, 4, 5, 6};
-    vm_real PP[VMI_ATEB_P_STEPS], PQ[VMI_ATEB_P_STEPS], QP[VMI_ATEB_P_STEPS], QQ[VMI_ATEB_P_STEPS];
-    vm_real P = (1 + q + 2 * VMI_ATEB_P_STEPS) * (1 - p * (1 + p / 2) / 4), Q = 1;
-    const vm_real two_qq = 2 * q * q;
-    int i;
-    for (i = 0; i < VMI_ATEB_P_STEPS; i++) {
-        const vm_real n = steps[i], nn = n * n, a1 = p * (nn - n * q), a2 = p * (two_qq + 3 * n * q + nn);
-        const vm_real c1 = q + (2 * n - 1), c2 = q + 2 * n;
-        PP[i] = c1 * c2 - a1, PQ[i] = c1 * a2;
-        QP[i] = c2, QQ[i] = a2;
-    }
-    for (i = VMI_ATEB_P_STEPS - 1; i >= 0; i--) {
-        const vm_real next = PP[i] * P - PQ[i] * Q;
-        Q = QP[i] * P - QQ[i] * Q;
-        P = next;
-    }
-    *P_out = P;
-    *Q_out = Q;
+    VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
+    VM_TABLE vm_real constant[12] = {1, 1, 4, 4, 9, 9, 16, 16, 25, 25, 36, 36};
+    VM_TABLE vm_real slope[12] = {-1, 3, -2, 6, -3, 9, -4, 12, -5, 15, -6, 18};
+    VM_TABLE vm_real square[12] = {0, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0, 2};
+    vm_real e_by_p[VMI_ATEB_P_LEVELS];
+    int j;
+    for (j = 0; j < VMI_ATEB_P_LEVELS; j++)
+        e_by_p[j] = (constant[j] + q * (slope[j] + q * square[j])) / ((q + index[j]) * (q + index[j + 1]));
+    vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
 /* T with 1 + q T = 2F1(1, 2 q; 1 + q; p) */
@@ -1168,7 +1176,7 @@ VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
 {
     vm_real P, Q;
     vmi_ateb_p_fraction(q, p, &P, &Q);
-    return 2 * p * Q / (P - 2 * q * p * Q);
+    return 2 * p * Q / ((1 + q) * P - 2 * q * p * Q);
 }
 
 /* (1 - a^q)/q with a = (1 + t)/(1 - t) of which ln a is small */
@@ -1178,58 +1186,67 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* The point for 0 <= r <= 0.55; guess: the Taylor series of the inverse to r^9, within 1e-5. */
-VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vmi_ateb_point *at)
+/* sa and ca for 0 <= r <= 0.55. The guess v, the Taylor series of the inverse to r^9, is within 1e-5; its r is computed,
+   and Taylor's series in what is left of r leads from there. */
+VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
-    const vm_real k = 1 - q, rr = r * r;
+    const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
     const vm_real c1 = -1 / VM_C(3.0);
     const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
     const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
     const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
     const vm_real guess = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)));
-    const vm_real v = vmi_head(guess), w = v * v /* exact */, b = q + VM_C(0.5);
-    const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q),
-                  F_minus_1 = w * b * vmi_ateb_w_fraction(q, w);
-    at->v = v, at->v_lo = 0;
-    at->x = 1 - w;
-    at->u = 1 - one_minus_u;
-    at->h = (r - v) - v * (F_minus_1 * at->u - one_minus_u);
+    const vm_real v = vmi_head(guess), w = v * v /* exact */, x = 1 - w;
+    const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q), u = 1 - one_minus_u, by_u = 1 / u;
+    const vm_real h = (r - v) - v * (w * b * vmi_ateb_w_fraction(q, w) * u - one_minus_u), e = h * by_u;
+    *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * w) * (e / 3)));
+    *ca = 1 - (one_minus_u + h * q * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667))));
 }
 
-/* The point for r >= 0.55, or s itself where x < eps/8. In terms of y = 2 q d, d taken from r or from d, whichever is
-   smaller, and of X = y^(alpha+1): u = y (x/X)^q, and (alpha + 1) (y - u) - u T = 2 h is free from cancellation.
-   Guess: (1, 1) Pade approximant, within 5e-5, of p as a function of X. */
-VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vmi_ateb_point *at)
+/* (2^k (1 + t)/(1 - t))^n/4 to a relative error of 1e-6, for a normal result */
+VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
+{
+    const vm_real to_integer = VM_C(1.5) / VM_EPSILON, x = t * t;
+    const vm_real log2 = (VM_C(2.885390082) + x * VM_C(0.96178)) + (x * x) * VM_C(0.58905);
+    const vm_real power = n * k + (n * t) * log2, shifted = vmi_rounded(power + to_integer);
+    const vm_real z = power - vmi_rounded(shifted - to_integer), zz = z * z;
+    const vm_real low = VM_C(0.25) + z * VM_C(0.173286795), mid = VM_C(0.06005665) + z * VM_C(0.0138760);
+    const vm_real high = VM_C(0.0024045) + z * VM_C(0.00033333);
+    return vmi_from_bits(vmi_to_bits((low + zz * mid) + (zz * zz) * high) +
+                         (vmi_to_bits(shifted) << VMI_STORED_DIG));
+}
+
+/* sa and ca for r >= 0.55. In terms of y = 2 q d = u (1 + q T) and of l = (alpha + 1) ln y = ln X,
+     l = ln x + (alpha + 1) ln(1 + q T),   dp/dl = x (1 + q T)/4,   d ln(u/y)/dl = -q (1 - v (1 + q T)).
+   For a p within 1e-5 of the right one, l is computed; Taylor's series leads from there. The guess: the (1, 1) Pade
+   approximant of p/X and what it lacks. Where l is large, so is its derivative by y: y - 1 is taken from r then. */
+VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
-    const vm_real q = c->q.hi;
-    const vm_real z = (2 * r - c->g.hi) - c->g.lo; /* 2 q d = 1 - q z */
-    const int from_r = r < d;
-    const vm_real y = from_r ? 1 - q * z : 2 * d / c->n.hi;
-    const vm_real y_lo = from_r ? ((1 - y) - q * z) - c->q.lo * z : -y * (c->n.lo * q);
-    const vm_real ln_X = c->n.hi * (vmi_ateb_ln(y) + (from_r ? y_lo : -c->n.lo * q));
-    vm_real p, X4, ratio, root, u_rest;
-    at->v = 1, at->v_lo = 0;
-    at->u = y;
-    at->x = at->h = 0;
-    if (!(ln_X > negligible)) return;
-    X4 = vmi_ateb_exp(ln_X) / 4;
-    ratio = (1 + q) * (2 + q - q * X4) / ((1 + q) * (2 + q) + 2 * (1 - q - q * q) * X4);
-    p = X4 * ratio;
-    root = VM_SQRT(ratio * (1 - p)); /* of x/X, >= 0.75 */
-    u_rest = 2 * vmi_ateb_power_rest((root - 1) / (root + 1), 2 * q); /* (1 - u/y)/q */
-    at->v = 1 - 2 * p, at->v_lo = (1 - at->v) - 2 * p;
-    at->x = 4 * p * (1 - p);
-    at->u = y - (y * (q * u_rest) - y_lo);
-    at->h = at->u * vmi_ateb_T(q, p) / 2 - y * u_rest / 2;
-}
-
-/* Taylor's series from the point to s, for rests that are 1e-4 of u or less */
-VM_API void vmi_ateb_move(const vmi_ateb_point *at, vm_real q, vm_real *sa, vm_real *ca)
-{
-    const vm_real v = at->v, x = at->x, k = 1 - q, e = at->h == 0 ? 0 : at->h / at->u;
-    *sa = v + (at->v_lo + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * v * v) * (e / 3))));
-    *ca = at->u - at->u * (q * e) * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667)));
+    const vm_real n = c->n.hi, q = c->q.hi, k1 = 1 - q, two_q = 2 * q, m = (1 + q) * (2 + q), share = two_q / (1 + q);
+    const vm_real lack0 = VM_C(0.1735756) + q * (VM_C(-0.4742056) + q * (VM_C(0.3661672) - q * VM_C(0.1186336)));
+    const vm_real lack1 = VM_C(-0.09087999) + q * VM_C(0.1651286);
+    const vm_real z = (2 * r - c->g.hi) - c->g.lo, y = two_q * d; /* y = 1 - q z */
+    vm_real k, t, l, X4, p, v, P, Q, B, E, F, rho, w, dv, da;
+    const vm_real mantissa = vmi_ateb_mantissa(y, &k), from_r = vmi_weight(y - VM_C(0.75));
+    const vm_real y_high = vmi_choose(from_r, 1, y), y_low = vmi_choose(from_r, -q * z, d * (2 * c->q.lo));
+    *sa = 1;
+    *ca = y_high + y_low;
+    t = vmi_choose(from_r, -q * z, mantissa - 1) / (mantissa + 1);
+    l = n * vmi_ateb_ln_of(k, t);
+    if (!(y > VM_MIN) || !(l > negligible)) return;
+    X4 = vmi_ateb_rough_power(k, t, n);
+    p = ((m - (q + q * q) * X4) / (m + 2 * (k1 - q * q) * X4)) *
+        (X4 + (X4 * X4) * (X4 * X4) * (q * k1 * (lack0 + X4 * lack1)));
+    v = 1 - 2 * p;
+    vmi_ateb_p_fraction(q, p, &P, &Q);
+    B = share * p * Q; /* 1 + q T = P/(P - B) */
+    E = P / (P - B), F = B / P;
+    rho = (l - vmi_ateb_ln(4 * p * (1 - p))) - n * vmi_ateb_ln_ratio(B / (2 * P - B));
+    w = v * E;
+    dv = 2 * p * (1 - p) * E, da = q * (1 - w);
+    *sa = 1 - (2 * p + (dv * rho) * (1 + rho * ((q + k1 * w) / 2)));
+    *ca = y_high - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - y_low);
 }
 
 /* ---- sa, ca ------------------------------------------------------------------------------------------------- */
@@ -1248,7 +1265,7 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
         const vm_two high = vmi_two_product(j, q.hi), mid = vmi_two_product(j, q.mid);
         if (j * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + j * q.lo);
     }
-    return rest;
+    return VM_FABS(rest) < c->quarter.hi ? rest : 0; /* s beyond 2^52 quarters */
 }
 
 /* The quarter of s >= 0; what s has more than so many quarters; its distances r and d from the zeros of sa and ca. In
@@ -1294,7 +1311,6 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
     vm_real rest, r, d = 0;
     int quarter;
     vmi_ateb c;
-    vmi_ateb_point at;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(s)) {
         *sa = *ca = VM_NAN;
         return;
@@ -1305,9 +1321,8 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
         vmi_ateb_period_constants(&c);
         rest = vmi_ateb_locate(rest, &c, &quarter, &r, &d);
     }
-    if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q.hi, &at);
-    else vmi_ateb_near_ca_zero(r, d, &c, &at);
-    vmi_ateb_move(&at, c.q.hi, sa, ca);
+    if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q.hi, sa, ca);
+    else vmi_ateb_near_ca_zero(r, d, &c, sa, ca);
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
