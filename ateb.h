@@ -970,6 +970,7 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     vm_real n_head, n_tail, q_head;
     c->n = vmi_two_sum(alpha, 1);
     c->q.hi = 1 / c->n.hi;
+    c->g = c->quarter = vmi_two(0, 0);
     n_head = vmi_head(c->n.hi), q_head = vmi_head(c->q.hi);
     n_tail = (c->n.hi - n_head) + c->n.lo;
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
@@ -1297,12 +1298,13 @@ VM_INLINE vm_real vmi_ateb_locate(vm_real s, vmi_ateb *c, int *quarter, vm_real 
 }
 
 /* From the first quarter to that of s = +-(quarter Pi/2 + rest), on the bits of the signs */
-VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, int quarter, vm_real *sa, vm_real *ca)
+VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
-    const vmi_bits sign = (vmi_bits)1 << (8 * sizeof(vm_real) - 1), odd = (vmi_bits)(quarter & 1);
-    const vmi_bits half = (vmi_bits)(quarter >> 1) * sign, rest_bits = vmi_to_bits(rest);
+    const int last = 8 * (int)sizeof(vm_real) - 1;
+    const vmi_bits sign = (vmi_bits)1 << last, odd = quarter & 1;
+    const vmi_bits half = quarter >> 1 << last, rest_bits = vmi_to_bits(rest);
     *sa = vmi_from_bits(vmi_to_bits(*sa) ^ half ^ ((vmi_to_bits(s) ^ (rest_bits & (odd - 1))) & sign));
-    *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd * sign)));
+    *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
 }
 
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
@@ -1323,7 +1325,7 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
     }
     if (r <= change_over) vmi_ateb_near_sa_zero(r, c.q.hi, sa, ca);
     else vmi_ateb_near_ca_zero(r, d, &c, sa, ca);
-    vmi_ateb_signs(s, rest, quarter, sa, ca);
+    vmi_ateb_signs(s, rest, (vmi_bits)quarter, sa, ca);
 }
 
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
@@ -1362,12 +1364,12 @@ VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 }
 
 /* The same without branches */
-VM_API vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
+VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);
     const vm_real two = (vm_real)(p->twice_alpha >> 2 & 1), four = (vm_real)(p->twice_alpha >> 3 & 1), d2 = d * d;
-    const vm_real low = VM_SQRT(vmi_choose(half, d, 1)) * vmi_choose(one, d, 1);
-    const vm_real power = low * (vmi_choose(two, d2, 1) * vmi_choose(four, d2 * d2, 1));
+    const vm_real low = VM_SQRT(half * d + (1 - half)) * (one * d + (1 - one));
+    const vm_real power = low * ((two * d2 + (1 - two)) * (four * (d2 * d2) + (1 - four)));
     return power * d + power * (p->n * d_lo);
 }
 
@@ -1413,23 +1415,25 @@ VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two ba
 }
 
 /* |s| from the nearest multiple of Pi/2, for |s| < p->longest: 2^26 quarters (float 2^12), whose products with the
-   first parts are exact */
-VM_API vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, int *quarter)
+   first parts are exact; the last bits of *quarter count them */
+VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
 {
-    const vm_real x = VM_FABS(s);
-    const int count = (int)(x * p->per_quarter + VM_C(0.5));
-    const vm_real j = (vm_real)count;
-    *quarter = count;
+    const vm_real x = VM_FABS(s), to_integer = VM_C(1.5) / VM_EPSILON;
+    const vm_real shifted = vmi_rounded(x * p->per_quarter + to_integer), j = vmi_rounded(shifted - to_integer);
+    *quarter = vmi_to_bits(shifted);
     return ((x - j * p->quarter_parts[0]) - j * p->quarter_parts[1]) - j * p->quarter_parts[2];
 }
 
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, r, r_lo, d, d_lo;
-    int quarter;
+    vmi_bits quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
-    else if (VM_IS_FINITE(s)) rest = vmi_reduce(VM_FABS(s), p->quarter, &quarter).hi;
-    else {
+    else if (VM_IS_FINITE(s)) {
+        int count;
+        rest = vmi_reduce(VM_FABS(s), p->quarter, &count).hi;
+        quarter = (vmi_bits)count;
+    } else {
         *sa = *ca = VM_NAN;
         return;
     }
@@ -1449,22 +1453,29 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* The same for twice_alpha >= 0 and |s| < p->longest, both parts and no branch */
-VM_API void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
+/* a where the bits of the mask are set, else b */
+VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
 {
-    int quarter;
+    return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
+}
+
+/* The same for twice_alpha >= 0 and |s| < p->longest, both parts and no branch */
+VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
+{
+    vmi_bits quarter;
     const vm_real rest = vmi_ateb_plan_reduce(p, s, &quarter), near_zero = VM_FABS(rest);
-    const vm_real far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo), odd = (vm_real)(quarter & 1);
+    const vm_real far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
     const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
-    const vm_real r = vmi_choose(odd, far_zero, near_zero), d = vmi_choose(odd, near_zero, far_zero);
-    const vm_real beyond = vmi_weight(r - p->change_over);
-    const vm_real d_lo = (1 - odd) * lost;
+    const vmi_bits odd = 0 - (quarter & 1);
+    const vm_real r = vmi_select(odd, far_zero, near_zero), d = vmi_select(odd, near_zero, far_zero);
+    const vm_real r_lo = vmi_select(odd, lost, 0), d_lo = vmi_select(odd, 0, lost);
+    const vmi_bits beyond = 0 - (vmi_to_bits(p->change_over - r) >> (8 * sizeof(vm_real) - 1));
     vm_real sa0, ca0, sa1, ca1;
-    vmi_ateb_part_at(p->part, length, vmi_two(r, odd * lost), r * r, &sa0, &ca0);
+    vmi_ateb_part_at(p->part, length, vmi_two(r, r_lo), r * r, &sa0, &ca0);
     vmi_ateb_part_at(p->part + 1, length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product_wide(p, d, d_lo), &ca1,
                      &sa1);
-    *sa = vmi_choose(beyond, sa1, sa0);
-    *ca = vmi_choose(beyond, ca1, ca0);
+    *sa = vmi_select(beyond, sa1, sa0);
+    *ca = vmi_select(beyond, ca1, ca0);
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
@@ -1495,12 +1506,13 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
 {
     enum { BLOCK = 64 };
     vm_real x[BLOCK], inside[BLOCK];
-    int i, j, count;
+    int i, j, count, outside;
     for (i = 0; i < n; i += BLOCK) {
         count = n - i < BLOCK ? n - i : BLOCK;
-        for (j = 0; j < count; j++) {
+        for (j = 0, outside = 0; j < count; j++) {
             x[j] = s[i + j];
             inside[j] = VM_FABS(x[j]) < p->longest ? x[j] : 0;
+            outside |= !(VM_FABS(x[j]) < p->longest);
         }
         if (p->twice_alpha < 0 || !VMI_ATEB_WIDE) {
             for (j = 0; j < count; j++) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
@@ -1510,7 +1522,7 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
         else if (p->length <= 8) vmi_ateb_loop_8(p, count, inside, sa + i, ca + i);
         else if (p->length <= 10) vmi_ateb_loop_10(p, count, inside, sa + i, ca + i);
         else vmi_ateb_loop_12(p, count, inside, sa + i, ca + i); /* for alpha = 0, 1/2, ..., 7 that is all */
-        for (j = 0; j < count; j++)
+        for (j = 0; outside && j < count; j++)
             if (inside[j] != x[j]) ateb_plan_saca(p, x[j], sa + i + j, ca + i + j);
     }
 }
@@ -1993,7 +2005,7 @@ VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *
     if (!(quarter & 1)) other = r, r = d, d = other;
     *sa = vmi_ateb_nm_first(r / pi.hi, d / pi.hi, a, b);
     *ca = vmi_ateb_nm_first(d / pi.hi, r / pi.hi, b, a);
-    vmi_ateb_signs(s, rest, quarter, sa, ca);
+    vmi_ateb_signs(s, rest, (vmi_bits)quarter, sa, ca);
 }
 
 /* ---- Integrals ------------------------------------------------------------------------------------------------ */
