@@ -1095,18 +1095,18 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
 #endif
 }
 
-/* e^x for a normal result and x < 1 */
-VM_API vm_real vmi_ateb_exp(vm_real x)
+/* e^x for a normal result */
+VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
-    const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
 #if VM_MANT_DIG > 24
     const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
 #else
     const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
 #endif
-    const int k = VMI_BIAS + 1 - (int)(VMI_BIAS + VM_C(1.5) - x * one_over_ln2);
-    const vm_real z = (x - (vm_real)k * ln2_hi) - (vm_real)k * ln2_lo;
-    const vm_real scale = vmi_from_bits((vmi_bits)(VMI_BIAS + k) << VMI_STORED_DIG);
+    const vm_real shifted = vmi_rounded(x * one_over_ln2 + to_integer), k = vmi_rounded(shifted - to_integer);
+    const vm_real z = (x - k * ln2_hi) - k * ln2_lo;
+    const vm_real scale = vmi_from_bits((vmi_to_bits(shifted) + VMI_BIAS) << VMI_STORED_DIG);
     return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
 }
 
@@ -1230,9 +1230,9 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     const vm_real z = (2 * r - c->g.hi) - c->g.lo, y = two_q * d; /* y = 1 - q z */
     vm_real k, t, l, X4, p, v, P, Q, B, E, F, rho, w, dv, da;
     const vm_real mantissa = vmi_ateb_mantissa(y, &k), from_r = vmi_weight(y - VM_C(0.75));
-    const vm_real y_high = vmi_choose(from_r, 1, y), y_low = vmi_choose(from_r, -q * z, d * (2 * c->q.lo));
+    const vm_real y_low = vmi_choose(from_r, (1 - y) - q * z, d * (2 * c->q.lo));
     *sa = 1;
-    *ca = y_high + y_low;
+    *ca = y + y_low;
     t = vmi_choose(from_r, -q * z, mantissa - 1) / (mantissa + 1);
     l = n * vmi_ateb_ln_of(k, t);
     if (!(y > VM_MIN) || !(l > negligible)) return;
@@ -1247,7 +1247,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     w = v * E;
     dv = 2 * p * (1 - p) * E, da = q * (1 - w);
     *sa = 1 - (2 * p + (dv * rho) * (1 + rho * ((q + k1 * w) / 2)));
-    *ca = y_high - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - y_low);
+    *ca = y - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - y_low);
 }
 
 /* ---- sa, ca ------------------------------------------------------------------------------------------------- */
@@ -1379,21 +1379,16 @@ VM_INLINE vm_two vmi_ateb_twice_q(const ateb_plan *p, vm_real d, vm_real d_lo)
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* X = (2 q d)^(alpha+1) and its base, from r or d, whichever is smaller, since for large alpha the error of X is that
-   of ln(2 q d) times alpha + 1 */
+/* X = (2 q d)^(alpha+1) and its base; as in vmi_ateb_near_ca_zero */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *base)
 {
     const vm_real least = VM_C(-0.69) * VMI_BIAS;
-    vm_real ln_X;
-    if (r < d) {
-        const vm_real qz = p->twice_q.hi * (r - p->g / 2);
-        base->hi = 1 - qz;
-        base->lo = (1 - base->hi) - qz;
-        ln_X = p->n * (vmi_ateb_ln(base->hi) + base->lo);
-    } else {
-        *base = vmi_ateb_twice_q(p, d, d_lo);
-        ln_X = p->n * vmi_ateb_ln(base->hi);
-    }
+    const vm_real qz = p->twice_q.hi * (r - p->g / 2), y = p->twice_q.hi * d, from_r = vmi_weight(y - VM_C(0.75));
+    vm_real k, ln_X;
+    const vm_real mantissa = vmi_ateb_mantissa(y, &k);
+    base->hi = y;
+    base->lo = vmi_choose(from_r, (1 - y) - qz, p->twice_q.lo * d + p->twice_q.hi * d_lo);
+    ln_X = p->n * vmi_ateb_ln_of(k, vmi_choose(from_r, -qz, mantissa - 1) / (mantissa + 1));
     return vmi_ateb_exp(ln_X > least ? ln_X : least);
 }
 
