@@ -154,7 +154,12 @@ static void scan_ateb(const char *region, double alpha, double s)
     vm_real ar = (vm_real)alpha, sr = (vm_real)s, sa, ca;
     quad v, u, pi;
     double moved;
+    ateb_plan plan;
     saca(sr, ar, &v, &u, &pi);
+    ateb_plan_init(&plan, ar);
+    ateb_plan_saca(&plan, sr, &sa, &ca);
+    check_error("plan sa", region, "eps", (double)fabsq(sa - v) / eps, 2, (double)sr, (double)ar);
+    check_error("plan ca", region, "eps", (double)fabsq(ca - u) / eps, 2, (double)sr, (double)ar);
     ateb_saca(sr, ar, &sa, &ca);
     check_error("sa", region, "eps", (double)fabsq(sa - v) / eps, 4, (double)sr, (double)ar);
     check_error("ca", region, "eps", (double)fabsq(ca - u) / eps, 4, (double)sr, (double)ar);
