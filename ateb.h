@@ -1204,15 +1204,16 @@ VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca
     *ca = 1 - (one_minus_u + h * q * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667))));
 }
 
-/* (2^k (1 + t)/(1 - t))^n/4 to a relative error of 1e-6, for a normal result */
+/* (2^k (1 + t)/(1 - t))^n/4 to a relative error of 2e-7 (1 + |its logarithm|), for a normal result */
 VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
 {
     const vm_real to_integer = VM_C(1.5) / VM_EPSILON, x = t * t;
-    const vm_real log2 = (VM_C(2.885390082) + x * VM_C(0.96178)) + (x * x) * VM_C(0.58905);
+    const vm_real log2 = (VM_C(2.885390422) + x * VM_C(0.9615889072)) + (x * x) * VM_C(0.5957613972);
     const vm_real power = n * k + (n * t) * log2, shifted = vmi_rounded(power + to_integer);
     const vm_real z = power - vmi_rounded(shifted - to_integer), zz = z * z;
-    const vm_real low = VM_C(0.25) + z * VM_C(0.173286795), mid = VM_C(0.06005665) + z * VM_C(0.0138760);
-    const vm_real high = VM_C(0.0024045) + z * VM_C(0.00033333);
+    const vm_real low = VM_C(0.2500000189) + z * VM_C(0.173286797);
+    const vm_real mid = VM_C(0.06005526871) + z * VM_C(0.01387589279);
+    const vm_real high = VM_C(0.00241900798) + z * VM_C(0.0003347715841);
     return vmi_from_bits(vmi_to_bits((low + zz * mid) + (zz * zz) * high) +
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
@@ -1225,8 +1226,8 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
     const vm_real n = c->n.hi, q = c->q.hi, k1 = 1 - q, two_q = 2 * q, m = (1 + q) * (2 + q), share = two_q / (1 + q);
-    const vm_real lack0 = VM_C(0.1735756) + q * (VM_C(-0.4742056) + q * (VM_C(0.3661672) - q * VM_C(0.1186336)));
-    const vm_real lack1 = VM_C(-0.09087999) + q * VM_C(0.1651286);
+    const vm_real lack0 = VM_C(0.1695201) + q * (VM_C(-0.4597204) + q * (VM_C(0.3548526) - q * VM_C(0.1130212)));
+    const vm_real lack1 = VM_C(-0.0790485) + q * VM_C(0.1329593);
     const vm_real z = (2 * r - c->g.hi) - c->g.lo, y = two_q * d; /* y = 1 - q z */
     vm_real k, t, l, X4, p, v, P, Q, B, E, F, rho, w, dv, da;
     const vm_real mantissa = vmi_ateb_mantissa(y, &k), from_r = vmi_weight(y - VM_C(0.75));
