@@ -1218,26 +1218,53 @@ VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
                          (vmi_to_bits(shifted) << VMI_STORED_DIG));
 }
 
+/* y = 2 q d = 1 - q z in two words and ln y = vmi_ateb_ln_of(k, t) */
+typedef struct VM_TAG(vmi_ateb_base) {
+    vm_two y;
+    vm_real k, t;
+} vmi_ateb_base;
+
+/* With z = 2 r - g. From r or d, whichever is smaller; for r < d is y > 1/2. Where alpha ln y is large, so is its
+   derivative by y: the low word counts. */
+VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
+{
+    const vm_real sqrt_half = VM_C(0.70710678118654752);
+    vm_real y, y_lo;
+    vmi_ateb_base base;
+    if (r < d) {
+        const vm_real qz = twice_q.hi * (z / 2);
+        y = 1 - qz;
+        y_lo = (1 - y) - qz;
+    } else {
+        y = twice_q.hi * d;
+        y_lo = twice_q.lo * d + twice_q.hi * d_lo;
+    }
+    {
+        const vm_real mantissa = vmi_ateb_mantissa(y, &base.k);
+        const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), y - sqrt_half); /* 1 or 2 for y > 1/2 */
+        base.t = ((mantissa - 1) + scale * y_lo) / (mantissa + 1);
+    }
+    base.y = vmi_two(y, y_lo);
+    return base;
+}
+
 /* sa and ca for r >= 0.55. In terms of y = 2 q d = u (1 + q T) and of l = (alpha + 1) ln y = ln X,
      l = ln x + (alpha + 1) ln(1 + q T),   dp/dl = x (1 + q T)/4,   d ln(u/y)/dl = -q (1 - v (1 + q T)).
    For a p within 1e-5 of the right one, l is computed; Taylor's series leads from there. The guess: the (1, 1) Pade
-   approximant of p/X and what it lacks. Where l is large, so is its derivative by y: y - 1 is taken from r then. */
+   approximant of p/X and what it lacks. */
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
     const vm_real n = c->n.hi, q = c->q.hi, k1 = 1 - q, two_q = 2 * q, m = (1 + q) * (2 + q), share = two_q / (1 + q);
     const vm_real lack0 = VM_C(0.1695201) + q * (VM_C(-0.4597204) + q * (VM_C(0.3548526) - q * VM_C(0.1130212)));
     const vm_real lack1 = VM_C(-0.0790485) + q * VM_C(0.1329593);
-    const vm_real z = (2 * r - c->g.hi) - c->g.lo, y = two_q * d; /* y = 1 - q z */
-    vm_real k, t, l, X4, p, v, P, Q, B, E, F, rho, w, dv, da;
-    const vm_real mantissa = vmi_ateb_mantissa(y, &k), from_r = vmi_weight(y - VM_C(0.75));
-    const vm_real y_low = vmi_choose(from_r, (1 - y) - q * z, d * (2 * c->q.lo));
+    const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(two_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
+    const vm_real y = base.y.hi, l = n * vmi_ateb_ln_of(base.k, base.t);
+    vm_real X4, p, v, P, Q, B, E, F, rho, w, dv, da;
     *sa = 1;
-    *ca = y + y_low;
-    t = vmi_choose(from_r, -q * z, mantissa - 1) / (mantissa + 1);
-    l = n * vmi_ateb_ln_of(k, t);
+    *ca = y + base.y.lo;
     if (!(y > VM_MIN) || !(l > negligible)) return;
-    X4 = vmi_ateb_rough_power(k, t, n);
+    X4 = vmi_ateb_rough_power(base.k, base.t, n);
     p = ((m - (q + q * q) * X4) / (m + 2 * (k1 - q * q) * X4)) *
         (X4 + (X4 * X4) * (X4 * X4) * (q * k1 * (lack0 + X4 * lack1)));
     v = 1 - 2 * p;
@@ -1248,7 +1275,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     w = v * E;
     dv = 2 * p * (1 - p) * E, da = q * (1 - w);
     *sa = 1 - (2 * p + (dv * rho) * (1 + rho * ((q + k1 * w) / 2)));
-    *ca = y - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - y_low);
+    *ca = y - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - base.y.lo);
 }
 
 /* ---- sa, ca ------------------------------------------------------------------------------------------------- */
@@ -1380,17 +1407,14 @@ VM_INLINE vm_two vmi_ateb_twice_q(const ateb_plan *p, vm_real d, vm_real d_lo)
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* X = (2 q d)^(alpha+1) and its base; as in vmi_ateb_near_ca_zero */
-VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *base)
+/* X = (2 q d)^(alpha+1) and its base */
+VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least = VM_C(-0.69) * VMI_BIAS;
-    const vm_real qz = p->twice_q.hi * (r - p->g / 2), y = p->twice_q.hi * d, from_r = vmi_weight(y - VM_C(0.75));
-    vm_real k, ln_X;
-    const vm_real mantissa = vmi_ateb_mantissa(y, &k);
-    base->hi = y;
-    base->lo = vmi_choose(from_r, (1 - y) - qz, p->twice_q.lo * d + p->twice_q.hi * d_lo);
-    ln_X = p->n * vmi_ateb_ln_of(k, vmi_choose(from_r, -qz, mantissa - 1) / (mantissa + 1));
-    return vmi_ateb_exp(ln_X > least ? ln_X : least);
+    const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
+    const vm_real l = p->n * vmi_ateb_ln_of(base.k, base.t);
+    *y = base.y;
+    return vmi_ateb_exp(l > least ? l : least);
 }
 
 /* base (1 + tau odd(tau)) and 1 + tau even(tau) */
