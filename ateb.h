@@ -730,8 +730,8 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h of q from the
-   nearest multiple of 1/32. Absolute error below 2^-66 (float 2^-36); the low word, 2^-13 or less, comes later. */
+/* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h of q from
+   the nearest multiple of 1/32. Absolute error below 2^-66 (float 2^-36); the low word, 2^-13 or less, comes later. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
     /* of each multiple: the low words of g and of its slope, then g, its slope, and the further coefficients */
@@ -866,10 +866,10 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
          VM_C(-0.2329475991427898407), VM_C(0.09043159852436784274), VM_C(-0.040252735291690058816),
          VM_C(0.019000191092083566075), VM_C(-9.2416583776976160558e-3), VM_C(4.5711953070301878516e-3),
          VM_C(-2.2835435377179360075e-3), VM_C(1.1478399428764794743e-3), VM_C(-5.7906304505224133819e-4)},
-        {VM_C(4.1737691769177295977e-25), VM_C(-1.6803660290724359071e-10), VM_C(1.0), VM_C(-0.22741127759218215942),
-         VM_C(0.086766477496790353485), VM_C(-0.037965246289469310736), VM_C(0.017620778248648341635),
-         VM_C(-8.4294958327997809161e-3), VM_C(4.1016239960195060091e-3), VM_C(-2.015955492573712985e-3),
-         VM_C(9.9712933651232107425e-4), VM_C(-4.9503803745002848344e-4)}};
+        {VM_C(4.1737691769177295977e-25), VM_C(-1.6803660290724359071e-10), VM_C(1.0),
+         VM_C(-0.22741127759218215942), VM_C(0.086766477496790353485), VM_C(-0.037965246289469310736),
+         VM_C(0.017620778248648341635), VM_C(-8.4294958327997809161e-3), VM_C(4.1016239960195060091e-3),
+         VM_C(-2.015955492573712985e-3), VM_C(9.9712933651232107425e-4), VM_C(-4.9503803745002848344e-4)}};
 #else
     const vm_real shift = VM_C(393216.0);
     VM_TABLE vm_real table[33][8] = {
@@ -903,8 +903,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
          VM_C(0.222032934427), VM_C(-0.14269554615), VM_C(0.0965264216065), VM_C(-0.0668509155512)},
         {VM_C(-2.81232583887e-8), VM_C(1.82539806701e-5), VM_C(1.16454780102), VM_C(-0.3798828125),
          VM_C(0.209200963378), VM_C(-0.131257086992), VM_C(0.0867328941822), VM_C(-0.0587044730783)},
-        {VM_C(4.78137884841e-8), VM_C(2.37721287704e-5), VM_C(1.15287733078), VM_C(-0.3671875), VM_C(0.197386369109),
-         VM_C(-0.120966844261), VM_C(0.078120611608), VM_C(-0.0516994297504)},
+        {VM_C(4.78137884841e-8), VM_C(2.37721287704e-5), VM_C(1.15287733078), VM_C(-0.3671875),
+         VM_C(0.197386369109), VM_C(-0.120966844261), VM_C(0.078120611608), VM_C(-0.0516994297504)},
         {VM_C(3.17865236354e-8), VM_C(5.24287679582e-5), VM_C(1.1415926218), VM_C(-0.355224609375),
          VM_C(0.186488091946), VM_C(-0.111687757075), VM_C(0.0705257132649), VM_C(-0.0456560701132)},
         {VM_C(-3.79207101275e-8), VM_C(3.65809064533e-5), VM_C(1.13067233562), VM_C(-0.343872070313),
@@ -940,7 +940,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
         {VM_C(1.86536877897e-15), VM_C(5.71442706132e-6), VM_C(1.0), VM_C(-0.227416992188), VM_C(0.086766473949),
          VM_C(-0.0379652455449), VM_C(0.0176222808659), VM_C(-8.43023415655e-3)}};
 #endif
-    const vm_real shifted = vmi_rounded(q.hi + shift), h = q.hi - vmi_rounded(shifted - shift), h_head = vmi_head(h);
+    const vm_real shifted = vmi_rounded(q.hi + shift), h = q.hi - vmi_rounded(shifted - shift),
+                  h_head = vmi_head(h);
     const vm_real *row = table[vmi_to_bits(shifted) & 63];
     vm_two g = vmi_fast_two_sum(row[2], row[3] * h_head); /* half of the digits each: exact */
     const vm_real hh = h * h;
@@ -1110,8 +1111,7 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
     return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
 }
 
-/* Compilers make branches of conditions, which do not vectorise: 1 for x >= 0, else 0, and a for weight 1, b for 0 */
-VM_API vm_real vmi_weight(vm_real x) { return VM_C(0.5) + VM_COPYSIGN(VM_C(0.5), x); }
+/* a for weight 1, b for 0: compilers make branches of conditions, which are mispredicted */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
 /* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
@@ -1123,8 +1123,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
    and p < 0.251. */
 
 /* Gauss's continued fraction [3, 15.7]: 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), Y_j = 1 - e_j/Y_(j+1), e_(2n-1) =
-   n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)), e_2n = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)). What does not
-   depend on z is made ahead of it. Two levels gain 7 bits or more for z < 0.303; e_j tends to z/4. */
+   n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)), e_2n = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)). What does
+   not depend on z is made ahead of it. Two levels gain 7 bits or more for z < 0.303; e_j tends to z/4. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
 /* Y_1 = P/Q from the Y after the last of the levels */
@@ -1142,8 +1142,8 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
 /* (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w), w < 0.303 */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
-    VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,   VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
-                                     VM_C(36.0) / 143, VM_C(49.0) / 195,  VM_C(64.0) / 255,  VM_C(81.0) / 323,
+    VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
+                                     VM_C(36.0) / 143,  VM_C(49.0) / 195,  VM_C(64.0) / 255,  VM_C(81.0) / 323,
                                      VM_C(100.0) / 399, VM_C(121.0) / 483, VM_C(144.0) / 575, VM_C(169.0) / 675,
                                      VM_C(196.0) / 783, VM_C(225.0) / 899};
     VM_TABLE vm_real slope[14] = {VM_C(-4.0) / 15,   VM_C(6.0) / 35,   VM_C(-8.0) / 63,   VM_C(10.0) / 99,
@@ -1153,8 +1153,8 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
     vm_real e_by_w[VMI_ATEB_W_LEVELS + 2], P, Q;
     int j;
     for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = constant[j] + q * slope[j];
-    vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4), &P,
-                      &Q);
+    vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4),
+                      &P, &Q);
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
@@ -1187,8 +1187,8 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca for 0 <= r <= 0.55. The guess v, the Taylor series of the inverse to r^9, is within 1e-5; its r is computed,
-   and Taylor's series in what is left of r leads from there. */
+/* sa and ca for 0 <= r <= 0.55. The guess v, the Taylor series of the inverse to r^9, is within 1e-5; its r is
+   computed, and Taylor's series in what is left of r leads from there. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -1255,7 +1255,8 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
 VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
 {
     const vm_real negligible = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* ln(eps/8) */
-    const vm_real n = c->n.hi, q = c->q.hi, k1 = 1 - q, two_q = 2 * q, m = (1 + q) * (2 + q), share = two_q / (1 + q);
+    const vm_real n = c->n.hi, q = c->q.hi, k1 = 1 - q, two_q = 2 * q, m = (1 + q) * (2 + q),
+                  share = two_q / (1 + q);
     const vm_real lack0 = VM_C(0.1695201) + q * (VM_C(-0.4597204) + q * (VM_C(0.3548526) - q * VM_C(0.1130212)));
     const vm_real lack1 = VM_C(-0.0790485) + q * VM_C(0.1329593);
     const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(two_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
@@ -1298,8 +1299,8 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 }
 
 /* The quarter of s >= 0; what s has more than so many quarters; its distances r and d from the zeros of sa and ca. In
-   the first of the ways r does not wait for Pi; in the second, quarters are counted by the high word, so that the rest
-   may exceed half of one. */
+   the first of the ways r does not wait for Pi; in the second, quarters are counted by the high word, so that the
+   rest may exceed half of one. */
 VM_INLINE vm_real vmi_ateb_locate(vm_real s, vmi_ateb *c, int *quarter, vm_real *r, vm_real *d)
 {
     const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;

@@ -230,8 +230,8 @@ static void test_closed_forms(void)
     check_error("Pi", "", "ulp", ERROR_ULP(ateb_pi(3), 5.244115108584239620929679, 0), 1, 3, 0);
 }
 
-/* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its neighbours, be
-   it one of closed forms or one of plans without a power; an eps of alpha moves Pi by less than one. */
+/* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its neighbours,
+   be it one of closed forms or one of plans without a power; an eps of alpha moves Pi by less than one. */
 static void test_limits(void)
 {
     static const double special[] = {0.5, 1, 1.5, 2, 3, 7};
@@ -253,15 +253,15 @@ static void test_limits(void)
         ateb_saca((vm_real)s, alpha, &sa, &ca);
         ateb_saca((vm_real)s, next, &sa2, &ca2);
         check_error("sa, ca", "next alpha", "eps*",
-                    fmax(fabs((double)(sa - sa2)), fabs((double)(ca - ca2))) / (double)VM_EPSILON / (3 + fabs(s)), 1,
-                    s, special[i % 6]);
+                    fmax(fabs((double)(sa - sa2)), fabs((double)(ca - ca2))) / (double)VM_EPSILON / (3 + fabs(s)),
+                    1, s, special[i % 6]);
         CHECK(ateb_plan_init(&plan, alpha) == 0 && ateb_plan_init(&plan_next, next) == 0);
         CHECK(plan.twice_alpha >= 0 && plan_next.twice_alpha < 0);
         ateb_plan_saca(&plan, (vm_real)s, &sa, &ca);
         ateb_plan_saca(&plan_next, (vm_real)s, &sa2, &ca2);
         check_error("plan", "next alpha", "eps*",
-                    fmax(fabs((double)(sa - sa2)), fabs((double)(ca - ca2))) / (double)VM_EPSILON / (3 + fabs(s)), 1,
-                    s, special[i % 6]);
+                    fmax(fabs((double)(sa - sa2)), fabs((double)(ca - ca2))) / (double)VM_EPSILON / (3 + fabs(s)),
+                    1, s, special[i % 6]);
     }
 }
 
