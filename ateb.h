@@ -43,17 +43,17 @@
    METHOD
      Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
      zero, Pi_alpha from one polynomial in two or three words. Below s = 0.55, and at the same distance from every
-     zero of sa, an approximation of sa is taken as exact and its s found, by a continued fraction; beyond it one of
-     (1 - sa)/2. From there Taylor's series leads to s. So one inversion of the incomplete beta function takes a
-     continued fraction of 12 to 14 levels (float 6) and a power, (1 - sa^2)^(1/(alpha+1)), near the zeros of ca
-     another.
+     zero of sa, an approximation of sa is taken as exact and its s found; beyond it one of (1 - sa)/2, whose phase
+     is compared in logarithms. From there Taylor's series leads to s. So one inversion of the incomplete beta
+     function takes a continued fraction of 12 levels (float 6) and a power, (1 - sa^2)^(1/(alpha+1)), near the zeros
+     of ca three logarithms instead. What does not wait for Pi_alpha is made beside it.
      A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
 
    ACCURACY, measured (make test, points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 3.2 ulp. From one s to the next sa
-                  and ca step back by 2 ulp at most (two of a million: 3); sa^2 + |ca|^(alpha+1) - 1 is within 1.4 eps
-                  (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 2.7 ulp. From one s to the next sa
+                  and ca step back by 2 ulp at most, by more than 1 in 20 of a million; sa^2 + |ca|^(alpha+1) - 1 is
+                  within 1.2 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.
@@ -69,15 +69,15 @@
    COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on a Xeon, where sin takes 7 ns and has
    fused multiply-adds whatever the flags; make bench shows it by alpha
                                               -O2         -O3 -march=native, contracted   float, -O2
-     Pi_alpha                                 2.3         2             1.8           3.7
-     sa+ca, any alpha, Pi_alpha included      17 to 19    16 to 18      14            24 to 30
-       for |s| < 1/2, times of sin there      14          13            11
-       the same for |s| > 128 Pi_alpha        47
+     Pi_alpha                                 1.4 to 1.7  1.2           1.1           2.2
+     sa+ca, any alpha, Pi_alpha included      11 to 14    9.5 to 12.5   8.3 to 11     15 to 20
+       for |s| < 1/2, times of sin there      7.5         6.4
+       the same for |s| > 128 Pi_alpha        27
        on a zero of sa or ca, to an ulp       250
-     plan, alpha = 0, 1/2, 1, ..., 7          1.8 to 2.9  1.4 to 2.8    1.2 to 2.2    3.4 to 4.1
-       to 1e-4                                1.7 to 2    1.4 to 1.8    1.2 to 1.6    2.8 to 3.6
-       in arrays (with -fno-math-errno)       the same    0.8 to 1.2    0.7 to 0.9    the same
-     plan, any other alpha                    5 to 7.6    5 to 7.3      3.3 to 5.1    6 to 10.5
+     plan, alpha = 0, 1/2, 1, ..., 7          1.3 to 2.6  1 to 2.2      1 to 1.9      2.4 to 3.8
+       to 1e-4                                1.2 to 1.6  1 to 1.5      1 to 1.5      2.2 to 3.4
+       in arrays (with -fno-math-errno)       the same    0.66 to 1     0.6 to 0.8    the same
+     plan, any other alpha                    3.9 to 7.2  3.7 to 5.6    2.6 to 4      5.1 to 9.1
      ateb_plan is 552 bytes (float 184), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
      ateb_phase 10 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
      ateb_saca_nm 19 us.
@@ -731,7 +731,8 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 }
 
 /* g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), from 2 ln 2 (q = 0) to 1 (q = 1): powers of the distance h of q from
-   the nearest multiple of 1/32. Absolute error below 2^-66 (float 2^-36); the low word, 2^-13 or less, comes later. */
+   the nearest multiple of 1/32. Absolute error below 2^-66 (float 2^-36). The low word, 2^-13 or less, comes
+   later. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
     /* of each multiple: the low words of g and of its slope, then g, its slope, and the further coefficients */
@@ -1228,23 +1229,19 @@ typedef struct VM_TAG(vmi_ateb_base) {
    derivative by y: the low word counts. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
-    const vm_real sqrt_half = VM_C(0.70710678118654752);
-    vm_real y, y_lo;
+    const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
     vmi_ateb_base base;
+    vm_real mantissa, scale;
     if (r < d) {
-        const vm_real qz = twice_q.hi * (z / 2);
-        y = 1 - qz;
-        y_lo = (1 - y) - qz;
-    } else {
-        y = twice_q.hi * d;
-        y_lo = twice_q.lo * d + twice_q.hi * d_lo;
-    }
-    {
-        const vm_real mantissa = vmi_ateb_mantissa(y, &base.k);
-        const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), y - sqrt_half); /* 1 or 2 for y > 1/2 */
-        base.t = ((mantissa - 1) + scale * y_lo) / (mantissa + 1);
-    }
-    base.y = vmi_two(y, y_lo);
+        base.y.hi = 1 - qz;
+        base.y.lo = (1 - base.y.hi) - qz;
+    } else if (d < 1 / VM_EPSILON) {
+        base.y = vmi_two_product(twice_q.hi, d);
+        base.y.lo += twice_q.lo * d + twice_q.hi * d_lo;
+    } else base.y = vmi_two(twice_q.hi * d, 0); /* where X underflows */
+    mantissa = vmi_ateb_mantissa(base.y.hi, &base.k);
+    scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 1 or 2 for y > 1/2 */
+    base.t = ((mantissa - 1) + scale * base.y.lo) / (mantissa + 1);
     return base;
 }
 

@@ -230,8 +230,8 @@ static void test_closed_forms(void)
     check_error("Pi", "", "ulp", ERROR_ULP(ateb_pi(3), 5.244115108584239620929679, 0), 1, 3, 0);
 }
 
-/* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its neighbours,
-   be it one of closed forms or one of plans without a power; an eps of alpha moves Pi by less than one. */
+/* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its
+   neighbours, be it one of closed forms or one of plans without a power; an eps of alpha moves Pi by less than one. */
 static void test_limits(void)
 {
     static const double special[] = {0.5, 1, 1.5, 2, 3, 7};
