@@ -58,7 +58,8 @@
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.
      Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 2 ulp, 1.9 found, for all of these s and alpha to 1e6; or the accuracy that was asked for
+     plan         <= 2 ulp, 1.8 found (float 2.3, at alpha = 6), for all of these s and alpha to 1e6; or the accuracy
+                  that was asked for
      phase        within 4 ulp and what an ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc     <= 30 ulp, typically 2, of p and of q

@@ -231,7 +231,7 @@ static void test_closed_forms(void)
 }
 
 /* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its
-   neighbours, be it one of closed forms or one of plans without a power; an eps of alpha moves Pi by less than one. */
+   neighbours, be it one of closed forms or of plans without a power. An eps of alpha moves Pi by less than one. */
 static void test_limits(void)
 {
     static const double special[] = {0.5, 1, 1.5, 2, 3, 7};
