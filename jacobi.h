@@ -825,22 +825,25 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* E = (pi/4) (1 + k') (1 + x S(x)), the same x, but up to 0.27: x S, error 2^-57.7 (float 2^-32) */
+/* E = (pi/4) (1 + k') (1 + x S(x)), the same x, but up to 0.503: x S, error 2^-58.7 (float 2^-32.5) */
 VM_API vm_real vmi_E_series(vm_real x)
 {
-    const vm_real xx = x * x;
+    const vm_real xx = x * x, x4 = xx * xx;
 #if VM_MANT_DIG > 24
-    const vm_real x4 = xx * xx;
-    const vm_real S01 = VM_C(0.250000000000002831) + x * VM_C(0.0156249999994042994);
-    const vm_real S23 = VM_C(3.9062500435263622e-3) + x * VM_C(1.52587732337036795e-3);
-    const vm_real S45 = VM_C(7.47714001195162259e-4) + x * VM_C(4.2013106312607611e-4);
-    const vm_real S67 = VM_C(2.63401284398674228e-4) + x * VM_C(1.50226812853163923e-4);
-    const vm_real S89 = VM_C(1.9585253418758568e-4) - x * VM_C(8.28901959558369798e-5);
-    const vm_real high = (S45 + xx * S67) + x4 * (S89 + xx * VM_C(2.54076909382468089e-4));
-    return x * ((S01 + xx * S23) + x4 * high);
+    const vm_real S01 = VM_C(0.249999999999998501) + x * VM_C(0.015625000000338965);
+    const vm_real S23 = VM_C(3.90624997325988814e-3) + x * VM_C(1.52587997709131905e-3);
+    const vm_real S45 = VM_C(7.47655087182482977e-4) + x * VM_C(4.20968920831230303e-4);
+    const vm_real S67 = VM_C(2.55356931163965744e-4) + x * VM_C(2.04222291722467767e-4);
+    const vm_real S89 = VM_C(-6.44253151491566971e-5) + x * VM_C(8.41539381412701858e-4);
+    const vm_real SAB = VM_C(-2.23033122391106189e-3) + x * VM_C(5.13605764430626315e-3);
+    const vm_real SCD = VM_C(-7.99521933118507375e-3) + x * VM_C(8.6386328798905114e-3);
+    const vm_real SEF = VM_C(-5.6395773761986805e-3) + x * VM_C(1.79039420508178429e-3);
+    const vm_real low = (S01 + xx * S23) + x4 * (S45 + xx * S67);
+    return x * (low + x4 * x4 * ((S89 + xx * SAB) + x4 * (SCD + xx * SEF)));
 #else
-    const vm_real S23 = VM_C(3.928991966e-3) + x * VM_C(1.366691897e-3);
-    return x * ((VM_C(0.2500000298) + x * VM_C(0.01562360954)) + xx * (S23 + xx * VM_C(1.22730108e-3)));
+    const vm_real S23 = VM_C(3.9256569e-3) + x * VM_C(1.379663823e-3);
+    const vm_real S45 = VM_C(1.321772113e-3) + x * VM_C(-7.536308258e-4);
+    return x * ((VM_C(0.2500000298) + x * VM_C(0.0156237958)) + xx * S23 + x4 * (S45 + xx * VM_C(1.340579358e-3)));
 #endif
 }
 
@@ -1380,12 +1383,12 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -1 by E(m) = k'E(mu) */
+/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -33.5 by E(m) = k'E(mu) */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
     vm_real rest;
-    if (m1 >= VM_C(0.1) && m1 <= 10) {
+    if (VMI_MIDDLE(m1)) {
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
