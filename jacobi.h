@@ -854,8 +854,9 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
     const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
-    vm_two a = vmi_two(1, 0), b = vmi_root(m1 * lift * lift, m1_lo * lift * lift), p;
-    b = vmi_two(b.hi / lift, b.lo / lift);
+    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift), kp = vmi_two(root.hi / lift, root.lo / lift);
+    vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
+    a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
     for (;;) {
         const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
         const vm_two sum = vmi_two_sum(a.hi, b.hi), s = vmi_two(sum.hi / 2, (sum.lo + (a.lo + b.lo)) / 2);
