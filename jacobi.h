@@ -43,6 +43,8 @@
      VM_API, VM_INLINE    linkage of the functions, default static inline (forced where loops must vectorise)
      VM_SQRT, VM_FLOOR .. the functions of the C library that are used (all of them, if any)
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
+   On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds below
+   nor symmetry to the bit hold: -fexcess-precision=standard, or -msse2 -mfpmath=sse, mends it.
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
@@ -53,10 +55,10 @@
      others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am 4 ulp;
                   solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.3 (1.4), for m < -1 2.6;
-                  sn+cn+dn for |u| < K/2 2.7 to 3.1 (2.1), for |u| < 2K 7.0 to 7.6 (3.5), to 1e9 15 to 17 (5.5); by a
-                  plan 2.6 (1.6), for m > 0.95 and m < -19 5.9 (3.1); in an array 0.48, or there 1.0, by gcc -O3
-                  -march=native, 1.4 or 5.9 by -O2; solve_kpK 5 to 49.
+                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
+                  2.7 to 3.1 (2.1), for |u| < 2K 6.2 to 6.9 (3.3), to 1e9 13 to 15 (5.5); by a plan 2.7 (1.6), for
+                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.5, or there 1.0, by gcc -O3 -march=native, 1.3
+                  or 5.7 by -O2; solve_kpK 5 to 49.
      Size         a plan has 304 bytes (float 112); the largest stack frame is about 1 kB.
 
    REFERENCES
@@ -879,8 +881,8 @@ typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-/* v^2 max(1, 1 - m) up to which the Laurent series serves: all |v| <= K/2 for -19.1 < m < 0.950 */
-#define VMI_NEAR VM_C(2.12)
+/* v^2 max(1, 1 - m) up to which the Laurent series serves: all |v| <= K/2 for -21.5 < m < 0.955 */
+#define VMI_NEAR VM_C(2.2)
 
 /* Terms 1 to 3 of theta cs^2(w) = 1 + c_1 + c_2 + ..., theta = w^2; cs^2(w) + (2 - m)/3 is Weierstrass' function of
    w, whence [5]
