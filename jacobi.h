@@ -43,8 +43,8 @@
      VM_API, VM_INLINE    linkage of the functions, default static inline (forced where loops must vectorise)
      VM_SQRT, VM_FLOOR .. the functions of the C library that are used (all of them, if any)
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
-   On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds below
-   nor symmetry to the bit hold: -fexcess-precision=standard, or -msse2 -mfpmath=sse, mends it.
+   On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
+   below nor symmetry to the bit hold: -fexcess-precision=standard, or -msse2 -mfpmath=sse, mends it.
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
@@ -57,7 +57,7 @@
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
                   one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
                   2.7 to 3.1 (2.1), for |u| < 2K 6.2 to 6.9 (3.3), to 1e9 13 to 15 (5.5); by a plan 2.7 (1.6), for
-                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.5, or there 1.0, by gcc -O3 -march=native, 1.3
+                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.3
                   or 5.7 by -O2; solve_kpK 5 to 49.
      Size         a plan has 304 bytes (float 112); the largest stack frame is about 1 kB.
 
@@ -812,8 +812,8 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: S, the error of x S is 2^-60 (float 2^-31). After one step
-   of the AGM before, k' -> 2 sqrt(k')/(1 + k'), it covers VMI_MIDDLE. */
+/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: S, with an error of x S of 2^-60 (float 2^-31).
+   After one step of the AGM before, k' -> 2 sqrt(k')/(1 + k'), it covers VMI_MIDDLE. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -849,14 +849,15 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...),
-   x = (c/s)^2, which leaves a relative error of x eps/2 < 2^-84 (float 2^-40), an eighth of an eps of the phase u pi/(2K).
-   m1 > 0. */
+/* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
+   x = (c/s)^2, which leaves a relative error of x eps/2 < 2^-84 (float 2^-40), an eighth of an eps of the phase
+   u pi/(2K). m1 > 0. */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
     const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
-    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift), kp = vmi_two(root.hi / lift, root.lo / lift);
+    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
+    const vm_two kp = vmi_two(root.hi / lift, root.lo / lift);
     vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
     a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
     for (;;) {
@@ -938,8 +939,9 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
    its kin. The coefficients: with X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X;
-   what is left out is below 1e-18. f has what makes d n = 1 at 0, so that f0 is near 1/2; it and scale, next to 1 but for
-   1/k', are 1/2 and 1 and what is small. One step of the AGM from 1 and k reaches (1 + k)/2 and the parameter x. */
+   what is left out is below 1e-18. f carries the factor between d and n, so that f0 is near 1/2, and scale is near 1 but
+   for 1/k': a simple number and a small part, rounded once. One step of the AGM from 1 and k reaches (1 + k)/2 and the
+   parameter x. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -1037,8 +1039,8 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 
 /* ---- The phase and its quarter -------------------------------------------------------------------------------- */
 
-/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE, kp = sqrt(m1):
-   two steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
+/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE, kp = k': two
+   steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
    2 pi (1 + x S); the series and its rounding errors are small. The heads of k' and f are multiples of 2^-23 and
    2^-24 (float 2^-8, 2^-9), so that their squares, (1 + f)^2 of them and its product with the head of u are exact.
    Within an eps of the result if that is no less than u/64, else NaN. */

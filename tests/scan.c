@@ -81,8 +81,8 @@ static void scan_jacobi(const char *region, double m, double u)
     check_error("dn", region, "ulp", ulps(dn, d), 8, (double)ur, (double)mr);
 }
 
-/* Where one form or series gives way to another: u about multiples of K/2, next to them and up to 10 % off, for m about
-   the edges of the theta functions, of the middle of K, about 0 and -1, and very negative with u large */
+/* Where one form or series gives way to another: u about multiples of K/2, next to them and up to 10 % off, for m
+   about the edges of the theta functions, of the middle of K, about 0 and -1, and very negative with u large */
 static void scan_seams(double largest)
 {
     static const double edge[] = {0.05, 20, 0.029, 34.5, 1, 2};

@@ -103,8 +103,8 @@ def jacobi_regions():
         yield "worst", u, m, False
 
 
-# where errors beyond the bounds, or nearly so, have been found: next to the edges of a series, in the last places of a
-# reduced argument, in the phase of a large one
+# where errors beyond the bounds, or nearly so, have been found: next to the edges of a series, in the last places of
+# a reduced argument, in the phase of a large one
 WORST = ((1.5738144120518882, 0.96372153102655389), (1.4562745436990139, 0.97095794892184717),
          (1.4609171633423244, 0.95138128720003634), (1.5037454851115841, 0.96844886342349523),
          (1.4993568845469039, 0.97073841162373842), (4.8616667323561948, 0.97060246979979015),
