@@ -940,8 +940,8 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X;
    what is left out is below 1e-18. f carries the factor between d and n, so that f0 is near 1/2, and scale is near 1
-   but for 1/k': a simple number and a small part, rounded once. One step of the AGM from 1 and k reaches (1 + k)/2 and
-   the parameter x. */
+   but for 1/k': a simple number and a small part, rounded once. One step of the AGM from 1 and k reaches (1 + k)/2
+   and the parameter x. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
