@@ -1062,7 +1062,7 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     *quarters = 0;
     if (phase < 2 * half_pi.hi) return u;
     *quarters = (vmi_bits)(1 + second);
-    return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest * (1 / (rate_head + rate_tail)) : VM_NAN;
+    return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest / (rate_head + rate_tail) : VM_NAN;
 }
 
 /* The same in two words for any u > 0 and m1 > 0, by the period in two words, in three for less than 128 K and next
