@@ -501,7 +501,7 @@ VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
-    vm_real z = x.hi / y.hi;
+    vm_real z = vmi_rounded(x.hi / y.hi);
     vm_two p = vmi_two_product(z, y.hi);
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
@@ -543,7 +543,7 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     vm_real quotient[3];
     int i;
     for (i = 0; i < 3; i++) {
-        quotient[i] = x.hi / y.hi;
+        quotient[i] = vmi_rounded(x.hi / y.hi);
         x = vmi_three_plus(x, vmi_three_times(y, vmi_three_words(-quotient[i], 0, 0)));
     }
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
