@@ -1476,8 +1476,9 @@ VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body);
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body);
 
 /* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
-   rate. A spring's force (248), alpha >= 0; that of Van der Pol's damper (404); force cos(frequency t + phase),
-   frequency in rad/s; the reactive force of a stream of rate kg/s whose own velocity is u + share v. */
+   rate. A spring's force (248), k in N/m^alpha, alpha >= 0; a damper's, b in N s/m; that of Van der Pol's (404), c in
+   N s/m^3; a drive's, torque in N m, kappa in N m s; force cos(frequency t + phase), frequency in rad/s; the reactive
+   force of a stream of rate kg/s whose own velocity is u + share v. Within some eps of the terms that are added. */
 VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x);             /* -k x |x|^(alpha-1) */
 VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v);                            /* -b v */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v); /* (b - c x^2) v */
@@ -1529,7 +1530,7 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coup
    another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
    body, one of them for a body. Deviations of the length (> 0, m) die out as exp(-rate t), rate > 0 in 1/s; a cord
    that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
-   of not more than 200/s. The link acts at the mass centres. */
+   of not more than 200/s. The link acts at the mass centres, of which a growing body's is refused: it wanders. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
@@ -1629,7 +1630,8 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
    less than 256 eps of the time. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
-/* A body as it moves in state y; where its mass is of a law, that when the right-hand side was last evaluated */
+/* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
+   when the right-hand side was last evaluated */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
 /* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
    the state; NULL: no longer */
@@ -8616,6 +8618,9 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
     if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
     if (e->order == 2 && e->other == e->body) return VM_BAD_ARGUMENT; /* a link of a body to itself */
+    /* a link holds mass centres, which in a growing body wander */
+    if (e->order == 2 && (s->bodies[e->body].grows || (e->other >= 0 && s->bodies[e->other].grows)))
+        return VM_BAD_MOTION;
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;

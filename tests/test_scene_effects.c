@@ -601,6 +601,8 @@ static void check_refusals(void)
     s.effects[0] = vm_effect_link(0, 2, NULL, NULL, 0, 0, 1), refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_link(0, 2, NULL, NULL, 1, 1, -1), refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_link(0, 2, NULL, NULL, 1, 1, 1), begin(&s);
+    s.bodies[0] = vm_scene_growing_plane(s.bodies[0]), refused(&s, VM_BAD_MOTION, "effect", 0);
+    s.bodies[0] = vm_scene_plane(2, 1, zero, 0, zero, 0);
     s.effects[0] = vm_effect_spring(0, 0, VM_GROUND, 0, 1, -1, 0), refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_shaft(0, 1, -1), refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_shaft(0, 1, 0), begin(&s);
