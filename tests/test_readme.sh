@@ -28,10 +28,12 @@ tools() { # tools COMMAND : what it would install, which takes minutes
 }
 there() { for tool in "$@"; do command -v "$tool" >/dev/null || return 1; done; }
 run() { cd "$copy" && builds "$1" && HOME=$build/home sh -c "$1"; }
-dry_run() {
+dry_run() { # that the script or the target is there; make -n would run recipes that call make
+    set -- $1
     case $1 in
-    sh*) set -- $1; test -e "$2" ;;
-    *) cd "$copy" && sh -c "make -n ${1#make }" ;;
+    sh) test -e "$2" ;;
+    make) grep -E '^[.]PHONY' Makefile | grep -qwF -e "$2" ;;
+    *) make -n "$1" ;;
     esac
 }
 
