@@ -1455,7 +1455,7 @@ struct VM_TAG(vm_scene) {
     int n_events;
     vm_book *book; /* of vm_scene_keep_book: what was there at the start; VM_BOOK numbers join the state */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene,
-                  void *ctx); /* null, or called after each step; nonzero stops */
+                  void *ctx); /* null, or called as a run starts and after each step; nonzero stops */
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
     int n_times;
     void *output_ctx;
@@ -1477,8 +1477,9 @@ VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body);
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body);
 
 /* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
-   rate. A spring's force (248), alpha >= 0; that of Van der Pol's damper (404); force cos(frequency t + phase),
-   frequency in rad/s; the reactive force of a stream of rate kg/s whose own velocity is u + share v. */
+   rate. A spring's force (248), k in N/m^alpha, alpha >= 0; a damper's, b in N s/m; that of Van der Pol's (404), c in
+   N s/m^3; a drive's, torque in N m, kappa in N m s; force cos(frequency t + phase), frequency in rad/s; the reactive
+   force of a stream of rate kg/s whose own velocity is u + share v. Within some eps of the terms that are added. */
 VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x);             /* -k x |x|^(alpha-1) */
 VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v);                            /* -b v */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v); /* (b - c x^2) v */
@@ -1511,10 +1512,12 @@ VM_API vm_effect vm_effect_user(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
 VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx);
-/* an effect of one's own, which may depend on everything: apply adds to effect->load->force, to load->mass_rate
-   where the mass is a state, to load->mass where it is neither a state nor of a law; it may read load->mass,
-   y[effect->x] and y[effect->v], the first coordinate's, y[scene->bodies[i].at] and what follows of body i, effect->p
-   and effect->ctx. other, or VM_GROUND: a body without which it does not act either, effect->other_load and so on */
+/* an effect of one's own, which may depend on everything: apply adds to effect->load->force[coordinate], to
+   load->mass_rate where the mass is a state, to load->mass where it is neither a state nor of a law; it may read
+   load->mass, y[effect->x] and y[effect->v], the first coordinate's, y[scene->bodies[i].at] and what follows of body
+   i, effect->p and effect->ctx, and load->force, which is what the effects before it in the list have made: a stop,
+   listed last, can take from it what it holds. other, or VM_GROUND: a body without which it does not act either,
+   effect->other_load and so on */
 VM_API vm_effect vm_effect_callback(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -1526,21 +1529,22 @@ VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real freque
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coupling (-vy, vx) */
 /* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
    another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
-   body, one of them for a body. Deviations of the length die out as exp(-rate t), rate > 0 in 1/s; a cord that
-   becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
-   of not more than 200/s. The link acts at the mass centres. */
+   body, one of them for a body. Deviations of the length (> 0, m) die out as exp(-rate t), rate > 0 in 1/s; a cord
+   that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
+   of not more than 200/s. The link acts at the mass centres, of which a growing body's is refused: it wanders. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
-   the body's velocity, no reactive force; 0: its own velocity is u. x and v are those of a line or an axle (J(phi),
-   J(omega)); for a body in the plane or a point the law is M(t). What jumps add comes on top of the law. */
+   the body's velocity, no reactive force; 0: its own velocity is u, of which u.x counts on a line and, in rad/s, on
+   an axle. x and v are those of a line or an axle (J(phi), J(omega)); of any other body the law is M(t). What jumps
+   add comes on top of the law. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real share);
 enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share);
-/* A stream, for a body whose mass is a state: rate kg/s; it crosses at the mass centre and leaves the inertia as it
-   is */
+/* A stream, for a body whose mass is a state: rate kg/s (on an axle kg m^2/s), u and share as above; it crosses at
+   the mass centre and leaves the inertia as it is */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share);
 /* A stream of chapter 5 that crosses at a point of a growing body and is put there (in body axes from where the mass
    centre was at first; a stream with a store is refused). Each of what it does is an effect, and each may be left
@@ -1571,16 +1575,18 @@ typedef struct VM_TAG(vm_band) {
 typedef struct VM_TAG(vm_band_now) {
     vm_real radius, rate, mass, inertia; /* m; kg/rad, mu (181) of this radius; of what is wound up, kg, kg m^2 */
 } vm_band_now;
-VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band); /* phi < 0: the bare drum */
+/* phi < 0: the bare drum; NaN where phi is not finite, the radius not > 0, a size < 0. Some eps of each number */
+VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band);
 VM_API vm_effect vm_effect_band(int body, const vm_band *band);
 
 /* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
    event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
-   events happen in their order. Nothing of a body that is not there crosses anything. */
+   events happen in their order; where a jump comes within rounding of a crossing, either may come first. Nothing of a
+   body that is not there crosses anything. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
-VM_API vm_event vm_event_mass(int body, vm_real value, int direction);
+VM_API vm_event vm_event_mass(int body, vm_real value, int direction); /* > 0: a mass of 0 cannot be accelerated */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction);
 /* ... and what happens then, one thing an event: vm_then_switch(vm_event_at(60), tap, 1). The run ends with
    VM_STOPPED; an effect goes off (1) or on (0); a part leaves body and becomes into, which was absent; added becomes
@@ -1590,7 +1596,8 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
    mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
    body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
    A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
-   VM_NO_SUCH_BODY where into is there already, or body or added is not; else errors as vm_separate. */
+   VM_NO_SUCH_BODY where into is there already, or body or added is not; else errors as vm_separate. A point that
+   takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
 VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative);
@@ -1624,7 +1631,8 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
    less than 256 eps of the time. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
-/* A body as it moves in state y; where its mass is of a law, that when the right-hand side was last evaluated */
+/* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
+   when the right-hand side was last evaluated */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
 /* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
    the state; NULL: no longer */
@@ -7878,11 +7886,13 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_spring(e->p[0], e->p[1], vmi_effect_x(e, y) - e->p[2]));
 }
 
+VM_API int vmi_power_check(const vm_effect *e) { return e->p[1] >= 0 ? VM_OK : VM_DOMAIN; } /* alpha */
+
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
     vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, alpha, rest);
-    e.apply = vmi_apply_spring;
+    e.apply = vmi_apply_spring, e.check = vmi_power_check;
     return e;
 }
 
@@ -8009,7 +8019,7 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, k, alpha, 0);
-    e.apply = vmi_apply_shaft;
+    e.apply = vmi_apply_shaft, e.check = vmi_power_check;
     return e;
 }
 
@@ -8264,13 +8274,19 @@ VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line
     return now;
 }
 
+VM_API int vmi_band_good(const vm_band *b)
+{
+    return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
+}
+
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
     const vm_real line = band->density * band->width * band->thickness, R = band->radius;
     const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
+    const vm_real bare = VM_IS_FINITE(phi) && vmi_band_good(band) ? 0 : VM_NAN;
     vm_band_now now;
-    now.radius = R, now.rate = now.mass = now.inertia = 0;
-    if (phi < 0) return now;
+    now.radius = R + bare, now.rate = now.mass = now.inertia = bare;
+    if (!(phi >= 0 && bare == 0)) return now;
     if (band->by_layer) return vmi_band_by_layer(phi, band, line);
     now.radius = r;
     now.rate = line * r;
@@ -8301,7 +8317,8 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 
 VM_API int vmi_band_check(const vm_effect *e)
 {
-    return e->p[0] > 0 && e->p[1] >= 0 && e->p[2] >= 0 && e->p[3] >= 0 ? VM_OK : VM_BAD_ARGUMENT;
+    const vm_band band = vmi_band_of(e);
+    return vmi_band_good(&band) ? VM_OK : VM_DOMAIN;
 }
 
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
@@ -8375,12 +8392,14 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     }
 }
 
+VM_API int vmi_link_check(const vm_effect *e) { return e->p[0] > 0 && e->p[1] > 0 ? VM_OK : VM_DOMAIN; }
+
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
     vm_effect e = vmi_effect(body, 0, other, 0, VMI_FLAT, length, rate, (vm_real)(cord != 0));
     e.order = 2, e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
-    e.apply = point || other >= 0 ? vmi_apply_link : NULL;
+    e.apply = point || other >= 0 ? vmi_apply_link : NULL, e.check = vmi_link_check;
     e.point = point, e.ctx = ctx;
     return e;
 }
@@ -8623,6 +8642,9 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
     if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
     if (e->order == 2 && e->other == e->body) return VM_BAD_ARGUMENT; /* a link of a body to itself */
+    /* a link holds mass centres, which in a growing body wander */
+    if (e->order == 2 && (s->bodies[e->body].grows || (e->other >= 0 && s->bodies[e->other].grows)))
+        return VM_BAD_MOTION;
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
@@ -8659,8 +8681,8 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
     int status = VM_OK;
     if (e->watches && (status = vmi_scene_check_coordinate(s, e->body, e->coordinate)) != 0) return status;
+    if (!e->then || e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
-    if (!e->then) return VM_BAD_ARGUMENT;
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
     return e->check ? e->check(s, e) : status;
 }
@@ -8817,7 +8839,7 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
     e.watches = 0;
     e.when = when ? vmi_when_user : NULL;
     e.user_when = when, e.ctx = ctx;
-    if (!when) e.time = VM_NAN; /* which vm_scene_check refuses */
+    if (!when) e.most = -1; /* which vm_scene_check refuses */
     return e;
 }
 

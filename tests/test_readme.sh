@@ -28,19 +28,25 @@ tools() { # tools COMMAND : what it would install, which takes minutes
 }
 there() { for tool in "$@"; do command -v "$tool" >/dev/null || return 1; done; }
 run() { cd "$copy" && builds "$1" && HOME=$build/home sh -c "$1"; }
-dry_tools() { # tools COMMAND : what it would install, which takes minutes
+dry_run() { # that the script or the target is there; make -n would run recipes that call make
+    set -- $1
     case $1 in
-    "make firmware") echo arm-none-eabi-gcc qemu-system-arm ;;
-    "make wasm") echo clang wasm-ld node ;;
-    python3*) echo python3 ;;
+    sh) test -e "$2" ;;
+    make) grep -E '^[.]PHONY' Makefile | grep -qwF -e "$2" ;;
+    *) make -n "$1" ;;
     esac
 }
-there() { for tool in "$@"; do command -v "$tool" >/dev/null || return 1; done; }
-run() { cd "$copy" && sh -c "make -n ${1#make }"; }
 
 mkdir -p "$copy" "$build/home"
 tar -cf - --exclude=./build --exclude=./.git . | tar -xf - -C "$copy"
-awk '/^```c$/ {on = 1; next} /^```$/ {on = 0} on' README.md >"$copy/example.c"
+# the README's programs: example.c, as it calls the first, example2.c and so on; what they print is in it, indented
+awk -v name="$copy/example" '/^```$/ {on = 0} on {print >file}
+                             /^```c$/ {on = 1; n++; file = name (n > 1 ? n : "") ".c"}' README.md
+prints_as_shown() {
+    ${CC:-cc} -std=c99 -O2 "$copy/$1.c" -o "$copy/$1" -lm && "$copy/$1" >"$copy/$1.txt" || return 1
+    while IFS= read -r line; do grep -qxF "    $line" README.md || { echo "$line"; return 1; }; done <"$copy/$1.txt"
+}
+for program in example example2; do check "README's $program.c prints what is shown" prints_as_shown "$program"; done
 
 for name in $(awk '/^\|/ && !/^\|[-|]*$/ {n = split($0, cell, "|"); print cell[n - 1]}' docs/glossary.md | grep -o '`[^`]*`' |
     tr -d '`' | sed 's/\[.*//; s/\.h$//' | sort -u); do

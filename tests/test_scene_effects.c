@@ -598,6 +598,14 @@ static void check_refusals(void)
     stage_body(&s, vm_scene_absent(vm_scene_point(1, zero, zero)));
     stage_effect(&s, vm_effect_link(0, 1, NULL, NULL, 1, 0, 1)), refused(&s, VM_BAD_MOTION, "effect", 0);
     s.effects[0] = vm_effect_link(0, VM_GROUND, NULL, NULL, 1, 0, 1), refused(&s, VM_BAD_ARGUMENT, "effect", 0);
+    s.effects[0] = vm_effect_link(0, 2, NULL, NULL, 0, 0, 1), refused(&s, VM_DOMAIN, "effect", 0);
+    s.effects[0] = vm_effect_link(0, 2, NULL, NULL, 1, 1, -1), refused(&s, VM_DOMAIN, "effect", 0);
+    s.effects[0] = vm_effect_link(0, 2, NULL, NULL, 1, 1, 1), begin(&s);
+    s.bodies[0] = vm_scene_growing_plane(s.bodies[0]), refused(&s, VM_BAD_MOTION, "effect", 0);
+    s.bodies[0] = vm_scene_plane(2, 1, zero, 0, zero, 0);
+    s.effects[0] = vm_effect_spring(0, 0, VM_GROUND, 0, 1, -1, 0), refused(&s, VM_DOMAIN, "effect", 0);
+    s.effects[0] = vm_effect_shaft(0, 1, -1), refused(&s, VM_DOMAIN, "effect", 0);
+    s.effects[0] = vm_effect_shaft(0, 1, 0), begin(&s);
     s.effects[0] = vm_effect_mass(1, 7, 1, 0, 0), refused(&s, VM_BAD_ARGUMENT, "effect", 0);
     s.effects[0] = vm_effect_callback(1, VM_GROUND, NULL, NULL), refused(&s, VM_BAD_ARGUMENT, "effect", 0);
     s.effects[0] = vm_effect_drive(0, 2, 1, 0);
@@ -608,7 +616,8 @@ static void check_refusals(void)
     s.events[0].part = part_of(1, 1), refused(&s, VM_BAD_INERTIA, "event", 0); /* a point carries no spin */
     s.events[0] = break_up, s.events[0].external.at.y = VM_INFINITY, refused(&s, VM_NOT_FINITE, "event", 0);
     s.events[0] = vm_then_separate(vm_event_at(1), 0, 2, NULL, 1), refused(&s, VM_BAD_ARGUMENT, "event", 0);
-    s.events[0] = vm_then_stop(vm_event_user(NULL, NULL, 0)), refused(&s, VM_NOT_FINITE, "event", 0);
+    s.events[0] = vm_then_stop(vm_event_user(NULL, NULL, 0)), refused(&s, VM_BAD_ARGUMENT, "event", 0);
+    s.events[0] = vm_then_stop(vm_event_at(1)), s.events[0].most = -1, refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_then_user(vm_event_at(1), NULL, NULL), refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_then_stop(vm_event_user(any_time, NULL, 0)), begin(&s);
     s.bodies[2] = vm_scene_free(NULL), refused(&s, VM_BAD_MOTION, "body", 2);

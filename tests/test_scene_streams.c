@@ -247,6 +247,25 @@ static double radius_integral(double phi, int k, int by_layer)
     return sum + (phi - 2 * pi * n) * pow(R + n * h, k);
 }
 
+static int no_band(vm_real phi, const vm_band *b)
+{
+    const vm_band_now now = vm_band_at(phi, b);
+    return now.radius != now.radius && now.rate != now.rate && now.mass != now.mass && now.inertia != now.inertia;
+}
+
+static void check_band_domain(int by_layer)
+{
+    const vm_band good = reel_band(by_layer, 0, 0);
+    const vm_band_now bare = vm_band_at(-1, &good);
+    vm_band bad = good;
+    CHECK(bare.radius == good.radius && bare.rate == 0 && bare.mass == 0 && bare.inertia == 0);
+    CHECK(no_band(VM_NAN, &good) && no_band(VM_INFINITY, &good) && no_band(-VM_INFINITY, &good));
+    bad.thickness = -good.thickness;
+    CHECK(no_band(1, &bad) && no_band(-1, &bad));
+    bad = good, bad.radius = 0;
+    CHECK(no_band(1, &bad));
+}
+
 static void check_layers(void)
 {
     static const double turns[] = {0.25, 1, 2.75, 10, 30.5};
@@ -265,6 +284,7 @@ static void check_layers(void)
             agrees("band", "mu", now.rate, (double)vm_drum_band(now.radius, b.thickness, b.width, b.density), 1,
                    1e-14);
         }
+    check_band_domain(0), check_band_domain(1);
 }
 
 /* J omega = J0 omega0 + speed rho b h integral of radius^2; the time only for the first layer, section 5.2 */
@@ -431,8 +451,8 @@ static void check_refusals(void)
     stream.from = &tank, refused(&s, VM_BAD_ARGUMENT), stream.from = NULL;
     stream.at.y = VM_NAN, refused(&s, VM_NOT_FINITE);
     s.effects[0] = vm_effect_band(1, &band), begin(&s);
-    s.effects[0].p[0] = 0, refused(&s, VM_BAD_ARGUMENT);
-    s.effects[0] = vm_effect_band(1, &band), s.effects[0].p[1] = -1, refused(&s, VM_BAD_ARGUMENT);
+    s.effects[0].p[0] = 0, refused(&s, VM_DOMAIN);
+    s.effects[0] = vm_effect_band(1, &band), s.effects[0].p[1] = -1, refused(&s, VM_DOMAIN);
     s.effects[0] = vm_effect_band(1, NULL), refused(&s, VM_BAD_ARGUMENT);
     s.effects[0] = vm_effect_band(0, &band), refused(&s, VM_BAD_MOTION);
     s.bodies[0] = vm_scene_growing_plane(vm_scene_free(&body));

@@ -435,6 +435,30 @@ static void check_refusals(void)
     GOOD, s.events[0] = vm_then_stop(vm_event_at(VM_NAN)), refused(&s, VM_NOT_FINITE, 0);
 }
 
+/* Two numbers a body on a line or an axle, one more where the mass is a state: nothing of what is not asked for */
+static void check_sizes(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_inertia inertia = {1, 1, 1, 0, 0, 0};
+    vm_scene_body bodies[7];
+    vm_body free_body;
+    vm_scene scene;
+    int i;
+    memset(&free_body, 0, sizeof free_body), memset(&scene, 0, sizeof scene);
+    free_body.mass = 1, free_body.inertia = inertia;
+    for (i = 0; i < 7; i++) bodies[i] = vm_scene_line(1, 0, 0);
+    scene.bodies = bodies, scene.n_bodies = 7;
+    CHECK(vm_scene_size(&scene) == 7 * 2);
+    bodies[0] = vm_scene_with_mass_state(bodies[0]);
+    CHECK(vm_scene_size(&scene) == 7 * 2 + 1);
+    bodies[1] = vm_scene_axle(1, 0, 0);
+    CHECK(vm_scene_size(&scene) == 7 * 2 + 1);
+    bodies[2] = vm_scene_plane(1, 1, zero, 0, zero, 0), bodies[3] = vm_scene_point(1, zero, zero);
+    CHECK(vm_scene_size(&scene) == 5 * 2 + 1 + 2 * 6);
+    bodies[4] = vm_scene_free(&free_body);
+    CHECK(vm_scene_size(&scene) == 4 * 2 + 1 + 2 * 6 + 13 && vm_scene_check(&scene, NULL) == VM_OK);
+}
+
 int main(void)
 {
     check_vessel();
@@ -447,6 +471,7 @@ int main(void)
     check_crane();
     check_dosing();
     check_weighing();
+    check_sizes();
     check_chains();
     check_stator();
     check_laws();

@@ -1,7 +1,7 @@
 /* A spring with a leaking mass. A bucket of sand on a spring, m x'' + k x = 0: the sand keeps the bucket's velocity
    as it leaks out, so that there is no reactive force, and the swings get faster and narrower, A = A0 (m/m0)^(1/4).
-   Were it brought to rest before it leaves (r = 1), the reactive force would make them wider: A = A0 (m0/m)^(1/4),
-   the same law, (325) with alpha = 1, with another r. The sign of that force is easily got wrong.
+   Were it brought to rest before it leaves, the reactive force would make them wider: A = A0 (m0/m)^(1/4), which is
+   (325) with alpha = 1. vm_osc_amplitude_law has both, by its third argument: 0 without that force, 1 with it.
 
    cc -O2 01_leaking_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -16,14 +16,14 @@ int main(int argc, char **argv)
     double mass = 0, rate, t;
     int status = VM_OK;
 
-    puts("   t (s)  mass (kg)  amplitude (m)   by (325)   route that was taken");
+    puts("   t (s)  mass (kg)  amplitude (m)   its law    route that was taken");
     for (t = 0; t <= end && status >= 0; t += 10) {
         status = vm_osc_at(&bucket, t, 1e-6, &motion); /* the cheapest route that is right to 1e-6 */
         vm_law_at(&bucket.mass, t, &mass, &rate);
         printf("%8.0f %10.1f %14.6f %10.6f   %s\n", t, mass, motion.amplitude,
                0.05 * vm_osc_amplitude_law(mass / 10, 0, 0, 1), vm_osc_route_name(motion.route));
     }
-    if (csv) fprintf(csv, "t (s),\"x (m)\",\"amplitude (325)\",\"with a reactive force\"\n");
+    if (csv) fprintf(csv, "t (s),\"x (m)\",\"amplitude\",\"with a reactive force (325)\"\n");
     for (t = 0; csv && t <= end && status >= 0; t += 0.05) {
         status = vm_osc_at(&bucket, t, 1e-3, &motion);
         vm_law_at(&bucket.mass, t, &mass, &rate);

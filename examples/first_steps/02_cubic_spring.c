@@ -1,6 +1,6 @@
 /* A spring that stiffens. x'' + x^3 = 0: the wider it swings the faster, (262), and its motion is no cosine but the
-   Ateb function ca(3, 1, s), (282), which every x |x|^(alpha-1) has one of; beside it the cosine with the exact
-   period, (291), up to 7 % of the amplitude off, and cn, (297), which for alpha = 3 is exact.
+   Ateb function ca(3, 1, s), (282); for a force x |x|^(alpha-1) it is ca(alpha, 1, s). Beside it the cosine with the
+   exact period, (291), up to 7 % of the amplitude off, and cn, (297), which for alpha = 3 is exact.
 
    cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

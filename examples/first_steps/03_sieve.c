@@ -12,7 +12,7 @@ int main(int argc, char **argv)
     enum { SIEVE, SPRING = 0, DAMPER, MOTOR, GRAVEL };
     const vm_vec3 at_rest = {0, 0, 0};
     vm_scene_body bodies[] = {vm_scene_with_mass_state(vm_scene_line(20, 0, 0))};
-    vm_effect effects[] = {vm_effect_spring(SIEVE, 0, VM_GROUND, 0, 8000, 1, 0),
+    vm_effect effects[] = {vm_effect_linear_spring(SIEVE, 0, VM_GROUND, 0, 8000, 0),
                            vm_effect_damper(SIEVE, 0, VM_GROUND, 0, 30), vm_effect_harmonic(SIEVE, 0, 60, 17, 0),
                            vm_effect_stream(SIEVE, 2, at_rest, 0)};
     vm_event events[] = {vm_then_switch(vm_event_at(4), GRAVEL, 0),

@@ -1,5 +1,6 @@
-/* A rocket rises. M x'' = -M g - M' w, (175), (176), by an integrator that stops at burn-out (an event), and by the
-   closed form of Tsiolkovsky less g t; what goes on without thrust is a parabola.
+/* A rocket rises. M x'' = -M g + M' (u - v), (175), (176): M' = -5 kg/s leave at u - v = -2000 m/s, which is a thrust
+   upwards. By an integrator that finds the burn-out (an event), and by the closed form of Tsiolkovsky less g t; what
+   goes on without thrust is a parabola.
 
    cc -O2 04_rocket.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

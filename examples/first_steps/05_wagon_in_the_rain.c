@@ -1,7 +1,7 @@
 /* A wagon in the rain. It rolls without friction; the rain falls straight down, so that mass joins with no velocity
-   along the rail and M v stays, (171), (151). Then the rain stops and the wagon leaks: what leaves has the wagon's
-   velocity, and v stays. "M v stays, so v must grow again" is the classic mistake: it forgets what the water takes
-   along.
+   along the rail and M v stays, (151) with u = 0, (170). Then the rain stops and the wagon leaks: what leaves has the
+   wagon's velocity, and v stays. "M v stays, so v must grow again" is the classic mistake: it forgets what the water
+   takes along.
 
    cc -O2 05_wagon_in_the_rain.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

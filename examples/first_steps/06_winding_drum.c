@@ -1,6 +1,7 @@
 /* A band winds up on a drum. Fig. 20: the band comes at a constant velocity v, and the drum's moment of inertia
    grows with the angle: angular velocity (196), time (197), angle phi(t), all in closed form, for three dampings:
-   the drum is driven by the band, just kept, or braked, and then it never gets beyond an angle.
+   with D = 0 the band takes the drum along, towards v/R = 12 rad/s; with D = mu R (v - R Omega) it stays at Omega =
+   10 rad/s; and with a large one it never gets beyond an angle.
 
    cc -O2 06_winding_drum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -9,7 +10,7 @@
 int main(int argc, char **argv)
 {
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
-    const double damping[3] = {0.002, 0.0085, 0.02};
+    const double damping[3] = {0, 0.00156, 0.05};
     vm_drum drum[3];
     double t, phi;
     int k;
@@ -18,7 +19,7 @@ int main(int argc, char **argv)
         d.band = vm_drum_band(d.radius, 1e-3, 0.1, 7800); /* 1 mm of steel, 0.1 m broad: kg/rad (181) */
         d.damping = damping[k];
         drum[k] = d;
-        printf("D = %-6g N m s: after 0.5 s turned by %.9f rad, now %.6f rad/s; can turn by %g rad\n", damping[k],
+        printf("D = %-7g N m s: after 0.5 s turned by %.9f rad, now %.6f rad/s; can turn by %g rad\n", damping[k],
                vm_drum_angle(0.5, &d), vm_drum_rate(vm_drum_angle(0.5, &d), &d), vm_drum_stop(&d));
     }
     if (csv)

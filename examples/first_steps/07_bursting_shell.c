@@ -33,8 +33,8 @@ int main(int argc, char **argv)
     if (csv) fprintf(csv, "x (m),\"z of piece 1 (m)\",\"piece 2\",\"the rest\",\"mass centre\"\n");
     for (k = 0; csv && k < 4; k++) { /* each piece until it is on the ground; the mass centre until the first is */
         const vm_body *b = k < 3 ? &piece[k] : &shell;
-        const double least = k < 3 ? b->v.z : -48;
-        for (t = 0; t <= (least + sqrt(least * least + 2 * g * 500)) / g; t += 0.05)
+        const double up = k < 3 ? b->v.z : piece[2].v.z;
+        for (t = 0; t <= (up + sqrt(up * up + 2 * g * 500)) / g; t += 0.05)
             fprintf(csv, "%.4f%.*s%.4f%.*s\n", b->r.x + b->v.x * t, k + 1, ",,,,",
                     b->r.z + b->v.z * t - g * t * t / 2, 3 - k, ",,,,");
     }
