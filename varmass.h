@@ -1056,8 +1056,8 @@ typedef struct VM_TAG(vm_osc_plan) {
    1e-6, float 1e-3): each runs twice, the second time stricter, and error comes from what the two differ by; by the
    default tolerance that takes 400 (variation), 700 (rk87), 2200 (rk45) evaluations a period, alpha = 3. With F the
    averaged equations are integrated instead of closed forms, and error is that of their integration alone, not of
-   averaging nor of cos and cn; there is no second-order law, and vm_osc_at takes the variation of constants. So it does
-   where no law is within the tolerance, but where alpha is odd: there rk87 is two to four times as fast.
+   averaging nor of cos and cn; there is no second-order law, and vm_osc_at takes the variation of constants. So it
+   does where no law is within the tolerance, but where alpha is odd: there rk87 is two to four times as fast.
    Over random problems (alpha in [0.2, 8], q of 1e-4 to 0.1, to t = 3/q; tests/test_routes.c) true errors are below
    3 times error in 99 %, above 10 (10.3) in 1 of 1000, and error is 2.5 (first order), 4.5 (second order) and 5 to
    10 times (integrators) the true one in the median. By rk87 2 % are beyond, up to 20: where alpha is no odd integer
@@ -6444,8 +6444,8 @@ VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real to
                                     : vmi_osc_first_order(p, &w, &mean, motion);
 }
 
-/* Where no law is good enough: rk87, three times as fast, where it holds its order, which is where alpha is odd, so that
-   the force has all derivatives at x = 0 */
+/* Where no law is good enough: rk87, three times as fast, where it holds its order, which is where alpha is odd, so
+   that the force has all derivatives at x = 0 */
 VM_API int vmi_osc_integrator(vm_real alpha)
 {
     const vm_real half = (alpha - 1) / 2;
