@@ -903,7 +903,7 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
     vmi_thetas theta;
-    const vm_real w = v / 4, w2 = w * w, r = m1 * w2;
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* w2 may underflow where r does not */
     vm_real c[4], more, a, f, g, b, s, aa, rb;
 #if VM_MANT_DIG > 24
     vm_real c22;
@@ -923,8 +923,8 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     f = a * a - r * w2;
     g = a * ((a + w2) * (a + r)); /* sc^2(2w) = 4 w^2 g/f^2 = b/a from here on */
     b = 4 * w2 * g;
+    s = 4 * r * g;
     a = f * f;
-    s = m1 * b;
     aa = a * a;
     rb = s * b;
     theta.s = v * (f * VM_SQRT(g * ((a + b) * (a + s))));
@@ -1209,7 +1209,7 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
     return 1 + y * (low + y4 * high);
 }
 
-enum { VMI_MORE_TERMS = 26 };
+enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 }; /* what is left out is below eps/500 at a plan's K/2 */
 
 /* The polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^.. by one of degree VMI_TERMS, for 0 <= t <= 1: its highest
    power is time and again replaced by what Chebyshev's polynomial of that degree has below it */
@@ -1300,7 +1300,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_clamp(v.hi, -VMI_LONGEST, VMI_LONGEST); /* beyond where m = 1 */
+        v.hi = v.hi > -VMI_LONGEST ? v.hi < VMI_LONGEST ? v.hi : VMI_LONGEST : -VMI_LONGEST; /* NaN stays in v.lo */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
