@@ -1083,6 +1083,11 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
+    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* by count's rounding, from K/(16 eps) on */
+        const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
+        rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
+        *quarters += side < 0 ? (vmi_bits)3 : (vmi_bits)1;
+    }
     if (VM_FABS(rest.hi) < size * next && count < 128) {
         vm_real K[4];
         vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
