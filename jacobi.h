@@ -52,7 +52,7 @@
                   holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and
                   next to the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
                   plan is as accurate.
-     others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am 4 ulp;
+     others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients and am 8 ulp;
                   solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
                   one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
@@ -555,8 +555,8 @@ VM_API vm_real jacobi_cs(vm_real u, vm_real m);
 VM_API vm_real jacobi_ds(vm_real u, vm_real m);
 VM_API vm_real jacobi_ns(vm_real u, vm_real m);
 
-/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 2 ulp), am(u + 2K) = am(u) + pi.
-   Radians, within 4 ulp for |u| <= 100 K. */
+/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 4 ulp), am(u + 2K) = am(u) + pi.
+   Radians, within 8 ulp for |u| <= 100 K. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m);
 
 /* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
@@ -605,7 +605,7 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6);
 
 /* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
    less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
-   words of pi/2, not of K, so that the error grows with |u|: 16 eps max(1, k') for |u| <= 3K. */
+   words of pi/2, not of K, so that the error grows with |u|: 3 eps M (1 + M |u|), M = max(1, k'), for |u| <= 5K. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn);
 VM_API vm_real jacobi_agm_K(vm_real m);
 
