@@ -1394,12 +1394,12 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -33.5 by E(m) = k'E(mu) */
+/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -15, where k' rounds more, by E(m) = k'E(mu) */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
     vm_real rest;
-    if (VMI_MIDDLE(m1)) {
+    if (VMI_MIDDLE(m1) && m1 < 16) {
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
