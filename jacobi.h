@@ -55,10 +55,10 @@
      others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients and am 8 ulp;
                   solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
-                  2.7 to 3.1 (2.1), for |u| < 2K 6.7 to 7.2 (3.4), to 1e9 13 to 15 (5.5); by a plan 2.7 (1.6), for
-                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.3
-                  or 5.7 by -O2; solve_kpK 5 to 49.
+                  one before), gcc -O2, without fused multiply-adds: K 1.4 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
+                  2.5 to 2.8 (2), for |u| < 2K 6.3 to 6.8 (3.6), to 1e9 13 to 15 (6); by a plan 2.5 (1.6), for
+                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.2
+                  or 5.7 by -O2; solve_kpK 5 to 49; preparing a plan about 180.
      Size         a plan has 304 bytes (float 112); the largest stack frame is about 1 kB.
 
    REFERENCES
@@ -1394,16 +1394,17 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -15, where k' rounds more, by E(m) = k'E(mu) */
+/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -33.5 by E(m) = k'E(mu) */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
     vm_real rest;
-    if (VMI_MIDDLE(m1) && m1 < 16) {
+    if (VMI_MIDDLE(m1)) {
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real more = sum.lo + sum.hi * vmi_E_series(k1 * k1);
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') where it counts, for m < -15 */
+        const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
     if (vmi_refused(m1)) return VM_NAN;
