@@ -52,13 +52,13 @@
                   holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and
                   next to the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
                   plan is as accurate.
-     others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am 4 ulp;
+     others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients and am 8 ulp;
                   solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
-                  2.7 to 3.1 (2.1), for |u| < 2K 6.7 to 7.2 (3.4), to 1e9 13 to 15 (5.5); by a plan 2.7 (1.6), for
-                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.3
-                  or 5.7 by -O2; solve_kpK 5 to 49.
+                  one before), gcc -O2, without fused multiply-adds: K 1.4 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
+                  2.5 to 2.8 (2), for |u| < 2K 6.3 to 6.8 (3.6), to 1e9 13 to 15 (6); by a plan 2.5 (1.6), for
+                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.2
+                  or 5.7 by -O2; solve_kpK 5 to 49; preparing a plan about 180.
      Size         a plan has 304 bytes (float 112); the largest stack frame is about 1 kB.
 
    REFERENCES
@@ -555,8 +555,8 @@ VM_API vm_real jacobi_cs(vm_real u, vm_real m);
 VM_API vm_real jacobi_ds(vm_real u, vm_real m);
 VM_API vm_real jacobi_ns(vm_real u, vm_real m);
 
-/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 2 ulp), am(u + 2K) = am(u) + pi.
-   Radians, within 4 ulp for |u| <= 100 K. */
+/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 4 ulp), am(u + 2K) = am(u) + pi.
+   Radians, within 8 ulp for |u| <= 100 K. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m);
 
 /* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
@@ -605,7 +605,7 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6);
 
 /* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
    less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
-   words of pi/2, not of K, so that the error grows with |u|: 16 eps max(1, k') for |u| <= 3K. */
+   words of pi/2, not of K, so that the error grows with |u|: 3 eps M (1 + M |u|), M = max(1, k'), for |u| <= 5K. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn);
 VM_API vm_real jacobi_agm_K(vm_real m);
 
@@ -903,7 +903,7 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
     vmi_thetas theta;
-    const vm_real w = v / 4, w2 = w * w, r = m1 * w2;
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* w2 may underflow where r does not */
     vm_real c[4], more, a, f, g, b, s, aa, rb;
 #if VM_MANT_DIG > 24
     vm_real c22;
@@ -923,8 +923,8 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     f = a * a - r * w2;
     g = a * ((a + w2) * (a + r)); /* sc^2(2w) = 4 w^2 g/f^2 = b/a from here on */
     b = 4 * w2 * g;
+    s = 4 * r * g;
     a = f * f;
-    s = m1 * b;
     aa = a * a;
     rb = s * b;
     theta.s = v * (f * VM_SQRT(g * ((a + b) * (a + s))));
@@ -1083,6 +1083,11 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
+    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* by count's rounding, from K/(16 eps) on */
+        const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
+        rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
+        *quarters += side < 0 ? (vmi_bits)3 : (vmi_bits)1;
+    }
     if (VM_FABS(rest.hi) < size * next && count < 128) {
         vm_real K[4];
         vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
@@ -1209,7 +1214,7 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
     return 1 + y * (low + y4 * high);
 }
 
-enum { VMI_MORE_TERMS = 26 };
+enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 }; /* what is left out is below eps/500 at a plan's K/2 */
 
 /* The polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^.. by one of degree VMI_TERMS, for 0 <= t <= 1: its highest
    power is time and again replaced by what Chebyshev's polynomial of that degree has below it */
@@ -1300,7 +1305,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_clamp(v.hi, -VMI_LONGEST, VMI_LONGEST); /* beyond where m = 1 */
+        v.hi = v.hi > -VMI_LONGEST ? v.hi < VMI_LONGEST ? v.hi : VMI_LONGEST : -VMI_LONGEST; /* NaN stays in v.lo */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -1398,7 +1403,8 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real more = sum.lo + sum.hi * vmi_E_series(k1 * k1);
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') where it counts, for m < -15 */
+        const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
     if (vmi_refused(m1)) return VM_NAN;

@@ -25,7 +25,7 @@ static void scan_jacobi(const char *region, double m, double u)
 {
     static int by_plan;
     vm_real mr = (vm_real)m, ur = (vm_real)u, sn, cn, dn;
-    quad m1 = 1 - (quad)mr, s, c, d;
+    quad m1 = 1 - (quad)mr, s, c, d, turns, sign;
     quad E, Kq = quarter_period(m1 > 0 ? m1 : 1, &E);
     double K = (double)Kq, largest = fmax(1, sqrt((double)m1)), own;
     jacobi_plan plan;
@@ -46,6 +46,10 @@ static void scan_jacobi(const char *region, double m, double u)
     check_error("sn", region, "ulp", fmax(0, ulps(sn, s) - own / ULP((double)s)), 8, (double)ur, (double)mr);
     check_error("cn", region, "ulp", fmax(0, ulps(cn, c) - own / ULP((double)c)), 8, (double)ur, (double)mr);
     check_error("dn", region, "ulp", ulps(dn, d), 8, (double)ur, (double)mr);
+    if (by_plan) return;
+    turns = rintq(ur / (2 * Kq)), sign = fmodq(turns, 2) != 0 ? -1 : 1;
+    check_error("am", region, "ulp", ulps(jacobi_am(ur, mr), turns * M_PIq + atan2q(sign * s, sign * c)), 8,
+                (double)ur, (double)mr);
 }
 
 /* Where one form or series gives way to another: u about multiples of K/2, next to them and up to 10 % off, for m
