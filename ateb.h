@@ -58,8 +58,8 @@
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.
      Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 2 ulp, 1.8 found (float 2.3, at alpha = 6), for all of these s and alpha to 1e6; or the accuracy
-                  that was asked for
+     plan         <= 2 ulp, 1.8 found (float 1.97), for all of these s and alpha to 1e6; or the accuracy that was
+                  asked for
      phase        within 4 ulp and what an ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
      beta_inc     <= 30 ulp, typically 2, of p and of q
@@ -77,7 +77,7 @@
        on a zero of sa or ca, to an ulp       250
      plan, alpha = 0, 1/2, 1, ..., 7          1.3 to 2.6  1 to 2.2      1 to 1.9      2.4 to 3.8
        to 1e-4                                1.2 to 1.6  1 to 1.5      1 to 1.5      2.2 to 3.4
-       in arrays (with -fno-math-errno)       the same    0.66 to 1     0.6 to 0.8    the same
+       in arrays (with -fno-math-errno)       the same    0.66 to 1.1   0.6 to 0.8    the same
      plan, any other alpha                    3.9 to 7.2  3.7 to 5.6    2.6 to 4      5.1 to 9.1
      ateb_plan is 552 bytes (float 184), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
      ateb_phase 10 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
@@ -1577,8 +1577,8 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
 }
 
 /* The polynomial c_1 + c_2 tau + ... [5], 0 <= tau <= limit, but for at most tolerance/limit: the highest powers go
-   with Chebyshev polynomials that end in them. result is for tau/unit; returns how many terms
-   it has. */
+   with Chebyshev polynomials that end in them. The result is for tau/unit; returned is
+   how many terms it has. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     vm_real power = limit, quarter = 2;
