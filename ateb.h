@@ -1562,7 +1562,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 /* Taylor coefficients in r^2 of sa/r and ca, in X of ca/(2 q d) and sa */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
-    const vm_real large = VM_C(1e30); /* beyond it coefficients are those of the limit, and alpha j could overflow */
+    const vm_real large = VM_C(1e30); /* beyond it alpha j could overflow, and nothing changes */
     vm_real w[VMI_ATEB_TERMS];
     int j;
     if (alpha > large) alpha = large, q = 1 / large;
@@ -1616,8 +1616,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
 
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* most: there sa comes from X, whose roundings count X/(2 sa) times, 0.33; at 0.73 0.5 made 2.3 ulp of them. Further
-       out sa takes more terms than there are. */
+    /* Beyond the change-over sa comes from X, whose roundings count X/(2 sa) times: 0.33 at r = 0.92; 0.5, at 0.73,
+       makes 2.3 ulp of them. Further out sa would take more terms than there are. */
     const vm_real share = VM_C(0.5), most = VM_C(0.92);
     const vm_real tolerance = accuracy > VM_EPSILON ? accuracy / 2 : VM_EPSILON / 16;
     int length, length_beyond;
