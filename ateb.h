@@ -51,7 +51,7 @@
 
    ACCURACY, measured (make test, points, scan), inputs taken as exact
      sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 2.7 ulp. From one s to the next sa
+                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 2.8 ulp. From one s to the next sa
                   and ca step back by 2 ulp at most, by more than 1 in 20 of a million; sa^2 + |ca|^(alpha+1) - 1 is
                   within 1.2 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
@@ -1618,7 +1618,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
     /* Beyond the change-over sa comes from X, whose roundings count X/(2 sa) times: 0.33 at r = 0.92; 0.5, at 0.73,
        makes 2.3 ulp of them. Further out sa would take more terms than there are. */
-    const vm_real share = VM_C(0.5), most = VM_C(0.92);
+    const vm_real share = VM_C(0.5), most = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     const vm_real tolerance = accuracy > VM_EPSILON ? accuracy / 2 : VM_EPSILON / 16;
     int length, length_beyond;
     vm_two n;
