@@ -120,8 +120,7 @@ static void scan_ateb(const char *region, double alpha, double s)
     compare_ateb(any, region, got, exact, 4, 8, (double)sr, (double)ar, (double)pi);
     ateb_plan_init(&plan, ar);
     ateb_plan_saca(&plan, sr, got, got + 1);
-    compare_ateb(prepared, region, got, exact, 2, is_float ? 2.5 : 2 /* alpha = 6 needs more terms */, (double)sr,
-                 (double)ar, (double)pi);
+    compare_ateb(prepared, region, got, exact, 2, 2, (double)sr, (double)ar, (double)pi);
 }
 
 int main(int argc, char **argv)
