@@ -87,22 +87,37 @@ static void scan_solver(double c)
 
 /* ---- Ateb ---- */
 
-static void scan_ateb(const char *region, double alpha, double s)
+/* got against exact, in eps for any s, in ulp of both where Pi leaves them so many digits */
+static void compare_ateb(const char *functions[2], const char *region, const vm_real got[2], const quad exact[2],
+                         double eps_bound, double ulp_bound, double s, double alpha, double pi)
 {
     const double pi_error = is_float ? 5.7e-14 : 2e-31;
-    vm_real ar = (vm_real)alpha, sr = (vm_real)s, sa, ca;
-    quad v, u, pi;
-    double moved;
-    saca(sr, ar, &v, &u, &pi);
-    ateb_saca(sr, ar, &sa, &ca);
-    check_error("sa", region, "eps", (double)fabsq(sa - v) / eps, 4, (double)sr, (double)ar);
-    check_error("ca", region, "eps", (double)fabsq(ca - u) / eps, 4, (double)sr, (double)ar);
+    const double moved = (pi_error + 1e-31) * fabs(s); /* 1e-31: the reference's own */
+    int i;
+    for (i = 0; i < 2; i++) {
+        const double slope = i == 0 ? 1 : 2 / (alpha + 1);
+        check_error(functions[i], region, "eps", (double)fabsq(got[i] - exact[i]) / eps, eps_bound, s, alpha);
+        if (fabs(s) > 100 * pi) continue;
+        check_error(functions[i], region, "ulp",
+                    fmax(0, ulps(got[i], exact[i]) - slope * moved / ULP((double)exact[i])), ulp_bound, s, alpha);
+    }
+}
+
+static void scan_ateb(const char *region, double alpha, double s)
+{
+    static const char *any[2] = {"sa", "ca"}, *prepared[2] = {"plan sa", "plan ca"};
+    const vm_real ar = (vm_real)alpha, sr = (vm_real)s;
+    vm_real got[2];
+    quad exact[2], pi;
+    ateb_plan plan;
+    saca(sr, ar, exact, exact + 1, &pi);
     check_error("Pi", region, "ulp", ulps(ateb_pi(ar), pi), 1, (double)ar, 0);
-    if (fabs((double)sr) > 100 * (double)pi) return;
-    moved = (pi_error + 1e-31) * fabs((double)sr); /* 1e-31: the reference's own */
-    check_error("sa", region, "ulp", fmax(0, ulps(sa, v) - moved / ULP((double)v)), 8, (double)sr, (double)ar);
-    check_error("ca", region, "ulp", fmax(0, ulps(ca, u) - 2 / (alpha + 1) * moved / ULP((double)u)), 8, (double)sr,
-                (double)ar);
+    ateb_saca(sr, ar, got, got + 1);
+    compare_ateb(any, region, got, exact, 4, 8, (double)sr, (double)ar, (double)pi);
+    ateb_plan_init(&plan, ar);
+    ateb_plan_saca(&plan, sr, got, got + 1);
+    compare_ateb(prepared, region, got, exact, 2, is_float ? 2.5 : 2 /* alpha = 6 needs more terms */, (double)sr,
+                 (double)ar, (double)pi);
 }
 
 int main(int argc, char **argv)
@@ -124,6 +139,7 @@ int main(int argc, char **argv)
         if (i % 10) continue;                            /* these are slow */
         part = fmod((double)i * 0.06180339887498949, 1); /* equidistributed */
         scan_solver(i % 20 ? 0.5 + 2.5 * part : pow(10, 4.6 * part - 3));
+        scan_ateb("2 alpha = 0, 1, ..., 14", (double)(i / 10 % 15) / 2, uniform48(-30, 30));
         alpha = (double)(vm_real)log_uniform(-4, 6), half = (double)ateb_pi((vm_real)alpha) / 2;
         scan_ateb("first quarter", alpha, uniform48(0, half));
         scan_ateb("s < 3", alpha, uniform48(0, 3));

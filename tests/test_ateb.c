@@ -119,7 +119,7 @@ static void test_identities(void)
         power = pow(fabs((double)ca), alpha + 1);
         rounded = 2 * (double)sa * (double)sa + (alpha + 1) * power; /* what an eps in sa and in ca makes */
         check_error("sa^2+|ca|^(a+1)-1", "random", "eps*",
-                    fabs((double)sa * (double)sa + power - 1) / eps / rounded, 2, s, alpha);
+                    fabs((double)sa * (double)sa + power - 1) / eps / rounded, 1.5, s, alpha);
         ateb_saca((vm_real)-s, (vm_real)alpha, &sa2, &ca2);
         symmetric = symmetric && sa2 == -sa && ca2 == ca;
         for (k = 0; k < 4; k++) { /* Pi + s, Pi - s, 2 Pi + s, 2 Pi - s */
@@ -228,6 +228,41 @@ static void test_closed_forms(void)
     check_error("Pi_0 = 2", "", "ulp", ERROR_ULP(ateb_pi(0), 2, 0), 1, 0, 0);
     check_error("Pi_1 = pi", "", "ulp", ERROR_ULP(ateb_pi(1), (double)VM_PI, 0), 1, 1, 0);
     check_error("Pi", "", "ulp", ERROR_ULP(ateb_pi(3), 5.244115108584239620929679, 0), 1, 3, 0);
+}
+
+/* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its
+   neighbours, be it one of closed forms or of plans without a power. An eps of alpha moves Pi by less than one. */
+static void test_limits(void)
+{
+    static const double special[] = {0.5, 1, 1.5, 2, 3, 7};
+    const vm_real small = VM_EPSILON / 8, large = 1 / VM_EPSILON;
+    int i;
+    for (i = 0; i < 2000; i++) {
+        const double s = uniform(-6, 6);
+        const vm_real alpha = (vm_real)special[i % 6], next = alpha * (1 + VM_EPSILON);
+        vm_real sa, ca, sa2, ca2;
+        ateb_plan plan, plan_next;
+        ateb_saca((vm_real)s, large, &sa, &ca);
+        check_error("sa", "to tanh", "eps", ERROR_EPS(sa, tanh(s), 0, 1), 2, s, (double)large);
+        check_error("1 - ca", "to 0", "eps", (1 - (double)ca) / (double)VM_EPSILON, 2 * log(cosh(6.0)) + 2, s,
+                    (double)large);
+        ateb_saca((vm_real)s, small, &sa, &ca);
+        ateb_saca((vm_real)s, 0, &sa2, &ca2);
+        check_error("sa", "to a triangle", "eps", fabs((double)(sa - sa2)) / (double)VM_EPSILON, 3, s, 0);
+        check_error("ca", "to a parabola", "eps", fabs((double)(ca - ca2)) / (double)VM_EPSILON, 3, s, 0);
+        ateb_saca((vm_real)s, alpha, &sa, &ca);
+        ateb_saca((vm_real)s, next, &sa2, &ca2);
+        check_error("sa, ca", "next alpha", "eps*",
+                    fmax(fabs((double)(sa - sa2)), fabs((double)(ca - ca2))) / (double)VM_EPSILON / (3 + fabs(s)),
+                    1, s, special[i % 6]);
+        CHECK(ateb_plan_init(&plan, alpha) == 0 && ateb_plan_init(&plan_next, next) == 0);
+        CHECK(plan.twice_alpha >= 0 && plan_next.twice_alpha < 0);
+        ateb_plan_saca(&plan, (vm_real)s, &sa, &ca);
+        ateb_plan_saca(&plan_next, (vm_real)s, &sa2, &ca2);
+        check_error("plan", "next alpha", "eps*",
+                    fmax(fabs((double)(sa - sa2)), fabs((double)(ca - ca2))) / (double)VM_EPSILON / (3 + fabs(s)),
+                    1, s, special[i % 6]);
+    }
 }
 
 static void test_domain(void)
@@ -540,6 +575,7 @@ int main(void)
     test_quarter_period();
     test_change_over();
     test_closed_forms();
+    test_limits();
     test_domain();
     test_plan();
     test_plan_domain();

@@ -5,13 +5,16 @@ F(t) = sqrt(pi) Gamma(4 + q)/Gamma(q + 1/2), q = (1 + t)/2, -1 <= t <= 1: interp
 turned into powers of t. F is analytic up to q = -4, so a coefficient is about 1/18 of the one before it. The leading
 ones are given in two or three words.
 
-g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), for the quick route: in 32 intervals, powers of the distance to the middle,
-the constant term and the slope in two words, the first of the slope's with half of the digits. And within 2e-4, to
-count quarters by.
+g(q) = Pi - (alpha + 1), q = 1/(alpha + 1), for the quick route: powers of the distance to the nearest multiple of 1/32,
+the constant term and the slope in two words, the first of the slope's with half of the digits.
 
-The logarithm and the exponential of one word: ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2), e^z = 1 + z + z^2 E(z).
+The logarithm and the exponential of one word: ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2), e^z = 1 + z + z^2 E(z). The rough
+ones, of base 2: log2((1 + t)/(1 - t)) = t L(t^2), 2^z/4.
+
+What the Pade approximant of p/(X/4) lacks beyond r = 0.55: (X/4)^3 q (1 - q) (cubic in q + (X/4) (linear in q)), by least
+squares of the relative error.
 """
-from mpmath import mp, mpf, atanh, binomial, cos, expm1, pi, sqrt, gamma, polyval, log, nstr
+from mpmath import mp, mpf, atanh, binomial, cos, expm1, lu_solve, matrix, pi, sqrt, gamma, polyval, log, nstr
 
 mp.dps = 60
 
@@ -70,8 +73,8 @@ def quick(bits, degree):
     digits = 20 if bits == 53 else 12
     print(f"/* p = {bits}, g, degree {degree} */")
     worst = mpf(0)
-    for i in range(32):
-        middle, half = (i + mpf(1) / 2) / 32, mpf(1) / 64
+    for i in range(33):
+        middle, half = mpf(i) / 32, mpf(1) / 64
         scaled = powers(lambda t: g(middle + half * t), degree)
         c = [x / half**j for j, x in enumerate(scaled)]
         high = [rounded(x, bits // 2 if j == 1 else bits) for j, x in enumerate(c)]
@@ -102,12 +105,43 @@ def interpolated(name, f, low, high, degree, digits):
     print(f"/* {name}: error 2^{nstr(log(error, 2), 4)} */ " + ", ".join(nstr(x, digits) for x in total))
 
 
+def ratio_series(q, terms=70):
+    """coefficients of p/(X/4) in powers of X, from v' and u' (275)"""
+    alpha, u, v, w = 1 / q - 1, [mpf(1)], [mpf(1)], [mpf(1)]
+    for j in range(1, terms):
+        v.append(-w[j - 1] / (2 * j))
+        u.append(v[j] * q / (q + j))
+        w.append(sum((alpha * i - (j - i)) * u[i] * w[j - i] for i in range(1, j + 1)) / j)
+    return [-2 * c for c in v[1:]]
+
+
+def lacks():
+    rows, rest = [], []
+    for k in range(24):
+        q = (1 - cos(pi * (k + mpf(1) / 2) / 24)) / 2
+        half = (1 / q + g(q)) / 2
+        series, limit = ratio_series(q), (2 * q * (half - mpf("0.55")))**(1 / q) / 4
+        for i in range(24):
+            x = limit * (1 - cos(pi * (i + mpf(1) / 2) / 24)) / 2
+            pade = (1 + q) * (2 + q - q * x) / ((1 + q) * (2 + q) + 2 * (1 - q - q * q) * x)
+            cube = x**3 * q * (1 - q)
+            rows.append([cube, cube * q, cube * q**2, cube * q**3, cube * x, cube * x * q])
+            rest.append(polyval(series[::-1], 4 * x) / pade - 1)
+    A, b = matrix(rows), matrix(rest)
+    c = lu_solve(A.T * A, A.T * b)
+    print(f"/* lacks: error {nstr(max(abs(e) for e in A * c - b), 3)} */ " + ", ".join(nstr(x, 7) for x in c))
+
+
 if __name__ == "__main__":
+    mp.dps = 30
+    lacks()
+    interpolated("rough log2", lambda x: 2 * atanh(sqrt(x)) / sqrt(x) / log(2), mpf(0), mpf("0.02944"), 2, 10)
+    interpolated("rough 2^z/4", lambda z: mpf(2)**z / 4, mpf("-0.5"), mpf("0.5"), 5, 10)
+    mp.dps = 60
     table(53, 33, 22, 10)
     table(24, 17, 11, 5)
     quick(53, 9)
     quick(24, 5)
-    interpolated("g, roughly", g, mpf(0), mpf(1), 4, 6)
     for degree, digits in ((6, 20), (2, 12)):
         interpolated("L", L, mpf(0), mpf("0.0325"), degree, digits)
     for degree, digits in ((10, 20), (5, 12)):
