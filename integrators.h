@@ -659,7 +659,7 @@ VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longes
 /* The shortest step that is tried */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
-    vm_real least = 4 * VM_EPSILON * VM_FABS(t);
+    vm_real least = 4 * VM_EPSILON * VM_FABS(t) + VM_MIN; /* at t = 0 too a step is one */
     return least > o->h_min ? least : o->h_min;
 }
 

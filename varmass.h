@@ -922,7 +922,8 @@ VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment
 
 /* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
    inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
-   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps; angles of any size. */
+   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps for angles up to
+   0.1/eps (4e14, float 8e5); from 2^(p-1) quarters on they hold no phase. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi);
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3]);
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3]);
