@@ -566,7 +566,7 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha);
 
 /* s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca. The pair need not be on
    the curve: sa lambda^((alpha+1)/2) and ca lambda have the same phase for any lambda > 0, such as the amplitude: x
-   and x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN and infinite arguments give NaN. */
+   and x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN, infinite arguments and alpha > 1e30 give NaN. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha);
 
 /* Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s. That of sa is
@@ -574,16 +574,18 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha);
 VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha);
 VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha);
 
-/* Mean of |sa|^p |ca|^q over a period, p, q > -1 (316) */
+/* Mean of |sa|^p |ca|^q over a period, -1 < p, q <= 1e6 (316), alpha <= 1e30; NaN beyond */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q);
 
-/* sa(n, m, s) and ca(m, n, s), |sa|^(n+1) + |ca|^(m+1) = 1, for real n, m = 0 or 1e-3 to 1e3, of period 2 Pi(n, m);
-   the functions above are those of n = 1, m = alpha, and ateb_saca_nm(s, alpha, 1, ...) gives the swapped pair
-   sa(alpha, 1, s), ca(1, alpha, s) that (278) and (280) need. Slow, by inversion of the incomplete beta function. */
+/* sa(n, m, s) and ca(m, n, s), |sa|^(n+1) + |ca|^(m+1) = 1, for real n, m = 0 or 1e-3 to 1e3
+   (1e-4 to 1e5 less accurately, NaN beyond), of period 2 Pi(n, m); the functions above are those of n = 1, m = alpha,
+   and ateb_saca_nm(s, alpha, 1, ...) gives the swapped pair sa(alpha, 1, s), ca(1, alpha, s) that (278) and (280)
+   need. Slow, by inversion of the incomplete beta function. */
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m);
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca);
 
-/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4. The forms with both take and return
+/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4, less accurate and slower from 1e-4
+   to 1e5, NaN beyond. The forms with both take and return
    complements too, y = 1 - x and q = 1 - p, where these carry the information; ln x tells x where it underflows. */
 VM_API vm_real ateb_beta(vm_real a, vm_real b);
 VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b);
@@ -1691,7 +1693,7 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
     vmi_ateb c;
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
     vmi_ateb_constants(&c, alpha);
     if (sa == 0) r = 0;
     else if (ca == 0) r = c.quarter.hi;
@@ -1768,7 +1770,11 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
     return vmi_minus(vmi_beta_ln_density(a, b, none, none));
 }
 
-VM_API int vmi_beta_domain(vm_real a, vm_real b) { return a > 0 && b > 0 && VM_IS_FINITE(a) && VM_IS_FINITE(b); }
+/* Beyond, series and fractions have no bound that a caller would wait for, and float no digits */
+VM_API int vmi_beta_domain(vm_real a, vm_real b)
+{
+    return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
+}
 
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
@@ -1948,8 +1954,8 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 {
     const vm_two half = {VM_C(0.5), 0};
     vm_two above, n;
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !(p > -1) || !(q > -1) || !VM_IS_FINITE(p) || !VM_IS_FINITE(q))
-        return VM_NAN;
+    const vm_real most = VM_C(1e6);
+    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !(p > -1) || !(q > -1) || !(p <= most) || !(q <= most)) return VM_NAN;
     n = vmi_two_sum(alpha, 1);
     above = vmi_beta_ln(vmi_half(vmi_two_sum(p, 1)), vmi_two_over(vmi_two_sum(q, 1), n));
     above = vmi_two_plus(above, vmi_minus(vmi_beta_ln(half, vmi_two_over(vmi_two(1, 0), n))));
@@ -1958,7 +1964,7 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 
 /* ---- Two indices ---------------------------------------------------------------------------------------------- */
 
-VM_API int vmi_ateb_index(vm_real n) { return n >= 0 && VM_IS_FINITE(n); }
+VM_API int vmi_ateb_index(vm_real n) { return n == 0 || (n >= VM_C(1e-4) && n <= VM_C(1e5)); }
 
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 

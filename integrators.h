@@ -319,7 +319,7 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y);
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y);
 
 /* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk87_interpolate is of
-   order 8 and evaluates f seven times in a step in which it is used. */
+   order 8 and evaluates f seven times in a step in which it is used; ODE_NOT_FINITE where f is not finite there. */
 typedef rk45_options rk87_options;
 typedef rk45 rk87;
 #define RK87_WORK(n) (24 * (n))
@@ -979,7 +979,8 @@ VM_INLINE int vmi_advance_small(rk45 *s, int method, ode_rhs f, int n, vm_real t
 
 /* ---- Adaptive runs: inside a step --------------------------------------------------------------------------- */
 
-/* The seven further stages that the continuous extension of order 8 needs, once for a step */
+/* The seven further stages that the continuous extension of order 8 needs, once for a step. They may leave the domain
+   of f where the step's own did not: ODE_NOT_FINITE. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -1040,6 +1041,7 @@ VM_API int vmi_rk87_extend(rk45 *s)
         }
         status = vmi_eval(s, s->t_old + c[stage] * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
         if (status) return status;
+        if (!vmi_all_finite(s->n, vmi_part(s, VMI_K + 14 + stage))) return ODE_NOT_FINITE;
     }
     s->extended = 1;
     return ODE_OK;
@@ -1393,12 +1395,24 @@ VM_API void vmi_cut_step(rk45 *s, int method, vm_real x)
     s->k1 = VMI_K1_MISSING;
 }
 
+/* The step just made, inside which f is not finite, was too long: back to its beginning, to try a quarter of it */
+VM_API int vmi_take_back(rk45 *s)
+{
+    vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
+    s->t = s->t_old, s->h = s->h_done / 4;
+    s->steps--, s->rejected++;
+    s->k1 = VMI_K1_READY; /* the step was kept apart from the next */
+    s->failure = VMI_NOT_FINITE;
+    return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
+}
+
 /* The events of the step just made, in order, up to the first that ends it */
 VM_API int vmi_events(rk45 *s, int method)
 {
     ode_event *events = s->options.events;
     int i, status = ODE_OK;
     if (method == VMI_RK87 && !s->extended) status = vmi_rk87_extend(s);
+    if (status == ODE_NOT_FINITE) return vmi_take_back(s);
     for (i = 0; i < s->options.n_events && status == ODE_OK; i++) status = vmi_next_event(s, method, events + i, 0);
     while (status == ODE_OK) {
         ode_event *first = events;
@@ -1477,16 +1491,18 @@ VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int 
         if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, f, n, t_end, single || s->options.n_events);
         else status = vmi_advance(s, method, f, n, t_end, single || s->options.n_events, s->work, n);
         if (status == ODE_OK) status = vmi_after_step(s, method);
-        if (single) break;
+        if (single && s->failure == VMI_NONE_FAILED) break;
     }
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
 VM_INLINE int vmi_step(rk45 *s, int method)
 {
+    const vm_real t_end = s && s->h < 0 ? -VM_MAX : VM_MAX;
     if (!s || s->method != method) return ODE_BAD_ARGUMENT;
+    if (s->t == t_end) return ODE_STEP_TOO_SMALL;
     s->attempts = -1;
-    return vmi_run(s, method, s->f, s->n, s->h < 0 ? -VM_MAX : VM_MAX, 1);
+    return vmi_run(s, method, s->f, s->n, t_end, 1);
 }
 
 VM_INLINE int vmi_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)

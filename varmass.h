@@ -923,7 +923,8 @@ VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment
 
 /* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
    inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
-   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps; angles of any size. */
+   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps for angles up to
+   0.1/eps (4e14, float 8e5); from 2^(p-1) quarters on they hold no phase. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi);
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3]);
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3]);
@@ -1065,8 +1066,8 @@ typedef struct VM_TAG(vm_osc_plan) {
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
-   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would have 1/eps of the
-   present periods to go). */
+   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would need
+   2^13 steps a period, four times what its longest step asks for, or 2^23 of the present periods: every call ends). */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem);
 VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
 VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion);
@@ -5993,10 +5994,8 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     const vm_osc_problem *o = &p->problem;
     vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0, 0, 0};
     vm_real ln_Om, ln_m, ln_k;
-    int status = vmi_law_check(&o->mass, t);
+    int status = vmi_osc_rates_at(p, t, t < 0 ? 1 : -1, 1, &mean->now);
     mean->kick2 = mean->kick3 = 0;
-    if (!status) status = vmi_law_check(&o->stiffness, t);
-    if (!status) status = vmi_osc_rates_at(p, t, t < 0 ? 1 : -1, 1, &mean->now);
     if (status) return status;
     if (p->closed) {
         const vm_real u = t * vmi_log_ratio(p->base * t), damping = o->damping * u / p->m0, Q = p->q;
@@ -6264,18 +6263,21 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
    its error */
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
-    vm_real stop, y[2], period, most, longest;
+    const vm_real most_periods = VM_C(8388608.); /* 2^23: in float more hold no phase, in double they take minutes */
+    const vm_real most_steps = 8192; /* a period; 2600 were the most, by rk45 to 16 eps, alpha from 0 to 20 */
+    vm_real stop, y[2], period, most, longest, steps;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
         period = vmi_osc_period_now(c);
-        if (!(period > VM_EPSILON * VM_FABS(t))) /* nor would the phase at t mean anything */
-            return c->status ? c->status : VM_NOT_INTEGRATED;
+        if (!(period > VM_FABS(t) / most_periods)) return c->status ? c->status : VM_NOT_INTEGRATED;
         stop = vmi_law_next_knot(&c->p->problem.mass, c->s.t, t);
         stop = vmi_law_next_knot(&c->p->problem.stiffness, c->s.t, stop);
         if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
         most = c->share * VM_FABS(stop - c->s.t) + 64 * VM_EPSILON * VM_FABS(t);
         longest = period * (c->p->pi < 10 ? c->longest : c->longest * 10 / c->p->pi);
         c->s.options.h_max = most < longest ? most : longest;
+        steps = VM_FABS(stop - c->s.t) * (most_steps / period + 4 / c->s.options.h_max) + most_steps;
+        c->s.options.max_steps = steps < VM_C(1e9) ? (long)steps : 1000000000L;
         status = c->high ? rk87_solve(&c->s, stop) : rk45_solve(&c->s, stop);
         if (status < 0) break;
         y[0] = c->s.y[0], y[1] = c->s.y[1];
@@ -6323,7 +6325,7 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
     int i, status;
     c->side = t < 0 ? -1 : 1, c->status = VM_OK;
     options.rtol = c->direct ? tolerance : -1;
-    options.atol = tolerance, options.max_steps = -1;
+    options.atol = tolerance;
     vmi_osc_wave_at(&c->wave, p->psi, &ca, &sa);
     y[0] = c->direct ? ca : 0, y[1] = c->direct ? -sa : p->psi;
     status = c->high ? rk87_init(&c->s, f, c, 2, 0, y, &options, c->work)
@@ -6407,11 +6409,13 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 
 VM_API int vmi_osc_arguments(const vm_osc_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
 {
+    int status;
     if (!p || !motion) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
     if (*tolerance < 0) return VM_BAD_ARGUMENT;
     if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    return VM_OK;
+    status = vmi_law_check(&p->problem.mass, t);
+    return status ? status : vmi_law_check(&p->problem.stiffness, t);
 }
 
 /* No motion, and nothing to start one */
@@ -6431,9 +6435,6 @@ VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real to
     if (status) return status;
     if (route < 0 || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
     if (p->problem.force && route == VM_ROUTE_SECOND) return VM_NO_LAW;
-    status = vmi_law_check(&p->problem.mass, t);
-    if (!status) status = vmi_law_check(&p->problem.stiffness, t);
-    if (status) return status;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
     if (route > VM_ROUTE_SECOND || p->problem.force) return vmi_osc_integrate(p, route, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);

@@ -13,7 +13,10 @@ static int system_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     system_of *s = (system_of *)ctx;
     int i;
-    if (++s->calls > 2000000) abort();
+    if (++s->calls > 2000000) { /* 2041 steps are the most that are allowed */
+        HOLDS(!"bounded numbers of steps");
+        return 1;
+    }
     if (s->stop_after && s->calls > s->stop_after) return 7;
     for (i = 0; i < s->n; i++) {
         const vm_real next = y[(i + 1) % s->n];
@@ -108,7 +111,7 @@ static void check_rk4(void)
     HOLDS(status == ODE_BAD_ARGUMENT || vmi_all_finite(n, r.y) || !vmi_all_finite(n, before));
     r.system.calls = 0, t = t0;
     i = rk4_solve_compensated(system_rhs, &r.system, n, &t, t_end, steps, other, low, r.work);
-    HOLDS(i == status || VM_FABS(before[0]) > 100); /* one may overflow a rounding before the other */
+    HOLDS(i == status || fuzz.wild); /* one may overflow a rounding before the other */
     if (status == ODE_OK && r.system.kind < 2 && is_finite(r.system.a))
         HOLDS(within(other[0], r.y[0], 1e3 * EPS * larger(larger(1, fabs((double)r.y[0])), 64)));
     memcpy(before, r.y, sizeof before), r.system.calls = 0;
@@ -169,14 +172,13 @@ static void check_adaptive(void)
     if (draw_byte() & 1) {
         status = high ? rk87_step(&s) : rk45_step(&s);
         HOLDS(known(status) && s.steps <= 1 && vmi_all_finite(n, s.y));
-        if (status == ODE_OK && VM_FABS(t0) < VM_MAX / 2) HOLDS(s.steps == 1 && s.t != t0);
+        if (status == ODE_OK) HOLDS(s.steps == 1 && (s.t != t0 || r.options.n_events));
     }
     before = s.steps + s.rejected;
     for (i = 0; i < 8; i++) { /* goes on after events */
         const vm_real t = s.t;
         status = solve(&s, high, with, n, t_end);
-        HOLDS(known(status) && is_finite(s.t) && (vmi_all_finite(n, s.y) || (high && r.options.n_events)));
-        if (!vmi_all_finite(n, s.y)) return; /* f not finite in the stages of rk87's dense output, at an event */
+        HOLDS(known(status) && is_finite(s.t) && vmi_all_finite(n, s.y));
         if (status == ODE_BAD_ARGUMENT) {
             HOLDS(!is_finite(t_end) && s.t == t);
             return;

@@ -21,10 +21,12 @@ static void check_balance(int n, const vm_body *before, int m, const vm_body *af
     if (!null_axis) HOLDS(size3(b.angular_momentum) <= 64 * EPS * (double)b.angular_momentum_scale);
 }
 
-/* what errors of positions make of energies: moments of momenta times the angular velocity */
+/* what errors of positions make of energies: moments of momenta times the angular velocity; and what an eps of the
+   inertia does, which counts where it is nearly that of a rod and a small angular momentum about it spins it */
 static double sway(const vm_body *b)
 {
-    return (double)b->mass * (size3(b->v) + size3(b->r) * size3(b->omega)) * (size3(b->v) + size3(b->r) * size3(b->omega));
+    const double trace = (double)b->inertia.xx + (double)b->inertia.yy + (double)b->inertia.zz;
+    return trace * size3(b->omega) * size3(b->omega) + (double)b->mass * (size3(b->v) + size3(b->r) * size3(b->omega)) * (size3(b->v) + size3(b->r) * size3(b->omega));
 }
 
 static void check_kinetics(const vm_body *b)

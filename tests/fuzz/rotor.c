@@ -116,7 +116,8 @@ static void check_motion(void)
     status = vm_rotor_rhs(0, y, dydt, &r);
     STAIN(polar);
     if (vm_rotor_to_polar(y, polar)) {
-        HOLDS(UNTOUCHED(polar) && (!vmi_all_finite(6, y) || (y[0] == 0 && y[1] == 0)));
+        const vm_real r = vmi_hypot(y[0], y[1]), v = VM_FABS(y[3]) + VM_FABS(y[4]);
+        HOLDS(UNTOUCHED(polar) && (!vmi_all_finite(6, y) || r == 0 || v / r > VM_MAX / 2 || v > VM_MAX / 2 || r > VM_MAX / 2));
         return;
     }
     HOLDS(polar[0] > 0 && VM_FABS(polar[1]) <= VM_PI);
@@ -133,6 +134,19 @@ static void check_motion(void)
     HOLDS(status == 0 && within(dpolar[5], dydt[5], 1e3 * EPS * (1 + (double)((r.stiffness * VM_FABS(r.s) * 4 + r.damping * VM_FABS(y[5]) + VM_FABS(r.torque)) / r.inertia))));
     polar[0] = 0;
     HOLDS(vm_rotor_polar_rhs(0, polar, dpolar, &r) == VM_DOMAIN);
+}
+
+/* a root of the polynomial but for so many eps of each of its terms, of whatever multiplicity it is */
+static void check_root(const vm_real *c, double x, double y)
+{
+    const double size = hypot(x, y);
+    double re = (double)c[0], im = 0, terms = fabs(re);
+    int i;
+    for (i = 1; i < 6; i++) {
+        const double next = re * x - im * y + (double)c[i];
+        im = re * y + im * x, re = next, terms = terms * size + fabs((double)c[i]);
+    }
+    HOLDS(hypot(re, im) <= 32 * EPS * terms + (double)VM_MIN);
 }
 
 static void check_steady(void)
@@ -152,7 +166,9 @@ static void check_steady(void)
         if (tame_rotor(&r) && VM_FABS(Omega) < R(1e3)) { /* their sum is -k*, they come in pairs */
             double sum = 0, scale = 0, others = 0;
             for (i = 0; i < 5; i++) sum += (double)re[i], others += (double)im[i], scale += fabs((double)re[i]) + fabs((double)im[i]);
-            HOLDS(fabs(sum + (double)c[1]) <= 8 * cbrt(EPS) * (scale + (double)c[1]) && fabs(others) <= 8 * cbrt(EPS) * scale); /* multiple ones */
+            /* each root moves by the root of eps of its multiplicity, 3 at the most as D, G > 0 and k* do not come together */
+            HOLDS(fabs(sum + (double)c[1]) <= 8 * cbrt(EPS) * (scale + (double)c[1]) && fabs(others) <= 8 * cbrt(EPS) * scale);
+            for (i = 0; i < 5 && !fuzz.wild; i++) check_root(c, (double)re[i], (double)im[i]);
             if (stable) for (i = 0; i < 5; i++) HOLDS((double)re[i] <= 8 * cbrt(EPS) * scale);
         }
     }

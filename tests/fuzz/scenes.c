@@ -72,8 +72,20 @@ static vm_effect draw_effect(int n, vm_real *ctx)
     const int other = draw_byte() & 1 ? VM_GROUND : draw_index(n), other_coordinate = draw_coordinate();
     const vm_real p = MOSTLY(draw_in(-2, 2)), positive = MOSTLY(draw_log(0.1, 10)), alpha = draw_byte() & 1 ? R(1) : MOSTLY(draw_in(0, 5));
     const vm_vec3 u = draw_vector(1);
+    static vm_stream stream; /* the effect points at them */
+    static vm_band band;
     *ctx = draw_in(-0.5, 0.5);
-    switch (draw_below(16)) {
+    memset(&stream, 0, sizeof stream), memset(&band, 0, sizeof band);
+    stream.rate = *ctx / 5, stream.velocity = u;
+    switch (draw_below(22)) {
+    case 14: return vm_effect_linear_spring(body, coordinate, other, other_coordinate, positive, p);
+    case 15: return vm_effect_rotational_damper(body, positive);
+    case 16: return vm_effect_stream_force(body, &stream);
+    case 17: return vm_effect_stream_moment(body, &stream);
+    case 18: return vm_effect_stream_torque(body, &stream);
+    case 19:
+        HOLDS(vm_band_at(-1, &band).mass == vm_band_at(0, &band).mass || fuzz.wild);
+        return vm_effect_band(body, &band);
     case 0: return vm_effect_gravity(body, coordinate, p);
     case 1: return vm_effect_damper(body, coordinate, other, other_coordinate, positive);
     case 2: return vm_effect_van_der_pol(body, coordinate, p, positive);

@@ -239,8 +239,10 @@ static void check_diagnostics(void)
         HOLDS(fabs((double)found - (double)s.t / 3.141592653589793) <= 1.001);
     }
     {
-        const vm_real A = MOSTLY(draw_in(0.1, 3)), q = vm_adiabaticity(A, 1, draw_in(-0.1, 0.1), 2, 0, draw_in(0, 0.1), 1, MOSTLY(draw_in(0, 5)));
-        HOLDS(is_nan(q) || q >= -VM_MAX);
+        const vm_real A = MOSTLY(draw_in(0.1, 3)), alpha = MOSTLY(draw_in(0, 5)), m_rate = draw_in(-0.1, 0.1);
+        const vm_real q = vm_adiabaticity(A, 1, m_rate, 2, 0, draw_in(0, 0.1), 1, alpha);
+        if (!(A > 0) || !(alpha >= 0) || !is_finite(A) || !is_finite(alpha)) HOLDS(is_nan(q));
+        else if (A > R(0.01) && A < 100 && alpha < 8) HOLDS(VM_FABS(q) <= R(0.3) * 1000000); /* 0.3/A^((alpha-1)/2) */
     }
 }
 

@@ -41,7 +41,9 @@ static void check_loads(void)
     }
     for (i = 0; i < n; i++) {
         all_tame &= tame_stream(streams + i);
-        HOLDS(vm_reactive_loads(&body, centre, 1, streams + i, &one) == VM_OK);
+        status = vm_reactive_loads(&body, centre, 1, streams + i, &one);
+        HOLDS(status == VM_OK || fuzz.wild); /* what overflows in one may be compensated by another */
+        if (status) return;
         total = vmi_add(total, one.force);
         scale += size3(one.force) + fabs((double)streams[i].rate) * (size3(body.v) + size3(streams[i].velocity) + 4 * size3(body.omega));
     }
