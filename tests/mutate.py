@@ -3,9 +3,13 @@
 
 A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
-the map that coverage.py leaves; the programs that execute the line are built and run, those that do most often first,
-until one fails, ends with a signal or takes ten times its time. Where MANY programs pass, the mutant counts as a
-survivor and is printed, to be judged: it is equivalent (the results are as good), or a test is missing.
+the map that coverage.py leaves, each with the same chance, so that a header counts by its length. The programs that
+execute the line are built and run one by one, in double first and the cheapest of the BUSIEST before others, until
+one fails, ends with a signal or needs SECONDS of processor time. Where MANY programs pass, the mutant has survived
+and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with its
+reason to tests/mutants.txt, whose mutants count neither as caught nor as missed.
+
+Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
 usage: mutate.py BUILD SEED COUNT [HEADER] from the top of the project, after coverage.py
 """
@@ -16,12 +20,16 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from queue import Queue
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
-MANY = 6
+MANY, BUSIEST = 6, 3
+SECONDS = 20
 LEAST = 90.0
+WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
 NUMBER = r'\d+\.\d+(?:e[+-]?\d+)?|\d+e[+-]?\d+'
 CHANGES = (
     ('sign', r' \+ ', ' - '), ('sign', r' - ', ' + '), ('sign', r' \+= ', ' -= '), ('sign', r' -= ', ' += '),
@@ -37,25 +45,23 @@ CHANGES = (
 )
 
 
-def code_of(line):
-    """The line with comments blanked, nothing of a preprocessor line or a comment's inside."""
-    if re.match(r'\s*(#|/\*(?!.*\*/)|\*|[^"]*\*/$)', line) or 'VM_TABLE' in line and '{' not in line:
-        return ''
-    return re.sub(r'/\*.*?(\*/|$)|"[^"]*"', lambda m: ' ' * len(m[0]), line)
+def code_of(text):
+    """The text with comments, strings and preprocessor lines blanked, every other character where it was."""
+    def blank(found):
+        return re.sub(r'[^\n]', ' ', found[0])
+    return re.sub(r'(?m)^[ \t]*#.*', blank, re.sub(r'/\*.*?\*/|"[^"\n]*"', blank, text, flags=re.S))
 
 
-def draw(rng, sources, programs):
-    """One mutant: (header, line, kind, new text); a kind of change first, so that rare ones come too."""
+def draw(rng, codes, places):
+    """One mutant: (header, line, kind, column, end, new text); a kind of change first, so that rare ones come too."""
     while True:
-        header = rng.choice(list(programs))
-        line = rng.choice(programs[header])
+        header, line = rng.choice(places)
         kind, pattern, new = rng.choice(CHANGES)
-        text = sources[header][line - 1]
-        found = list(re.finditer(pattern, code_of(text)))
-        if found and re.search(r'[;{},]|\\$|&&|\|\|', text):
+        code = codes[header][line - 1]
+        found = list(re.finditer(pattern, code))
+        if found and re.search(r'[;{},]|\\$|&&|\|\|', code):
             at = rng.choice(found)
-            put = new(at) if callable(new) else new
-            return header, line, kind, text[:at.start()] + put + text[at.end():]
+            return header, line, kind, at.start(), at.end(), new(at) if callable(new) else new
 
 
 def flags_of(name):
@@ -63,36 +69,83 @@ def flags_of(name):
         ['-march=native', '-ffp-contract=fast'] if name.endswith('_contracted') else []
 
 
-def judge(job):
-    """'caught', 'stillborn' (does not compile), or 'survived'."""
-    folder, mutant, source, programs, seconds = job
-    header, line, _, text = mutant
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(folder)
-    for name in HEADERS: # copies, no links: ".." leads from a source to the mutant
-        shutil.copy(f'{name}.h', folder)
-    for name in ('tests', 'examples'):
-        shutil.copytree(name, f'{folder}/{name}')
+def passes(folder, name):
+    """Does the program, built in this copy of the project, pass? None where it does not compile."""
+    test = re.sub(r'_(float|contracted)$', '', name)
+    compile_it = ['gcc', '-std=c99', '-O1', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm']
+    if subprocess.run(compile_it, cwd=folder, stderr=subprocess.DEVNULL).returncode:
+        return None
+    command = ['sh', '-c', f'ulimit -t {SECONDS}; exec ./test']
+    return not subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+
+
+def write(folder, header, text):
     with open(f'{folder}/{header}.h', 'w') as file:
-        file.write('\n'.join(source[:line - 1] + [text] + source[line:]))
-    order = sorted(programs, key=lambda name: bool(flags_of(name)))[:MANY] # double first
+        file.write(text)
+
+
+def judge(folder, header, right, text, programs):
+    """'caught', 'stillborn' (does not compile), or 'survived'; the right header is put back afterwards."""
+    write(folder, header, text)
     verdict = 'survived'
-    for name in order:
-        test = re.sub(r'_(float|contracted)$', '', name)
-        compile_it = ['gcc', '-std=c99', '-O1', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm']
-        if subprocess.run(compile_it, cwd=folder, stderr=subprocess.DEVNULL).returncode:
-            verdict = 'stillborn'
+    for name in programs:
+        good = passes(folder, name)
+        if not good:
+            verdict = 'stillborn' if good is None else 'caught'
             break
-        try:
-            if subprocess.run(['./test'], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              timeout=10 + 10 * seconds[name]).returncode:
-                verdict = 'caught'
-                break
-        except subprocess.TimeoutExpired:
-            verdict = 'caught'
-            break
-    shutil.rmtree(folder)
-    return verdict, mutant
+    write(folder, header, right)
+    return verdict
+
+
+def in_order(names, cost):
+    """The programs to try: in double the busiest, cheapest first, then the cheapest others, then other builds."""
+    double = [name for name in names if not flags_of(name)]
+    order = sorted(double[:BUSIEST], key=cost.get) + sorted(double[BUSIEST:], key=cost.get)
+    return order[:MANY] + [name for name in names if flags_of(name)][:max(1, MANY // 2)]
+
+
+def prepared(build):
+    """A copy of the project for each worker; copies, no links: ".." must lead from a source to the mutant."""
+    folders = Queue()
+    for k in range(WORKERS):
+        folder = f'{build}/mutants/{os.getpid()}-{k}'
+        for name in ('tests', 'examples'):
+            shutil.copytree(name, f'{folder}/{name}')
+        for name in HEADERS:
+            shutil.copy(f'{name}.h', folder)
+        folders.put(folder)
+    return folders
+
+
+def in_copy(folders, work, *arguments):
+    folder = folders.get()
+    try:
+        return work(folder, *arguments)
+    finally:
+        folders.put(folder)
+
+
+def timed(folder, name):
+    """Seconds to build and run the program with the headers as they are, with which it has to pass."""
+    start = time.monotonic()
+    if not passes(folder, name):
+        sys.exit(f'{name} fails without a mutant')
+    return time.monotonic() - start
+
+
+def controls(folders, sources):
+    for header in HEADERS:
+        text = '\n'.join(sources[header])
+        end = text.index('/* ---- End of the shared block')
+        wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
+        verdicts = [in_copy(folders, judge, header, text, some, [header]) for some in (text, wrong)]
+        if verdicts != ['survived', 'caught']:
+            sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
+
+
+def known_equivalent():
+    with open('tests/mutants.txt') as file:
+        return {tuple(line.split('\t')[:3]) for line in file if not line.startswith('#')}
 
 
 def main():
@@ -100,28 +153,43 @@ def main():
     with open(f'{build}/coverage/map.json') as file:
         known = json.load(file)
     chosen = sys.argv[4:] or HEADERS
-    sources = {header: open(f'{header}.h').read().split('\n') for header in chosen}
-    executed = {header: {int(line): names for line, names in known['programs'][header].items()
-                         if code_of(sources[header][int(line) - 1])} for header in chosen}
+    sources = {header: open(f'{header}.h').read().split('\n') for header in HEADERS}
+    codes = {header: code_of('\n'.join(sources[header])).split('\n') for header in chosen}
+    executed = {header: {int(line): names for line, names in known['programs'][header].items()} for header in chosen}
+    places = [(header, line) for header in chosen for line in sorted(executed[header])
+              if codes[header][line - 1].strip()]
     rng = random.Random(seed)
-    lines = {header: sorted(of_line) for header, of_line in executed.items()}
-    mutants = [draw(rng, sources, lines) for _ in range(count)]
-    jobs = [(f'{build}/mutants/{seed}-{k}', mutant, sources[mutant[0]], executed[mutant[0]][mutant[1]],
-             known['seconds']) for k, mutant in enumerate(mutants)]
-    verdicts = {header: Counter() for header in chosen}
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for verdict, (header, line, kind, text) in pool.map(judge, jobs):
+    mutants = [draw(rng, codes, places) for _ in range(count)]
+    folders, equivalent = prepared(build), known_equivalent()
+    with ThreadPoolExecutor(WORKERS) as pool:
+        tests = [name for name in known['seconds'] if not flags_of(name)]
+        cost = dict(zip(tests, pool.map(lambda name: in_copy(folders, timed, name), tests)))
+        controls(folders, sources)
+
+        def verdict_of(mutant):
+            header, line, kind, start, end, new = mutant
+            old = sources[header][line - 1]
+            text = old[:start] + new + old[end:]
+            if (header, old.strip(), text.strip()) in equivalent:
+                return 'equivalent', mutant, text
+            whole = '\n'.join(sources[header][:line - 1] + [text] + sources[header][line:])
+            return in_copy(folders, judge, header, '\n'.join(sources[header]), whole,
+                           in_order(executed[header][line], cost)), mutant, text
+
+        verdicts = {header: Counter() for header in chosen}
+        for verdict, (header, line, kind, *_), text in pool.map(verdict_of, mutants):
             verdicts[header][verdict] += 1
             if verdict == 'survived':
                 print(f'{header}.h:{line}: {kind}', sources[header][line - 1].strip(), text.strip(), sep='\n    ',
                       flush=True)
+    shutil.rmtree(f'{build}/mutants')
     enough = True
     for header, counts in verdicts.items():
         alive = counts['caught'] + counts['survived']
         share = 100 * counts['caught'] / alive if alive else 100
         enough = enough and share >= LEAST
         print(f'{header + ".h":14} {counts["caught"]} of {alive} caught, {share:.1f} %; '
-              f'{counts["stillborn"]} did not compile')
+              f'{counts["equivalent"]} known as equivalent, {counts["stillborn"]} do not compile')
     sys.exit(not enough)
 
 
