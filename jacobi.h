@@ -43,22 +43,23 @@
      VM_API, VM_INLINE    linkage of the functions, default static inline (forced where loops must vectorise)
      VM_SQRT, VM_FLOOR .. the functions of the C library that are used (all of them, if any)
      VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
+   On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
+   below nor symmetry to the bit hold: -fexcess-precision=standard, or -msse2 -mfpmath=sse, mends it.
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and 2^40 K (float 1e4, 2^17 K); from K/eps on u
-                  holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp (once, 8.07, in millions of points,
-                  for cn at u = 1.5738144120518882, m = 0.96372153102655389) for |u| <= 100 K, at and next to
-                  the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
+                  holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and
+                  next to the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
                   plan is as accurate.
      others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients 8 ulp, am 4 ulp;
                   solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.3 (1.4), for m < -1 2.6;
-                  sn+cn+dn for |u| < K/2 2.7 to 3.1 (2.1), for |u| < 2K 7.0 to 7.6 (3.5), to 1e9 15 to 17 (5.5); by a
-                  plan 2.6 (1.6), for m > 0.955 and m < -21.5 5.9 (3.1); in an array 0.48, or there 1.0, by gcc -O3
-                  -march=native, 1.4 or 5.9 by -O2; solve_kpK 5 to 49.
-     Size         a plan has 312 bytes (float 116); the largest stack frame is about 1 kB.
+                  one before), gcc -O2, without fused multiply-adds: K 1.5 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
+                  2.7 to 3.1 (2.1), for |u| < 2K 6.7 to 7.2 (3.4), to 1e9 13 to 15 (5.5); by a plan 2.7 (1.6), for
+                  m > 0.955 and m < -21.5 5.7 to 7 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.3
+                  or 5.7 by -O2; solve_kpK 5 to 49.
+     Size         a plan has 304 bytes (float 112); the largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
@@ -562,7 +563,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m);
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) */
     vm_real q, defect; /* the nome of 1 - m or 1/(1 - m), and 1 - (phase per unit of argument) */
-    vm_real f[3], g[2], scale[3];
+    vm_real f[3], g[2], scale[2];
 } vmi_theta_form;
 
 enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
@@ -811,8 +812,8 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: x S, error 2^-60 (float 2^-31). After one step
-   of the AGM before, k' -> 2 sqrt(k')/(1 + k'), it covers VMI_MIDDLE. */
+/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: S, with an error of x S of 2^-60 (float 2^-31).
+   After one step of the AGM before, k' -> 2 sqrt(k')/(1 + k'), it covers VMI_MIDDLE. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -820,43 +821,50 @@ VM_API vm_real vmi_K_series(vm_real x)
     const vm_real S01 = VM_C(0.250000000000002276) + x * VM_C(0.140624999998056721);
     const vm_real S23 = VM_C(0.0976562505663747388) + x * VM_C(0.0747679882260262468);
     const vm_real S45 = VM_C(0.0605678939898120217) + x * VM_C(0.0506567294491898287);
-    return x * ((S01 + xx * S23) + xx * xx * (S45 + xx * VM_C(0.0486832738964245657)));
+    return (S01 + xx * S23) + xx * xx * (S45 + xx * VM_C(0.0486832738964245657));
 #else
-    return x * (VM_C(0.2500003576) + x * (VM_C(0.1405491382) + x * VM_C(0.1020393297)));
+    return VM_C(0.2500003576) + x * (VM_C(0.1405491382) + x * VM_C(0.1020393297));
 #endif
 }
 
-/* E = (pi/4) (1 + k') (1 + x S(x)), the same x, but up to 0.27: x S, error 2^-57.7 (float 2^-32) */
+/* E = (pi/4) (1 + k') (1 + x S(x)), the same x, but up to 0.503: x S, error 2^-58.7 (float 2^-32.5) */
 VM_API vm_real vmi_E_series(vm_real x)
 {
-    const vm_real xx = x * x;
+    const vm_real xx = x * x, x4 = xx * xx;
 #if VM_MANT_DIG > 24
-    const vm_real x4 = xx * xx;
-    const vm_real S01 = VM_C(0.250000000000002831) + x * VM_C(0.0156249999994042994);
-    const vm_real S23 = VM_C(3.9062500435263622e-3) + x * VM_C(1.52587732337036795e-3);
-    const vm_real S45 = VM_C(7.47714001195162259e-4) + x * VM_C(4.2013106312607611e-4);
-    const vm_real S67 = VM_C(2.63401284398674228e-4) + x * VM_C(1.50226812853163923e-4);
-    const vm_real S89 = VM_C(1.9585253418758568e-4) - x * VM_C(8.28901959558369798e-5);
-    const vm_real high = (S45 + xx * S67) + x4 * (S89 + xx * VM_C(2.54076909382468089e-4));
-    return x * ((S01 + xx * S23) + x4 * high);
+    const vm_real S01 = VM_C(0.249999999999998501) + x * VM_C(0.015625000000338965);
+    const vm_real S23 = VM_C(3.90624997325988814e-3) + x * VM_C(1.52587997709131905e-3);
+    const vm_real S45 = VM_C(7.47655087182482977e-4) + x * VM_C(4.20968920831230303e-4);
+    const vm_real S67 = VM_C(2.55356931163965744e-4) + x * VM_C(2.04222291722467767e-4);
+    const vm_real S89 = VM_C(-6.44253151491566971e-5) + x * VM_C(8.41539381412701858e-4);
+    const vm_real SAB = VM_C(-2.23033122391106189e-3) + x * VM_C(5.13605764430626315e-3);
+    const vm_real SCD = VM_C(-7.99521933118507375e-3) + x * VM_C(8.6386328798905114e-3);
+    const vm_real SEF = VM_C(-5.6395773761986805e-3) + x * VM_C(1.79039420508178429e-3);
+    const vm_real low = (S01 + xx * S23) + x4 * (S45 + xx * S67);
+    return x * (low + x4 * x4 * ((S89 + xx * SAB) + x4 * (SCD + xx * SEF)));
 #else
-    const vm_real S23 = VM_C(3.928991966e-3) + x * VM_C(1.366691897e-3);
-    return x * ((VM_C(0.2500000298) + x * VM_C(0.01562360954)) + xx * (S23 + xx * VM_C(1.22730108e-3)));
+    const vm_real S23 = VM_C(3.9256569e-3) + x * VM_C(1.379663823e-3);
+    const vm_real S45 = VM_C(1.321772113e-3) + x * VM_C(-7.536308258e-4);
+    return x * ((VM_C(0.2500000298) + x * VM_C(0.0156237958)) + xx * S23 + x4 * (S45 + xx * VM_C(1.340579358e-3)));
 #endif
 }
 
-/* agm(1, k') = pi/(2K), relative error below 2^-84 (float 2^-40), in two words until the last step is a series:
-   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...), x = (c/s)^2. m1 > 0. */
-VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo)
+/* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
+   x = (c/s)^2, which leaves a relative error of x eps/2 < 2^-84 (float 2^-40), an eighth of an eps of the phase
+   u pi/(2K). m1 > 0. */
+VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
     const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
-    vm_two a = vmi_two(1, 0), b = vmi_root(m1 * lift * lift, m1_lo * lift * lift), p;
-    b = vmi_two(b.hi / lift, b.lo / lift);
+    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
+    const vm_two kp = vmi_two(root.hi / lift, root.lo / lift);
+    vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
+    a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
     for (;;) {
         const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
         const vm_two sum = vmi_two_sum(a.hi, b.hi), s = vmi_two(sum.hi / 2, (sum.lo + (a.lo + b.lo)) / 2);
-        if (VM_FABS(c) < last * s.hi) {
+        const int enough = c * c * u < s.hi / 4 || VM_FABS(c) < VM_EPSILON * s.hi;
+        if (VM_FABS(c) < last * s.hi && enough) {
             const vm_real x = (c / s.hi) * (c / s.hi);
             return vmi_two_sum(s.hi, s.lo - s.hi * x * (VM_C(0.25) + x * VM_C(0.078125)));
         }
@@ -930,14 +938,16 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
    c = 1 - m, or reciprocal, z = k'u agm(1, k) with that of c = 1/(1 - m), by sn(u | m) = sd(k'u | m/(m - 1))/k' and
    its kin. The coefficients: with X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
-     theta_3, theta_4 = E + O, E - O,                    E = g0 + g1 X^2,  O = 2 X;
-   what is left out is below 1e-18. One step of the AGM from 1 and k reaches (1 + k)/2 and the parameter x. */
+     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X;
+   what is left out is below 1e-18. f carries the factor between d and n, so that f0 is near 1/2, and scale is near 1
+   but for 1/k': a simple number and a small part, rounded once. One step of the AGM from 1 and k reaches (1 + k)/2
+   and the parameter x. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
     const vm_real half = c / (2 * (1 + root)), k1 = 2 * half / (1 + root), x = k1 * k1;
     const vm_two kp = m1 > 1 ? vmi_root(m1, m1_lo) : vmi_two(VM_SQRT(m1), 0);
-    vm_real q2, q4, q6;
+    vm_real q2, q4, q6, even, odd, f0, share;
     t->kp = kp.hi;
     t->kp_lo = kp.lo;
     t->q = k1 / 4 * (1 + x * (VM_C(0.25) + x * (VM_C(0.1328125) + x * VM_C(0.087890625))));
@@ -945,14 +955,17 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     q2 = t->q * t->q;
     q4 = q2 * q2;
     q6 = q2 * q4;
-    t->f[0] = 1 - (q2 + q6);
-    t->f[1] = 2 * t->q * (1 - q4);
-    t->f[2] = 4 * q4;
-    t->g[0] = 1 - 2 * q4;
+    even = q2 + q6;
+    odd = 2 * t->q + 2 * q4;
+    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* f0 - 1/2 */
+    t->f[0] = VM_C(0.5) + f0;
+    share = t->f[0] / (1 - even);
+    t->f[1] = share * 2 * t->q * (1 - q4);
+    t->f[2] = share * 4 * q4;
+    t->g[0] = 2 * q4;
     t->g[1] = 4 * q2;
-    t->scale[0] = 1 / (m1 > 1 ? kp.hi * fourth : fourth);
-    t->scale[2] = 2 * (1 + (q2 + q6)) / (1 + (2 * t->q + 2 * q4));
-    t->scale[1] = t->scale[2] / fourth;
+    t->scale[1] = 1 + 2 * half / ((1 + fourth) * fourth);
+    t->scale[0] = m1 > 1 ? (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi : t->scale[1];
 }
 
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-it) is 0: tanh is 1, sech 0 */
@@ -973,14 +986,14 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     e = root * root;
     X = t->q > tiny ? t->q * ((e + 1 / e) / 2) : 0;
     XX = X * X;
-    P = t->f[0] + t->f[2] * XX;
+    P = t->f[2] * XX; /* less f0 */
     Q = t->f[1] * X;
-    E = t->g[0] + t->g[1] * XX;
+    E = t->g[1] * XX - t->g[0]; /* less 1 */
     O = 2 * X;
-    d = t->scale[2] * (root * (E + O));
-    n = (1 + e) * (P + Q);
-    theta.s = sign * (t->scale[0] * (less * (1 + root) * (P - Q)));
-    theta.c = t->scale[1] * (root * (E - O));
+    d = root * (1 + (E + O));
+    n = (1 + e) * (t->f[0] + (P + Q));
+    theta.s = sign * (t->scale[0] * (less * (1 + root) * (t->f[0] + (P - Q))));
+    theta.c = t->scale[1] * (root * (1 + (E - O)));
     theta.d = reciprocal ? n : d;
     theta.n = reciprocal ? d : n;
     return theta;
@@ -994,20 +1007,19 @@ VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 }
 
 /* The thetas so many quarters on: at one s, c, d, n become c, -k's, k'n, d; at two s and c change their sign. With no
-   branch, which would be mispredicted every other time. */
+   branch, which would be mispredicted every other time: products with 0 and +-1. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
-    const vm_real one = 1;
-    const vmi_bits odd = quarters & 1, mask = (vmi_bits)0 - odd, top = sizeof(vm_real) * 8 - 1;
-    const vmi_bits half = (quarters >> 1 & 1) << top, one_bits = vmi_to_bits(one);
-    const vmi_bits s = vmi_to_bits(theta.s), c = vmi_to_bits(theta.c), s_or_c = (s ^ c) & mask;
-    const vmi_bits d = vmi_to_bits(theta.d), n = vmi_to_bits(theta.n), d_or_n = (d ^ n) & mask;
-    const vm_real factor = vmi_from_bits(one_bits ^ ((one_bits ^ vmi_to_bits(kp)) & mask));
-    theta.s = vmi_from_bits(s ^ s_or_c ^ half);
-    theta.c = factor * vmi_from_bits(c ^ s_or_c ^ half ^ odd << top);
-    theta.d = factor * vmi_from_bits(d ^ d_or_n);
-    theta.n = vmi_from_bits(n ^ d_or_n);
-    return theta;
+    const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
+    const vmi_bits sign = (quarters >> 1 & 1) << (sizeof(vm_real) * 8 - 1);
+    const vm_real stays = vmi_from_bits((one & ~odd) ^ sign), turns = vmi_from_bits((one & odd) ^ sign);
+    const vm_real stay = stays * stays, turn = turns * turns;
+    vmi_thetas shifted;
+    shifted.s = stays * theta.s + turns * theta.c;
+    shifted.c = stays * theta.c - turns * kp * theta.s;
+    shifted.d = stay * theta.d + turn * kp * theta.n;
+    shifted.n = stay * theta.n + turn * theta.d;
+    return shifted;
 }
 
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
@@ -1027,26 +1039,30 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 
 /* ---- The phase and its quarter -------------------------------------------------------------------------------- */
 
-/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE: two steps of
-   the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
-   2 pi (1 + x S); the series and its rounding errors are small. Within an eps of the result if that is no less than
-   u/64, else NaN. */
-VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
+/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE, kp = k': two
+   steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
+   2 pi (1 + x S); the series and its rounding errors are small. The heads of k' and f are multiples of 2^-23 and
+   2^-24 (float 2^-8, 2^-9), so that their squares, (1 + f)^2 of them and its product with the head of u are exact.
+   Within an eps of the result if that is no less than u/64, else NaN. */
+VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_two kp = vmi_root(m1, m1_lo), f = vmi_root(kp.hi, kp.lo);
-    const vm_real per = 1 / (1 + f.hi), h = (1 - f.hi) * per, hh = h * h;
-    const vm_real more = half_pi.mid + half_pi.hi * vmi_K_series(hh * hh);
-    const vm_two sum = vmi_two_sum(1, kp.hi), rate = vmi_fast_two_sum(sum.hi, 2 * f.hi);
-    const vm_real rate_lo = (rate.lo + sum.lo) + (kp.lo + 2 * f.lo);
-    const vm_real u_head = vmi_head(u), rate_head = vmi_head(rate.hi);
-    const vm_real phase = u_head * rate_head; /* exact */
-    const vm_real phase_lo = u_head * (rate.hi - rate_head) + (u - u_head) * rate.hi + u * rate_lo;
+    const vm_real grid = VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0), half_grid = grid / 2;
+    const vm_real f = VM_SQRT(kp), kp_head = vmi_rounded(kp + grid) - grid;
+    const vm_real f_head = vmi_rounded(f + half_grid) - half_grid;
+    const vm_real kp_tail = ((m1 - kp_head * kp_head) + m1_lo) / (kp + kp_head);
+    const vm_real f_tail = ((kp_head - f_head * f_head) + kp_tail) * (1 / (f + f_head));
+    const vm_real rate_head = (1 + 2 * f_head) + kp_head, rate_tail = 2 * f_tail + kp_tail;
+    const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
+    const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
+    const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
     const int second = phase > 6 * half_pi.hi; /* added, not branched on, which would be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
-    const vm_real rest = (phase - j * half_pi.hi) + (phase_lo - j * more);
+    const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
+    *quarters = 0;
+    if (phase < 2 * half_pi.hi) return u;
     *quarters = (vmi_bits)(1 + second);
-    return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest * (per * per) : VM_NAN;
+    return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest / (rate_head + rate_tail) : VM_NAN;
 }
 
 /* The same in two words for any u > 0 and m1 > 0, by the period in two words, in three for less than 128 K and next
@@ -1055,7 +1071,7 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real next = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(8e-6);
-    const vm_two rate = vmi_agm_two_words(m1, m1_lo);
+    const vm_two rate = vmi_agm_two_words(m1, m1_lo, u);
     const vm_real size = u * rate.hi, count = size * VM_C(0.6366197723675813431);
     const vm_real shifted = vmi_rounded(count + 1 / VM_EPSILON);
     const vm_real j = shifted - 1 / VM_EPSILON;
@@ -1075,7 +1091,7 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     v = rest.hi / rate.hi;
     if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* |v| < 2 there: the low word is not asked for */
     error = vmi_two_product(v, rate.hi);
-    return vmi_two(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
+    return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
 /* The same for any u >= 0 and m, NaN where one is refused; reach < 30 for u < 2.5 K. The result's low word, if it has
@@ -1085,7 +1101,7 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
 {
     *v_lo = 0;
     if (reach < 30 && VMI_MIDDLE(m1)) {
-        const vm_real v = vmi_reduce_short(u, m1, m1_lo, quarters);
+        const vm_real v = vmi_reduce_short(u, m1, m1_lo, VM_SQRT(m1), quarters);
         if (v == v) return v;
     }
     *quarters = 0;
@@ -1103,7 +1119,7 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
    Near 0 nothing is reduced, and neither K nor k' is asked for. */
 VM_INLINE vmi_thetas vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
-    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.36) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
+    const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
@@ -1123,6 +1139,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_neville(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less, where K - u and k' have some more */
 }
 
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
@@ -1358,10 +1375,10 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     vm_real quotient;
     if (VMI_MIDDLE(m1)) {
         const vmi_three half_pi = vmi_half_pi();
-        const vm_real kp = VM_SQRT(m1), f = VM_SQRT(kp), h = (1 - f) / (1 + f), hh = h * h;
+        const vm_real kp = VM_SQRT(m1), f = VM_SQRT(kp), h = (1 - f) / (1 + f), x = vmi_fourth_power(h);
         const vm_two first = vmi_two_sum(1, kp), sum = vmi_fast_two_sum(first.hi, 2 * f);
         const vm_real start = 4 * half_pi.hi / sum.hi, low = (first.lo + sum.lo) * VM_C(0.1591549430918953358);
-        return start + start * (vmi_K_series(hh * hh) - start * low + half_pi.mid / half_pi.hi);
+        return start + start * (x * vmi_K_series(x) - start * low + half_pi.mid / half_pi.hi);
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
@@ -1372,12 +1389,12 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -1 by E(m) = k'E(mu) */
+/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -33.5 by E(m) = k'E(mu) */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
     vm_real rest;
-    if (m1 >= VM_C(0.1) && m1 <= 10) {
+    if (VMI_MIDDLE(m1)) {
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);

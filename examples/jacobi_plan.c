@@ -43,7 +43,7 @@ static void print_plan(const jacobi_plan *p, const char *m, const char *name)
     print_reals("    {", head, 4, ",");
     print_reals("     {", t->f, 3, "},");
     print_reals("     {", t->g, 2, "},");
-    print_reals("     {", t->scale, 3, "}}};");
+    print_reals("     {", t->scale, 2, "}}};");
 }
 
 int main(int argc, char **argv)

@@ -48,6 +48,22 @@ static void scan_jacobi(const char *region, double m, double u)
     check_error("dn", region, "ulp", ulps(dn, d), 8, (double)ur, (double)mr);
 }
 
+/* Where one form or series gives way to another: u about multiples of K/2, next to them and up to 10 % off, for m
+   about the edges of the theta functions, of the middle of K, about 0 and -1, and very negative with u large */
+static void scan_seams(double largest)
+{
+    static const double edge[] = {0.05, 20, 0.029, 34.5, 1, 2};
+    const double apart = (drand48() < 0.5 ? 1 : -1) * log_uniform(-15, -1), half = floor(uniform48(1, 20)) / 2;
+    const double m1 = edge[(int)(6 * drand48())] * (1 + uniform48(-0.1, 0.1));
+    vm_real m = (vm_real)(1 - m1);
+    quad E;
+    scan_jacobi("seams", (double)m, half * (1 + apart) * (double)quarter_period(1 - (quad)m, &E));
+    scan_jacobi("seams", (double)m, uniform48(-2, 2) * (double)quarter_period(1 - (quad)m, &E));
+    m = (vm_real)(floor(2 * drand48()) - 1 + apart);
+    scan_jacobi("m near 0, -1", (double)m, half * (1 + apart) * (double)quarter_period(1 - (quad)m, &E));
+    scan_jacobi("m << -1, far", -log_uniform(1, 5), uniform48(-largest, largest));
+}
+
 /* The root of k' K1(k') = c next to the kit's answer, by Newton's method with a difference quotient; the errors are
    what is left when what one ulp of c moves m and m1 is taken off */
 static void scan_solver(double c)
@@ -116,6 +132,7 @@ int main(int argc, char **argv)
         scan_jacobi("m < 0", -log_uniform(-4, 6), uniform48(-10, 10));
         scan_jacobi("m near 1", 1 - log_uniform(-16, -1), uniform48(-100, 100));
         scan_jacobi("|u| large", uniform48(-5, 1), uniform48(-largest, largest));
+        scan_seams(largest);
         m = (double)(vm_real)(i % 2 ? m : 1 - log_uniform(-4, 4)), K = (double)quarter_period(1 - (quad)m, &E);
         scan_jacobi("u near jK", m,
                     K * floor(uniform48(1, 100)) * (1 + (is_float ? 1e-7 : 2e-16) * uniform48(-4, 4)));

@@ -60,6 +60,57 @@ static void test_table(void)
     }
 }
 
+/* The twelve functions against quotients of the table's in two words, at zeros and poles too */
+static void check_twelve(const jacobi_row *row)
+{
+    static const char *const name[12] = {"sn", "cn", "dn", "ns", "nc", "nd", "sc", "cs", "sd", "ds", "cd", "dc"};
+    static const char theta[] = "scdn";
+    const double high[4] = {row->sn, row->cn, row->dn, 1}, low[4] = {row->sn_low, row->cn_low, row->dn_low, 0};
+    const vm_real u = (vm_real)row->u, m = (vm_real)row->m;
+    const vm_real got[12] = {jacobi_sn(u, m), jacobi_cn(u, m), jacobi_dn(u, m), jacobi_ns(u, m),
+                             jacobi_nc(u, m), jacobi_nd(u, m), jacobi_sc(u, m), jacobi_cs(u, m),
+                             jacobi_sd(u, m), jacobi_ds(u, m), jacobi_cd(u, m), jacobi_dc(u, m)};
+    int k;
+    for (k = 0; k < 12; k++) {
+        const int p = (int)(strchr(theta, name[k][0]) - theta), q = (int)(strchr(theta, name[k][1]) - theta);
+        const double exact = high[p] / high[q];
+        const double rest = (fma(-exact, high[q], high[p]) + (low[p] - exact * low[q])) / high[q];
+        if (!(fabs(exact) <= (double)VM_MAX)) continue;
+        check_error(name[k], "quotients", "ulp", ERROR_ULP(got[k], exact, rest), 8, row->u, row->m);
+    }
+}
+
+static void test_quotient_table(void)
+{
+    size_t i;
+    for (i = 0; i < sizeof jacobi_table / sizeof *jacobi_table; i++) {
+        const jacobi_row *row = jacobi_table + i;
+        if (!representable(row->u) || !representable(row->m) || row->complement) continue;
+        if (fabs(row->u) <= 100 * row->K) check_twelve(row);
+    }
+}
+
+static void test_amplitude_table(void)
+{
+    static const struct {
+        const char *region;
+        double u, m, am, am_low;
+    } table[] = {
+#ifdef POINTS
+#include "../build/points/amplitude_table.h"
+#else
+#include "data/amplitude_table.h"
+#endif
+    };
+    size_t i;
+    for (i = 0; i < sizeof table / sizeof *table; i++) {
+        const vm_real u = (vm_real)table[i].u, m = (vm_real)table[i].m;
+        if (!representable(table[i].u) || !representable(table[i].m)) continue;
+        check_error("am", table[i].region, "ulp", ERROR_ULP(jacobi_am(u, m), table[i].am, table[i].am_low), 4,
+                    table[i].u, table[i].m);
+    }
+}
+
 static void test_complete(void)
 {
     static const struct {
@@ -475,6 +526,8 @@ static void test_domain(void)
 int main(void)
 {
     test_table();
+    test_quotient_table();
+    test_amplitude_table();
     test_complete();
     test_means();
     test_identities();

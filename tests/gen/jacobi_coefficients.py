@@ -101,7 +101,7 @@ FUNCTIONS = [
     ("(cos z - 1 + z^2/2)/z^4 of z^2", cosine, 0, T, lambda t: t * t, 5, 2),
     ("(atan z/z - 1)/z^2 of z^2", arctangent, 0, mpf("0.1717"), lambda t: t, 9, 4),
     ("(2 K(x)/pi - 1)/x", k_series, 0, mpf("0.0295"), lambda x: x, 6, 2),  # k1^2 for m from -1 to 1/2
-    ("(4 E/(pi (1 + k')) - 1)/k1^2 of k1^2", e_series, 0, mpf("0.27"), lambda x: x, 10, 4),  # m from -9 to 0.9
+    ("(4 E/(pi (1 + k')) - 1)/k1^2 of k1^2", e_series, 0, mpf("0.5035"), lambda x: x, 15, 6),  # m from -33.5 to 0.971
 ]
 LOGARITHMIC = [
     ("K - l - c (l - 1)/4 by c^2 (l A - B)", lambda c: ellipk(1 - c) - log(16 / c) / 2 - c * (log(16 / c) / 2 - 1) / 4,

@@ -1,22 +1,23 @@
 #!/usr/bin/env python3
-"""Write tests/data/jacobi_table.h, complete_table.h, means_table.h and solver_table.h: arbitrary-precision values of what
-jacobi.h computes, at exactly the stored inputs.
+"""Write tests/data/jacobi_table.h, amplitude_table.h, complete_table.h, means_table.h and solver_table.h:
+arbitrary-precision values of what jacobi.h computes, at exactly the stored inputs.
 
 usage: jacobi_reference.py [FACTOR [FOLDER [SEED]]]   FACTOR times as many points (make points: 20), elsewhere, others
 
-Every value is given as high + low word (about 32 digits). About half of the inputs of each region are numbers of single
+Every value is given as high + low word (24 digits in all). About half of the inputs of each region are numbers of single
 precision, which the float build of the tests uses; the double build uses all of them. sn, cn, dn come from the
 descending Landen transformation in 60 digits and more; the script compares with a second route of mpmath on a sample.
 """
 import random
 import struct
 import sys
-from mpmath import mp, mpf, agm, cos, ellipe, ellipfun, ellipk, nint, pi, sin, sqrt
+from mpmath import mp, mpf, agm, atan2, cos, ellipe, ellipfun, ellipk, nint, pi, sin, sqrt
 
 DIGITS = 60
 FACTOR = int(sys.argv[1]) if len(sys.argv) > 1 else 1
 FOLDER = sys.argv[2] if len(sys.argv) > 2 else "tests/data"
-random.seed(int(sys.argv[3]) if len(sys.argv) > 3 else 20)
+SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 20
+random.seed(SEED)
 
 
 def single(x):
@@ -25,7 +26,7 @@ def single(x):
 
 def words(x):
     high = float(x)
-    return f"{high!r}, {float(x - mpf(high))!r}"
+    return f"{high!r}, {float(x - mpf(high)):.8g}"
 
 
 def quarter(m1):
@@ -98,6 +99,37 @@ def jacobi_regions():
         with mp.workdps(40):
             u = near(random.choice((1, 1, 2, 3, 4, 5, 8, 17, 50, 99)) * quarter(1 - mpf(m)))
         yield "u near jK", near(u * (1 + random.choice((0, 0, ulp, -ulp, 3 * ulp, 1e-12, -1e-8)))), m, False
+    for u, m in WORST:
+        yield "worst", u, m, False
+
+
+# where errors beyond the bounds, or nearly so, have been found: next to the edges of a series, in the last places of
+# a reduced argument, in the phase of a large one
+WORST = ((1.5738144120518882, 0.96372153102655389), (1.4562745436990139, 0.97095794892184717),
+         (1.4609171633423244, 0.95138128720003634), (1.5037454851115841, 0.96844886342349523),
+         (1.4993568845469039, 0.97073841162373842), (4.8616667323561948, 0.97060246979979015),
+         (1.3917563765146419, 0.95370654105254871), (0.93906475580234328, -21.400480506316349),
+         (0.92491827548618344, -22.430978598287222), (4.3011217626738585, -22.785899363234897),
+         (-0.38166483960647563, -12.429652003318981), (1.0484683502383100, -2.082933610001875e-07),
+         (1.8017667277183738, 0.43299245396041214), (6.6479132462336041, 0.91577786802893879),
+         (50.593170400432854, 0.99999999999998601), (4.1670951843261719, -0.030139099806547165),
+         (606584222.08948791, -23981.441535423004), (808314325.2519846, -36064.985706958061),
+         (-954408995.3064301, -37427.30282231501), (753773701.62084389, -37067.159128921689),
+         (-876790989.3410604, -35232.72552120607))
+
+
+def amplitude_rows():
+    """am u, j pi + atan2(sn, cn) with j the multiple of 2K next to u, for |u| < 100 K"""
+    random.seed(SEED + 1)
+    rows = [(region, u, m) for region, u, m, complement in jacobi_regions() if not complement]
+    for region, u, m in random.sample(rows, 240 * FACTOR) + [("worst", u, m) for u, m in WORST]:
+        with mp.workdps(digits_for(u, m)):
+            m1, x = 1 - mpf(m), mpf(u)
+            K = quarter(m1) if m1 else mpf(10) ** 9
+            if abs(x) < 100 * K:
+                turns = nint(x / (2 * K))
+                sn, cn, _ = sncndn(x - 2 * K * turns, m1)
+                yield f'    {{"{region}", {u!r}, {m!r}, {words(turns * pi + atan2(sn, cn))}}},'
 
 
 def complete_rows():
@@ -169,3 +201,4 @@ write("jacobi_table.h", "region, form (0: m, 1: m1), u, m or m1, K, sn, cn, dn a
 write("complete_table.h", "form (0: m, 1: m1), m or m1, K, E as high and low words", list(complete_rows()))
 write("means_table.h", "m, means of cn^2, cn^4, cn^6 as high and low words", list(means_rows()))
 write("solver_table.h", "c, m1 and m of k'K(k^2) = c as high and low words", list(solver_rows()))
+write("amplitude_table.h", "region, u, m, am as high and low words", list(amplitude_rows()))
