@@ -9,10 +9,12 @@ one fails, ends with a signal or needs SECONDS of processor time. Where MANY pro
 and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with its
 reason to tests/mutants.txt, whose mutants count neither as caught nor as missed.
 
+tcc, where it is there, makes this a matter of seconds; gcc compiles the others, in float and contracted too.
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
 usage: mutate.py BUILD SEED COUNT [HEADER] from the top of the project, after coverage.py
 """
+import glob
 import json
 import os
 import random
@@ -26,8 +28,9 @@ from concurrent.futures import ThreadPoolExecutor
 from queue import Queue
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
-MANY, BUSIEST = 6, 3
+MANY, BUSIEST = 8, 3
 SECONDS = 20
+TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
 LEAST = 90.0
 WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
 NUMBER = r'\d+\.\d+(?:e[+-]?\d+)?|\d+e[+-]?\d+'
@@ -69,14 +72,20 @@ def flags_of(name):
         ['-march=native', '-ffp-contract=fast'] if name.endswith('_contracted') else []
 
 
-def passes(folder, name):
-    """Does the program, built in this copy of the project, pass? None where it does not compile."""
+def built(folder, name, compiler):
     test = re.sub(r'_(float|contracted)$', '', name)
-    compile_it = ['gcc', '-std=c99', '-O1', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm']
-    if subprocess.run(compile_it, cwd=folder, stderr=subprocess.DEVNULL).returncode:
-        return None
-    command = ['sh', '-c', f'ulimit -t {SECONDS}; exec ./test']
-    return not subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+    command = [*compiler, '-std=c99', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm']
+    return not subprocess.run(command, cwd=folder, stderr=subprocess.DEVNULL).returncode
+
+
+def passes(folder, seconds):
+    """Does the program that was built last pass? At the first failure that it prints it is stopped."""
+    command = ['sh', '-c', f'ulimit -t {int(SECONDS + 3 * seconds)}; exec stdbuf -oL ./test']
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
+        for line in program.stdout:
+            if b'FAILED' in line:
+                program.kill()
+    return not program.returncode
 
 
 def write(folder, header, text):
@@ -85,23 +94,28 @@ def write(folder, header, text):
 
 
 def judge(folder, header, right, text, programs):
-    """'caught', 'stillborn' (does not compile), or 'survived'; the right header is put back afterwards."""
+    """'caught', 'stillborn' (does not compile), or 'survived'; programs: (name, compiler, seconds that it needs). The
+    right header is put back afterwards."""
     write(folder, header, text)
     verdict = 'survived'
-    for name in programs:
-        good = passes(folder, name)
-        if not good:
-            verdict = 'stillborn' if good is None else 'caught'
+    for name, compiler, seconds in programs:
+        if not built(folder, name, compiler):
+            verdict = 'stillborn'
+            break
+        if not passes(folder, seconds):
+            verdict = 'caught'
             break
     write(folder, header, right)
     return verdict
 
 
-def in_order(names, cost):
-    """The programs to try: in double the busiest, cheapest first, then the cheapest others, then other builds."""
+def in_order(names, known):
+    """The programs to try: in double the busiest, the cheapest of them first, then the cheapest others, then others."""
     double = [name for name in names if not flags_of(name)]
-    order = sorted(double[:BUSIEST], key=cost.get) + sorted(double[BUSIEST:], key=cost.get)
-    return order[:MANY] + [name for name in names if flags_of(name)][:max(1, MANY // 2)]
+    def by_cost(some):
+        return sorted(((name, *known[name]) for name in some), key=lambda program: program[2])
+    others = [(name, GCC, 1) for name in names if flags_of(name)]
+    return (by_cost(double[:BUSIEST]) + by_cost(double[BUSIEST:]))[:MANY] + others[:BUSIEST]
 
 
 def prepared(build):
@@ -111,6 +125,11 @@ def prepared(build):
         folder = f'{build}/mutants/{os.getpid()}-{k}'
         for name in ('tests', 'examples'):
             shutil.copytree(name, f'{folder}/{name}')
+        for source in glob.glob(f'{folder}/tests/*.[ch]'): # tcc takes no part of a literal for a constant
+            with open(source) as file:
+                text = file.read().replace("PRECISION[0] == 'f'", 'sizeof(vm_real) == 4')
+            with open(source, 'w') as file:
+                file.write(text)
         for name in HEADERS:
             shutil.copy(f'{name}.h', folder)
         folders.put(folder)
@@ -126,19 +145,22 @@ def in_copy(folders, work, *arguments):
 
 
 def timed(folder, name):
-    """Seconds to build and run the program with the headers as they are, with which it has to pass."""
-    start = time.monotonic()
-    if not passes(folder, name):
-        sys.exit(f'{name} fails without a mutant')
-    return time.monotonic() - start
+    """(compiler, seconds): the first one that compiles the program, which has to pass with the headers as they are."""
+    for compiler in (TCC, GCC) if shutil.which(TCC[0]) else (GCC,):
+        start = time.monotonic()
+        if built(folder, name, compiler):
+            if not passes(folder, 60):
+                sys.exit(f'{name} fails without a mutant')
+            return compiler, time.monotonic() - start
+    sys.exit(f'{name} does not compile')
 
 
-def controls(folders, sources):
+def controls(folders, sources, known):
     for header in HEADERS:
         text = '\n'.join(sources[header])
         end = text.index('/* ---- End of the shared block')
         wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
-        verdicts = [in_copy(folders, judge, header, text, some, [header]) for some in (text, wrong)]
+        verdicts = [in_copy(folders, judge, header, text, some, [(header, *known[header])]) for some in (text, wrong)]
         if verdicts != ['survived', 'caught']:
             sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
 
@@ -163,8 +185,8 @@ def main():
     folders, equivalent = prepared(build), known_equivalent()
     with ThreadPoolExecutor(WORKERS) as pool:
         tests = [name for name in known['seconds'] if not flags_of(name)]
-        cost = dict(zip(tests, pool.map(lambda name: in_copy(folders, timed, name), tests)))
-        controls(folders, sources)
+        programs = dict(zip(tests, pool.map(lambda name: in_copy(folders, timed, name), tests)))
+        controls(folders, sources, programs)
 
         def verdict_of(mutant):
             header, line, kind, start, end, new = mutant
@@ -174,11 +196,12 @@ def main():
                 return 'equivalent', mutant, text
             whole = '\n'.join(sources[header][:line - 1] + [text] + sources[header][line:])
             return in_copy(folders, judge, header, '\n'.join(sources[header]), whole,
-                           in_order(executed[header][line], cost)), mutant, text
+                           in_order(executed[header][line], programs)), mutant, text
 
         verdicts = {header: Counter() for header in chosen}
-        for verdict, (header, line, kind, *_), text in pool.map(verdict_of, mutants):
+        for k, (verdict, (header, line, kind, *_), text) in enumerate(pool.map(verdict_of, mutants), 1):
             verdicts[header][verdict] += 1
+            print(f'{k} of {count}', end='\r', file=sys.stderr, flush=True)
             if verdict == 'survived':
                 print(f'{header}.h:{line}: {kind}', sources[header][line - 1].strip(), text.strip(), sep='\n    ',
                       flush=True)
