@@ -583,8 +583,9 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q);
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m);
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca);
 
-/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4. The forms with both take and return
-   complements too, y = 1 - x and q = 1 - p, where these carry the information; ln x tells x where it underflows. */
+/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4, the latter two NaN beyond 1e12. The
+   forms with both take and return complements too, y = 1 - x and q = 1 - p, where these carry the information; ln x
+   tells x where it underflows. */
 VM_API vm_real ateb_beta(vm_real a, vm_real b);
 VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b);
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q);
@@ -1766,6 +1767,13 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 
 VM_API int vmi_beta_domain(vm_real a, vm_real b) { return a > 0 && b > 0 && VM_IS_FINITE(a) && VM_IS_FINITE(b); }
 
+/* up to where the fraction has no more than 2e7 terms */
+VM_API int vmi_beta_inc_domain(vm_real a, vm_real b)
+{
+    const vm_real largest = VM_C(1e12);
+    return vmi_beta_domain(a, b) && a <= largest && b <= largest;
+}
+
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -1797,7 +1805,7 @@ VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (l.hi < -2 * VM_C(0.6931471805599453) * VM_MANT_DIG) { /* -e^l, which no longer matters beside 1 */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* -e^l, which no longer matters beside 1, or NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -1852,7 +1860,7 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
 {
     vmi_beta_point at;
     vm_two ln_p, ln_q;
-    if (!vmi_beta_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
+    if (!vmi_beta_inc_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
         *p = *q = VM_NAN;
         return;
     }
@@ -1918,7 +1926,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
                                    vm_real *ln_x)
 {
     vm_two l, ignored;
-    if (!vmi_beta_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
+    if (!vmi_beta_inc_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
         *x = *y = *ln_x = VM_NAN;
         return;
     }
