@@ -1789,7 +1789,8 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), x <= y ? x : y);
     const vm_real excess = x <= y ? (a - product.hi) - product.lo : (product.hi - b) + product.lo;
-    long m = (long)(20 + digits / VM_SQRT(y) + 4 * VM_SQRT(a > b ? a : b));
+    const vm_real terms = 20 + digits / VM_SQRT(y) + 4 * VM_SQRT(a > b ? a : b);
+    long m = terms <= VM_C(1e8) ? (long)terms : 0; /* 2e7 at most, or NaN */
     vm_real f = (a + (vm_real)m) / 2;
     for (; m >= 0; m--) {
         const vm_real n = (vm_real)m, c = a + 2 * n, top = n + 1, ratio = (a + n) / (c + 1) * x;
@@ -1837,7 +1838,7 @@ VM_API vm_two vmi_beta_ln_tail(vm_real x, vm_real y, vm_two ln_x, vm_two ln_y, v
             power *= x * (n - b) / n;
             term = power / (a + n);
             sum += term;
-        } while (VM_FABS(term) > VM_EPSILON / 8 * VM_FABS(sum));
+        } while (VM_FABS(term) > VM_EPSILON / 8 * VM_FABS(sum) && n < 200); /* x <= 2/3: 96, unless x is NaN */
         f = vmi_two_plus(vmi_two_log(vmi_two_sum(1, a * sum)), vmi_minus(vmi_log(a)));
         ln_y.hi = ln_y.lo = 0;
     } else f = vmi_log(vmi_beta_fraction(x, y, a, b));
