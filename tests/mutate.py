@@ -4,12 +4,11 @@
 A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
 the map that coverage.py leaves, each with the same chance, so that a header counts by its length. The programs that
-execute the line are built and run one by one, in double first and the cheapest of the BUSIEST before others, until
-one fails, ends with a signal or needs SECONDS of processor time more than it should. Where MANY programs pass, the mutant has survived
-and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with its
-reason to tests/mutants.txt, whose mutants count neither as caught nor as missed.
+execute the line are built in double and run one by one, the quickest first, until one fails, ends with a signal or
+needs SECONDS of processor time. Where MANY programs pass, the mutant has survived and is printed, to be judged: a test
+is missing, or it is equivalent (the results are as good) and goes with its reason to tests/mutants.txt, whose mutants
+count neither as caught nor as missed. tcc, where it is there, makes this a matter of seconds.
 
-tcc, where it is there, makes this a matter of seconds; gcc compiles the others, in float and contracted too.
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
 usage: mutate.py BUILD SEED COUNT [HEADER] from the top of the project, after coverage.py
@@ -28,8 +27,8 @@ from concurrent.futures import ThreadPoolExecutor
 from queue import Queue
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
-MANY, BUSIEST = 8, 3
-SECONDS = 6
+MANY, FEW = 10, 2
+SECONDS = 20
 TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc'] # the one compiles in no time, the other takes everything
 LEAST = 90.0
 WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
@@ -78,9 +77,10 @@ def built(folder, name, compiler):
     return not subprocess.run(command, cwd=folder, stderr=subprocess.DEVNULL).returncode
 
 
-def passes(folder, seconds):
-    """Does the program that was built last pass? At the first failure that it prints it is stopped."""
-    command = ['sh', '-c', f'ulimit -t {int(SECONDS + seconds)}; exec stdbuf -oL ./test']
+def passes(folder, limit):
+    """Does the program that was built last pass within so many seconds of processor time? At the first failure that it
+    prints it is stopped."""
+    command = ['sh', '-c', f'ulimit -t {limit}; exec stdbuf -oL ./test']
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
         for line in program.stdout:
             if b'FAILED' in line:
@@ -93,29 +93,41 @@ def write(folder, header, text):
         file.write(text)
 
 
+COMPILERS = {}
+
+
+def compiler_of(folder, name):
+    """The first one that compiles the program, which has to pass with the headers as they are."""
+    for compiler in (TCC, GCC) if shutil.which(TCC[0]) and not flags_of(name) else (GCC,):
+        if built(folder, name, compiler):
+            if not passes(folder, 600):
+                sys.exit(f'{name} fails without a mutant')
+            return compiler
+    sys.exit(f'{name} does not compile')
+
+
 def judge(folder, header, right, text, programs):
-    """'caught', 'stillborn' (does not compile), or 'survived'; programs: (name, compiler, seconds that it needs). The
-    right header is put back afterwards."""
-    write(folder, header, text)
+    """'caught', 'stillborn' (does not compile), or 'survived'; the right header is put back afterwards."""
     verdict = 'survived'
-    for name, compiler, seconds in programs:
-        if not built(folder, name, compiler):
+    for name in programs:
+        if name not in COMPILERS:
+            COMPILERS[name] = compiler_of(folder, name)
+        write(folder, header, text)
+        if not built(folder, name, COMPILERS[name]):
             verdict = 'stillborn'
-            break
-        if not passes(folder, seconds):
+        elif not passes(folder, SECONDS):
             verdict = 'caught'
+        write(folder, header, right)
+        if verdict != 'survived':
             break
-    write(folder, header, right)
     return verdict
 
 
-def in_order(names, known):
-    """The programs to try: in double the busiest, the cheapest of them first, then the cheapest others, then others."""
-    double = [name for name in names if not flags_of(name)]
-    def by_cost(some):
-        return sorted(((name, *known[name]) for name in some), key=lambda program: program[2])
-    others = [(name, GCC, 1) for name in names if flags_of(name)]
-    return (by_cost(double[:BUSIEST]) + by_cost(double[BUSIEST:]))[:MANY] + others[:1]
+def in_order(names, seconds):
+    """The programs to try: those in double, the quickest first, but for slow ones where there are others."""
+    double = sorted((name for name in names if not flags_of(name)), key=seconds.get)
+    quick = [name for name in double if seconds[name] < SECONDS / 2]
+    return ((quick if len(quick) >= FEW else double) or names)[:MANY]
 
 
 def prepared(build):
@@ -144,23 +156,12 @@ def in_copy(folders, work, *arguments):
         folders.put(folder)
 
 
-def timed(folder, name):
-    """(compiler, seconds): the first one that compiles the program, which has to pass with the headers as they are."""
-    for compiler in (TCC, GCC) if shutil.which(TCC[0]) else (GCC,):
-        start = time.monotonic()
-        if built(folder, name, compiler):
-            if not passes(folder, 60):
-                sys.exit(f'{name} fails without a mutant')
-            return compiler, time.monotonic() - start
-    sys.exit(f'{name} does not compile')
-
-
-def controls(folders, sources, known):
+def controls(folders, sources):
     for header in HEADERS:
         text = '\n'.join(sources[header])
         end = text.index('/* ---- End of the shared block')
         wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
-        verdicts = [in_copy(folders, judge, header, text, some, [(header, *known[header])]) for some in (text, wrong)]
+        verdicts = [in_copy(folders, judge, header, text, some, [header]) for some in (text, wrong)]
         if verdicts != ['survived', 'caught']:
             sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
 
@@ -184,9 +185,7 @@ def main():
     mutants = [draw(rng, codes, places) for _ in range(count)]
     folders, equivalent = prepared(build), known_equivalent()
     with ThreadPoolExecutor(WORKERS) as pool:
-        tests = [name for name in known['seconds'] if not flags_of(name)]
-        programs = dict(zip(tests, pool.map(lambda name: in_copy(folders, timed, name), tests)))
-        controls(folders, sources, programs)
+        controls(folders, sources)
 
         def verdict_of(mutant):
             header, line, kind, start, end, new = mutant
@@ -196,7 +195,7 @@ def main():
                 return 'equivalent', mutant, text
             whole = '\n'.join(sources[header][:line - 1] + [text] + sources[header][line:])
             return in_copy(folders, judge, header, '\n'.join(sources[header]), whole,
-                           in_order(executed[header][line], programs)), mutant, text
+                           in_order(executed[header][line], known['seconds'])), mutant, text
 
         verdicts = {header: Counter() for header in chosen}
         for k, (verdict, (header, line, kind, *_), text) in enumerate(pool.map(verdict_of, mutants), 1):

@@ -45,7 +45,8 @@ static void refuses(const char *name, int (*call)(trial *), const vm_real *good,
             a.null = i >= numbers ? i - numbers : -1;
             if (i >= 0 && i < numbers) a.x[i] = bad[k];
             status = call(&a);
-            if (i < 0) worked = status >= 0 && memcmp(a.output, before, sizeof before) != 0 && a.taken == numbers;
+            if (i < 0) /* the first number is compared, since a struct's padding may be anything */
+                worked = status >= 0 && memcmp(a.output, before, sizeof(vm_real)) != 0 && a.taken == numbers;
             else worked = status < 0 && memcmp(a.output, before, sizeof before) == 0;
             if (!worked) printf("%s: %s %d, status %d\n", name, i < numbers ? "number" : "pointer", i, status);
             CHECK(worked);
