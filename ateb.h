@@ -1677,7 +1677,7 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
         if (h.hi > 0) ln_x = vmi_two_plus(ln_x, h);
         ln_x.lo += (1 - sum + e) / sum;
         ln_x = vmi_two_times(ln_x, c->q);
-        if (ln_x.hi > VM_C(0.69) * VMI_BIAS) return c->quarter.hi;
+        if (!(ln_x.hi <= VM_C(0.69) * VMI_BIAS)) return c->quarter.hi; /* where alpha ln x overflows too */
         one_minus_u = -vmi_exp_core(-ln_x.hi, -ln_x.lo, &i, &p_lo);
         if (i != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, i) * (c->n.hi + T) / 2;
         return (c->n.hi * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;

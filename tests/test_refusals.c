@@ -52,6 +52,18 @@ static void refuses(const char *name, int (*call)(trial *), const vm_real *good,
             CHECK(worked);
         }
     }
+    for (i = 0; i < numbers; i++) { /* out of the range, or results out of it: refused or not, nothing by halves */
+        const vm_real far[5] = {0, -good[i], VM_MAX / 2, -VM_MAX / 2, VM_MIN};
+        for (k = 0; k < 5; k++) {
+            memset(&a, 0, sizeof a);
+            memcpy(a.x, good, (size_t)numbers * sizeof *good);
+            memcpy(a.output, before, sizeof before);
+            a.null = -1, a.x[i] = far[k];
+            worked = call(&a) >= 0 || memcmp(a.output, before, sizeof before) == 0;
+            if (!worked) printf("%s: number %d, %g\n", name, i, (double)far[k]);
+            CHECK(worked);
+        }
+    }
 }
 #define REFUSES(call, pointers, ...)                                             \
     do {                                                                         \
