@@ -126,7 +126,7 @@ MUTANTS = 100
 MUTATED = # a header's name, none: all four
 coverage:
 	@sh tests/install.sh "command -v clang && (command -v llvm-cov || command -v llvm-cov-14)" clang llvm
-	@$(IN_BUILD) && mkdir -p build && python3 tests/coverage.py build $(TESTS)
+	@mkdir -p build && $(IN_BUILD) && python3 tests/coverage.py build $(TESTS)
 build/coverage/map.json:
 	-$(MAKE) coverage
 test-mutate: build/coverage/map.json

@@ -5,9 +5,9 @@ A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||,
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
 the map that coverage.py leaves, each with the same chance, so that a header counts by its length. The programs that
 execute the line are built in double and run one by one, the quickest first, until one fails, ends with a signal or
-needs SECONDS of processor time. Where MANY programs pass, the mutant has survived and is printed, to be judged: a test
-is missing, or it is equivalent (the results are as good) and goes with its reason to tests/mutants.txt, whose mutants
-count neither as caught nor as missed. tcc, where it is there, makes this a matter of seconds.
+needs SECONDS of processor time. Where MANY programs pass, the mutant has survived and is printed, to be judged: a
+test is missing, or it is equivalent (the results are as good) and goes with its reason to tests/mutants.txt, whose
+mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of seconds.
 
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
@@ -78,8 +78,8 @@ def built(folder, name, compiler):
 
 
 def passes(folder, limit):
-    """Does the program that was built last pass within so many seconds of processor time? At the first failure that it
-    prints it is stopped."""
+    """Does the program that was built last pass within so many seconds of processor time? It is stopped at the first
+    failure that it prints."""
     command = ['sh', '-c', f'ulimit -t {limit}; exec stdbuf -oL ./test']
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
         for line in program.stdout:
