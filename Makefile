@@ -29,7 +29,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard refusals
-SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme fuzz hard_cases
+SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme fuzz hard_cases sanitize
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
@@ -126,13 +126,14 @@ MUTANTS = 100
 MUTATED = # a header's name, none: all four
 coverage:
 	@sh tests/install.sh "command -v clang && (command -v llvm-cov || command -v llvm-cov-14)" clang llvm
-	@mkdir -p build && python3 tests/coverage.py build $(TESTS)
+	@mkdir -p build && $(IN_BUILD) && python3 tests/coverage.py build $(TESTS)
 build/coverage/map.json:
 	-$(MAKE) coverage
 test-mutate: build/coverage/map.json
 	python3 tests/mutate.py build $(SEED) $(MUTANTS) $(MUTATED)
+PART = all # or run, valgrind, static: one of them
 test-sanitize:
-	@sh tests/install.sh "command -v clang" clang; mkdir -p build; sh tests/sanitize.sh build $(TESTS)
+	@sh tests/install.sh "command -v clang" clang; mkdir -p build; sh tests/sanitize.sh build $(PART) $(TESTS)
 proof:
 	@mkdir -p build; sh tests/eva.sh build
 

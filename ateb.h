@@ -1682,7 +1682,7 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
         if (h.hi > 0) ln_x = vmi_two_plus(ln_x, h);
         ln_x.lo += (1 - sum + e) / sum;
         ln_x = vmi_two_times(ln_x, c->q);
-        if (ln_x.hi > VM_C(0.69) * VMI_BIAS) return c->quarter.hi;
+        if (!(ln_x.hi <= VM_C(0.69) * VMI_BIAS)) return c->quarter.hi; /* where alpha ln x overflows too */
         one_minus_u = -vmi_exp_core(-ln_x.hi, -ln_x.lo, &i, &p_lo);
         if (i != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, i) * (c->n.hi + T) / 2;
         return (c->n.hi * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
@@ -1791,7 +1791,8 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), x <= y ? x : y);
     const vm_real excess = x <= y ? (a - product.hi) - product.lo : (product.hi - b) + product.lo;
-    long m = (long)(20 + digits / VM_SQRT(y) + 4 * VM_SQRT(a > b ? a : b));
+    const vm_real terms = 20 + digits / VM_SQRT(y) + 4 * VM_SQRT(a > b ? a : b);
+    long m = terms <= VM_C(1e8) ? (long)terms : 0; /* 2e7 at most, or NaN */
     vm_real f = (a + (vm_real)m) / 2;
     for (; m >= 0; m--) {
         const vm_real n = (vm_real)m, c = a + 2 * n, top = n + 1, ratio = (a + n) / (c + 1) * x;
@@ -1807,7 +1808,7 @@ VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (l.hi < -2 * VM_C(0.6931471805599453) * VM_MANT_DIG) { /* -e^l, which no longer matters beside 1 */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* -e^l, which no longer matters beside 1, or NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -1839,7 +1840,7 @@ VM_API vm_two vmi_beta_ln_tail(vm_real x, vm_real y, vm_two ln_x, vm_two ln_y, v
             power *= x * (n - b) / n;
             term = power / (a + n);
             sum += term;
-        } while (VM_FABS(term) > VM_EPSILON / 8 * VM_FABS(sum));
+        } while (VM_FABS(term) > VM_EPSILON / 8 * VM_FABS(sum) && n < 200); /* x <= 2/3: 96, unless x is NaN */
         f = vmi_two_plus(vmi_two_log(vmi_two_sum(1, a * sum)), vmi_minus(vmi_log(a)));
         ln_y.hi = ln_y.lo = 0;
     } else f = vmi_log(vmi_beta_fraction(x, y, a, b));

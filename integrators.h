@@ -249,7 +249,7 @@ typedef struct VM_TAG(ode_event) {
     void *ctx;
     int direction; /* as the run goes: > 0 when g rises through zero, < 0 when it falls, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* g is looked at in so many points inside each step; default 3, negative none */
+    int checks;    /* g is looked at in so many points inside each step; default 3, at most 9999, negative none */
     /* null, or what an ODE_RESTART calls; it may change y, and in ctx what f depends on */
     void (*change)(vm_real t, vm_real *y, void *ctx);
     long room;      /* of times and states, either of which may be null: the first room events are written there, */
@@ -1334,7 +1334,7 @@ VM_API vm_real vmi_locate(const rk45 *s, int method, ode_event *e, vm_real a, vm
    excursion much shorter than the step is seen too. */
 VM_API int vmi_next_event(const rk45 *s, int method, ode_event *e, vm_real x)
 {
-    const int checks = e->checks == 0 ? 3 : VMI_LARGER(e->checks, 0);
+    const int checks = e->checks == 0 ? 3 : VMI_SMALLER(VMI_LARGER(e->checks, 0), 9999);
     const vm_real start = x;
     vm_real gap = VM_MANT_DIG > 24 ? VM_C(1.0) / 67108864 : VM_C(1.0) / 4096;
     int i = 1;

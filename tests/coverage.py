@@ -21,6 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
 LEAST = 98.0
+MISCOMPILED = 'jacobi_ns(0, ' # the check that clang 14 miscompiles with counters at -O1 and fused multiply-adds
 EMPTY = re.compile(r'\s*([{}]*|#.*|/\*.*|[^;{}]*\*/)\s*')
 CONSTANT = re.compile(r'[\s\d.+\-*/<>=!()]|VM_MANT_DIG|[DF]LT_\w+|VM_C|sizeof|vm_real|VM_EPSILON|1e')
 
@@ -46,7 +47,8 @@ def measure(job):
     output = subprocess.run([program], env={**os.environ, 'LLVM_PROFILE_FILE': profile}, stdout=subprocess.PIPE,
                             text=True)
     seconds = time.monotonic() - start
-    if output.returncode and not name.endswith('_contracted'): # clang 14 miscompiles a check with counters at -O1
+    failures = [line for line in output.stdout.split('\n') if 'FAILED' in line]
+    if output.returncode and not (name == 'jacobi_contracted' and len(failures) == 1 and MISCOMPILED in failures[0]):
         sys.exit(f'{name} fails: {output.stdout[-2000:]}')
     subprocess.check_call([tool('llvm-profdata'), 'merge', '-sparse', profile, '-o', program + '.profdata'])
     export = [tool('llvm-cov'), 'export', program, f'-instr-profile={program}.profdata']

@@ -3,12 +3,17 @@
 
 A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
-the map that coverage.py leaves; the programs that execute the line are built and run, those that do most often first,
-until one fails, ends with a signal or takes ten times its time. Where MANY programs pass, the mutant counts as a
-survivor and is printed, to be judged: it is equivalent (the results are as good), or a test is missing.
+the map that coverage.py leaves, each with the same chance, so that a header counts by its length. The programs that
+execute the line are built in double and run one by one, the quickest first, until one fails, ends with a signal or
+needs SECONDS of processor time. Where MANY programs pass, the mutant has survived and is printed, to be judged: a
+test is missing, or it is equivalent (the results are as good) and goes with its reason to tests/mutants.txt, whose
+mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of seconds.
+
+Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
 usage: mutate.py BUILD SEED COUNT [HEADER] from the top of the project, after coverage.py
 """
+import glob
 import json
 import os
 import random
@@ -16,12 +21,17 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from queue import Queue
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
-MANY = 6
+MANY, FEW = 10, 2
+SECONDS = 20
+TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc'] # the one compiles in no time, the other takes everything
 LEAST = 90.0
+WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
 NUMBER = r'\d+\.\d+(?:e[+-]?\d+)?|\d+e[+-]?\d+'
 CHANGES = (
     ('sign', r' \+ ', ' - '), ('sign', r' - ', ' + '), ('sign', r' \+= ', ' -= '), ('sign', r' -= ', ' += '),
@@ -37,62 +47,128 @@ CHANGES = (
 )
 
 
-def code_of(line):
-    """The line with comments blanked, nothing of a preprocessor line or a comment's inside."""
-    if re.match(r'\s*(#|/\*(?!.*\*/)|\*|[^"]*\*/$)', line) or 'VM_TABLE' in line and '{' not in line:
-        return ''
-    return re.sub(r'/\*.*?(\*/|$)|"[^"]*"', lambda m: ' ' * len(m[0]), line)
+def code_of(text):
+    """The text with comments, strings and preprocessor lines blanked, every other character where it was."""
+    def blank(found):
+        return re.sub(r'[^\n]', ' ', found[0])
+    return re.sub(r'(?m)^[ \t]*#.*', blank, re.sub(r'/\*.*?\*/|"[^"\n]*"', blank, text, flags=re.S))
 
 
-def draw(rng, sources, programs):
-    """One mutant: (header, line, kind, new text); a kind of change first, so that rare ones come too."""
+def draw(rng, codes, places):
+    """One mutant: (header, line, kind, column, end, new text); a kind of change first, so that rare ones come too."""
     while True:
-        header = rng.choice(list(programs))
-        line = rng.choice(programs[header])
+        header, line = rng.choice(places)
         kind, pattern, new = rng.choice(CHANGES)
-        text = sources[header][line - 1]
-        found = list(re.finditer(pattern, code_of(text)))
-        if found and re.search(r'[;{},]|\\$|&&|\|\|', text):
+        code = codes[header][line - 1]
+        found = list(re.finditer(pattern, code))
+        if found and re.search(r'[;{},]|\\$|&&|\|\|', code):
             at = rng.choice(found)
-            put = new(at) if callable(new) else new
-            return header, line, kind, text[:at.start()] + put + text[at.end():]
+            return header, line, kind, at.start(), at.end(), new(at) if callable(new) else new
 
 
 def flags_of(name):
     return ['-DVM_USE_FLOAT'] if name.endswith('_float') else \
-        ['-march=native', '-ffp-contract=fast'] if name.endswith('_contracted') else []
+        ['-O1', '-march=native', '-ffp-contract=fast'] if name.endswith('_contracted') else []
 
 
-def judge(job):
-    """'caught', 'stillborn' (does not compile), or 'survived'."""
-    folder, mutant, source, programs, seconds = job
-    header, line, _, text = mutant
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(folder)
-    for name in HEADERS: # copies, no links: ".." leads from a source to the mutant
-        shutil.copy(f'{name}.h', folder)
-    for name in ('tests', 'examples'):
-        shutil.copytree(name, f'{folder}/{name}')
+def built(folder, name, compiler):
+    test = re.sub(r'_(float|contracted)$', '', name)
+    command = [*compiler, '-std=c99', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm']
+    return not subprocess.run(command, cwd=folder, stderr=subprocess.DEVNULL).returncode
+
+
+def passes(folder, limit):
+    """Does the program that was built last pass within so many seconds of processor time? It is stopped at the first
+    failure that it prints."""
+    command = ['sh', '-c', f'ulimit -t {limit}; exec stdbuf -oL ./test']
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
+        for line in program.stdout:
+            if b'FAILED' in line:
+                program.kill()
+    return not program.returncode
+
+
+def write(folder, header, text):
     with open(f'{folder}/{header}.h', 'w') as file:
-        file.write('\n'.join(source[:line - 1] + [text] + source[line:]))
-    order = sorted(programs, key=lambda name: bool(flags_of(name)))[:MANY] # double first
+        file.write(text)
+
+
+COMPILERS = {}
+
+
+def compiler_of(folder, name):
+    """The first one that compiles the program, which has to pass with the headers as they are."""
+    for compiler in (TCC, GCC) if shutil.which(TCC[0]) and not flags_of(name) else (GCC,):
+        if built(folder, name, compiler):
+            if not passes(folder, 600):
+                sys.exit(f'{name} fails without a mutant')
+            return compiler
+    sys.exit(f'{name} does not compile')
+
+
+def judge(folder, header, right, text, programs):
+    """'caught', 'stillborn' (does not compile), or 'survived'; the right header is put back afterwards."""
     verdict = 'survived'
-    for name in order:
-        test = re.sub(r'_(float|contracted)$', '', name)
-        compile_it = ['gcc', '-std=c99', '-O1', '-w', *flags_of(name), f'tests/test_{test}.c', '-o', 'test', '-lm']
-        if subprocess.run(compile_it, cwd=folder, stderr=subprocess.DEVNULL).returncode:
+    for name in programs:
+        if name not in COMPILERS:
+            COMPILERS[name] = compiler_of(folder, name)
+        write(folder, header, text)
+        if not built(folder, name, COMPILERS[name]):
             verdict = 'stillborn'
-            break
-        try:
-            if subprocess.run(['./test'], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              timeout=10 + 10 * seconds[name]).returncode:
-                verdict = 'caught'
-                break
-        except subprocess.TimeoutExpired:
+        elif not passes(folder, SECONDS):
             verdict = 'caught'
+        write(folder, header, right)
+        if verdict != 'survived':
             break
-    shutil.rmtree(folder)
-    return verdict, mutant
+    return verdict
+
+
+def in_order(names, seconds):
+    """The programs to try: those in double, the quickest first, but for slow ones where there are others."""
+    double = sorted((name for name in names if not flags_of(name)), key=seconds.get)
+    quick = [name for name in double if seconds[name] < SECONDS / 2]
+    return ((quick if len(quick) >= FEW else double) or names)[:MANY]
+
+
+def prepared(build):
+    """A copy of the project for each worker; copies, no links: ".." must lead from a source to the mutant."""
+    folders = Queue()
+    for k in range(WORKERS):
+        folder = f'{build}/mutants/{os.getpid()}-{k}'
+        for name in ('tests', 'examples'):
+            shutil.copytree(name, f'{folder}/{name}')
+        for source in glob.glob(f'{folder}/tests/*.[ch]'): # tcc takes no part of a literal for a constant
+            with open(source) as file:
+                text = file.read().replace("PRECISION[0] == 'f'", 'sizeof(vm_real) == 4')
+            with open(source, 'w') as file:
+                file.write(text)
+        for name in HEADERS:
+            shutil.copy(f'{name}.h', folder)
+        folders.put(folder)
+    return folders
+
+
+def in_copy(folders, work, *arguments):
+    folder = folders.get()
+    try:
+        return work(folder, *arguments)
+    finally:
+        folders.put(folder)
+
+
+def controls(folders, sources):
+    for header in HEADERS:
+        text = '\n'.join(sources[header])
+        end = text.index('/* ---- End of the shared block')
+        wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
+        verdicts = [in_copy(folders, judge, header, text, some, [header]) for some in (text, wrong)]
+        if verdicts != ['survived', 'caught']:
+            sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
+
+
+def known_equivalent():
+    with open('tests/mutants.txt') as file:
+        return {tuple(line.split('\t')[:3]) for line in file if not line.startswith('#')}
 
 
 def main():
@@ -100,28 +176,42 @@ def main():
     with open(f'{build}/coverage/map.json') as file:
         known = json.load(file)
     chosen = sys.argv[4:] or HEADERS
-    sources = {header: open(f'{header}.h').read().split('\n') for header in chosen}
-    executed = {header: {int(line): names for line, names in known['programs'][header].items()
-                         if code_of(sources[header][int(line) - 1])} for header in chosen}
+    sources = {header: open(f'{header}.h').read().split('\n') for header in HEADERS}
+    codes = {header: code_of('\n'.join(sources[header])).split('\n') for header in chosen}
+    executed = {header: {int(line): names for line, names in known['programs'][header].items()} for header in chosen}
+    places = [(header, line) for header in chosen for line in sorted(executed[header])
+              if codes[header][line - 1].strip()]
     rng = random.Random(seed)
-    lines = {header: sorted(of_line) for header, of_line in executed.items()}
-    mutants = [draw(rng, sources, lines) for _ in range(count)]
-    jobs = [(f'{build}/mutants/{seed}-{k}', mutant, sources[mutant[0]], executed[mutant[0]][mutant[1]],
-             known['seconds']) for k, mutant in enumerate(mutants)]
-    verdicts = {header: Counter() for header in chosen}
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for verdict, (header, line, kind, text) in pool.map(judge, jobs):
+    mutants = [draw(rng, codes, places) for _ in range(count)]
+    folders, equivalent = prepared(build), known_equivalent()
+    with ThreadPoolExecutor(WORKERS) as pool:
+        controls(folders, sources)
+
+        def verdict_of(mutant):
+            header, line, kind, start, end, new = mutant
+            old = sources[header][line - 1]
+            text = old[:start] + new + old[end:]
+            if (header, old.strip(), text.strip()) in equivalent:
+                return 'equivalent', mutant, text
+            whole = '\n'.join(sources[header][:line - 1] + [text] + sources[header][line:])
+            return in_copy(folders, judge, header, '\n'.join(sources[header]), whole,
+                           in_order(executed[header][line], known['seconds'])), mutant, text
+
+        verdicts = {header: Counter() for header in chosen}
+        for k, (verdict, (header, line, kind, *_), text) in enumerate(pool.map(verdict_of, mutants), 1):
             verdicts[header][verdict] += 1
+            print(f'{k} of {count}', end='\r', file=sys.stderr, flush=True)
             if verdict == 'survived':
                 print(f'{header}.h:{line}: {kind}', sources[header][line - 1].strip(), text.strip(), sep='\n    ',
                       flush=True)
+    shutil.rmtree(f'{build}/mutants')
     enough = True
     for header, counts in verdicts.items():
         alive = counts['caught'] + counts['survived']
         share = 100 * counts['caught'] / alive if alive else 100
         enough = enough and share >= LEAST
         print(f'{header + ".h":14} {counts["caught"]} of {alive} caught, {share:.1f} %; '
-              f'{counts["stillborn"]} did not compile')
+              f'{counts["equivalent"]} known as equivalent, {counts["stillborn"]} do not compile')
     sys.exit(not enough)
 
 

@@ -465,6 +465,8 @@ static void test_beta_domain(void)
     CHECK(ateb_beta_inc_inv(above, 1, 1) != ateb_beta_inc_inv(above, 1, 1));
     CHECK(ateb_beta_inc_inv(half, 0, 1) != ateb_beta_inc_inv(half, 0, 1));
     CHECK(ateb_beta_inc(above, 1, 1) != ateb_beta_inc(above, 1, 1));
+    CHECK(isnan(ateb_beta_inc(half, (vm_real)1.01e12, 1)) && isnan(ateb_beta_inc(half, 1, VM_MAX)));
+    CHECK(isnan(ateb_beta_inc_inv(half, VM_MAX, VM_MAX)) && isnan(ateb_beta_inc_inv(half, 1, (vm_real)1.01e12)));
     CHECK(ateb_beta(0, 1) != ateb_beta(0, 1));
     CHECK(ateb_beta(1, VM_NAN) != ateb_beta(1, VM_NAN));
     CHECK(ateb_beta_inc_inv(0, 2, 3) == 0 && ateb_beta_inc_inv(1, 2, 3) == 1);

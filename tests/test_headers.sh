@@ -87,6 +87,12 @@ END
     ! grep -E '(call|bl|jmp)[a-z]*[[:space:]]+_?right_hand_side' "$build/inlined.s"
 }
 check "integrators.h: the right-hand side is inlined" inlined
+bounded() { # every loop has its entry in tests/loops.txt, and no entry is left over
+    awk -f tests/loops.awk jacobi.h ateb.h integrators.h >"$build/loops"
+    [ "$(wc -l <"$build/loops")" -gt 50 ] && grep -v '^#' tests/loops.txt | cut -f1-3 | diff "$build/loops" - &&
+        ! grep -v '^#' tests/loops.txt | grep -vE '^([^	]+	){3}[^	]+$'
+}
+check "every loop has a known bound" bounded
 in_readme() { [ "$(wc -l <"$1")" -gt 0 ] && [ "$(grep -cxFf "$1" README.md)" = "$(wc -l <"$1")" ]; }
 for which in 1 2; do
     readme_example $which >"$build/readme.c"

@@ -1,45 +1,6 @@
 /* Lagrange's equations across a jump, (83)-(96), against the vector form and the momenta about pivots and hinges; the
    pendulum (119)-(132), with what is misprinted as printed, which must fail by what is known. */
-#include "../varmass.h"
-#include "check.h"
-
-#define R(x) ((vm_real)(x))
-static const double eps = (double)VM_EPSILON;
-static const int is_float = PRECISION[0] == 'f';
-
-static vm_vec3 vector(double x, double y, double z) { return vmi_vec3(R(x), R(y), R(z)); }
-static vm_vec3 random_vector(double size)
-{
-    double x = uniform(-size, size), y = uniform(-size, size), z = uniform(-size, size);
-    return vector(x, y, z);
-}
-static double size_of(vm_vec3 a) { return sqrt((double)vmi_dot(a, a)); }
-
-/* A body of a few random particles rigidly joined */
-static vm_body random_body(double mass, double size)
-{
-    vm_vec3 at[6], centre = vector(0, 0, 0);
-    vm_body b;
-    int i;
-    memset(&b, 0, sizeof b);
-    for (i = 0; i < 6; i++) {
-        at[i] = random_vector(size);
-        centre = vmi_add(centre, vmi_scale(R(1. / 6), at[i]));
-    }
-    for (i = 0; i < 6; i++)
-        b.inertia = vmi_inertia_plus(b.inertia, R(mass / 6), vmi_inertia_of_point(vmi_sub(at[i], centre)));
-    b.mass = R(mass);
-    b.q.w = R(uniform(-1, 1)), b.q.x = R(uniform(-1, 1)), b.q.y = R(uniform(-1, 1)), b.q.z = R(uniform(-1, 1));
-    b.r = random_vector(3), b.v = random_vector(2), b.omega = random_vector(2);
-    return b;
-}
-
-static vm_impulse random_impulse(void)
-{
-    vm_impulse j;
-    j.linear = random_vector(3), j.couple = random_vector(3), j.at = random_vector(3);
-    return j;
-}
+#include "bodies.h"
 
 static void check_case(const char *what, const char *region, vm_real got, double true_value, double scale,
                        double bound)

@@ -45,9 +45,22 @@ static void refuses(const char *name, int (*call)(trial *), const vm_real *good,
             a.null = i >= numbers ? i - numbers : -1;
             if (i >= 0 && i < numbers) a.x[i] = bad[k];
             status = call(&a);
-            if (i < 0) worked = status >= 0 && memcmp(a.output, before, sizeof before) != 0 && a.taken == numbers;
+            if (i < 0) /* the first number is compared, since a struct's padding may be anything */
+                worked = status >= 0 && memcmp(a.output, before, sizeof(vm_real)) != 0 && a.taken == numbers;
             else worked = status < 0 && memcmp(a.output, before, sizeof before) == 0;
             if (!worked) printf("%s: %s %d, status %d\n", name, i < numbers ? "number" : "pointer", i, status);
+            CHECK(worked);
+        }
+    }
+    for (i = 0; i < numbers; i++) { /* out of the range, or results out of it: refused or not, nothing by halves */
+        const vm_real far[5] = {0, -good[i], VM_MAX / 2, -VM_MAX / 2, VM_MIN};
+        for (k = 0; k < 5; k++) {
+            memset(&a, 0, sizeof a);
+            memcpy(a.x, good, (size_t)numbers * sizeof *good);
+            memcpy(a.output, before, sizeof before);
+            a.null = -1, a.x[i] = far[k];
+            worked = call(&a) >= 0 || memcmp(a.output, before, sizeof before) == 0;
+            if (!worked) printf("%s: number %d, %g\n", name, i, (double)far[k]);
             CHECK(worked);
         }
     }

@@ -273,6 +273,15 @@ static void test_vdp_closed(void)
                     near_eps("(437)", "through m' = 0",
                              (double)vm_vdp_amplitude(&two, R(t), R(x0), linear(2, rate2)), A, 12);
                 }
+    {
+        const double b = -0.0625, c = 0.0625, rate = 0.015625, t = 100; /* large amplitudes damped both ways */
+        const vm_vdp v = vdp(3, b, c, 1, VM_VDP_ATEB);
+        const double L = log1p(rate * t / 2), F = (2 * b - rate) / 3 * L / rate, a3 = (double)v.a3;
+        double x0;
+        for (x0 = 16; x0 < 1e4; x0 *= 16)
+            near_eps("(422)", "damped", (double)vm_vdp_amplitude(&v, R(t), R(x0), linear(2, rate)),
+                     x0 / sqrt(exp(-F) + 2 * c * a3 * x0 * x0 * L / rate * expm1(-F) / -F), 12);
+    }
 }
 
 /* ---- Van der Pol: against direct integration ---- */
