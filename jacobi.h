@@ -1333,13 +1333,7 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     vmi_bits quarters;
     vmi_three v;
     if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
-    else {
-        v = vmi_plan_reduce_long(p, x, &quarters);
-        if (v.hi != v.hi) { /* what follows takes an exponent as an int */
-            *sn = *cn = *dn = v.hi;
-            return;
-        }
-    }
+    else v = vmi_plan_reduce_long(p, x, &quarters);
     if (p->form == VMI_NEAR_FORM) {
         vmi_plan_point(p, VMI_NEAR_FORM, u, v, quarters, sn, cn, dn);
         return;
