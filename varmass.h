@@ -7298,7 +7298,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady c
     z.nu = w - width;
     if (z.nu > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A);
     z.nu = w + width;
-    if (width > 0 || !found) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    if (z.nu > 0 && (width > 0 || !found)) curve[found++] = vmi_forced_state(&z, f->alpha, A); /* NaN: overflow */
     return found;
 }
 
