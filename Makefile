@@ -109,9 +109,14 @@ test-fuzz:
 COUNT = 10000000
 evaluations:
 	@mkdir -p build/tests
+	@{ printf '# Random evaluations\n\nPrinted by `make evaluations COUNT=%s SEED=%s`: random arguments from the whole domains' $(COUNT) $(SEED); \
+	echo '; ranges, symmetries,'; echo 'identities within the promised bounds, neighbours in order, inverses (tests/evaluations.c).'; \
+	echo 'Of slow functions fewer; nanoseconds are those of the functions and their checks, all cores together.'; echo; \
+	} >build/evaluations.md; \
 	for precision in "" -DVM_USE_FLOAT; do \
 	    $(COMPILE) -fopenmp $$precision tests/evaluations.c -o build/tests/evaluations -lm && \
-	    ./build/tests/evaluations $(COUNT) $(SEED) || exit 1; done
+	    ./build/tests/evaluations $(COUNT) $(SEED) >>build/evaluations.md || { cat build/evaluations.md; exit 1; }; done; \
+	cat build/evaluations.md >docs/evaluations.md
 
 # everything from many threads at once, under ThreadSanitizer
 test-threads:

@@ -1829,7 +1829,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The integer next to x, |x| < 2^15 */
+/* The integer next to x, |x| < 2^15; 0 for NaN */
 VM_INLINE int vmi_nearest(vm_real x) { return x == x ? (int)(x + VM_COPYSIGN(VM_C(0.5), x)) : 0; }
 
 /* sin and cos of x turns, |x| < 2^13: within an ulp */

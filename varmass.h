@@ -3978,7 +3978,7 @@ VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn
         if (VM_FABS(v.hi) > longest) v = vmi_two(VM_COPYSIGN(longest, v.hi), 0);
         x = v.hi;
     }
-    theta = v.hi * v.hi <= VMI_NEAR ? vmi_theta_near(v.hi, m->m1) : vmi_theta_far(&m->far_form, 0, v);
+    theta = v.hi * v.hi > VMI_NEAR ? vmi_theta_far(&m->far_form, 0, v) : vmi_theta_near(v.hi, m->m1); /* NaN: near */
     theta = vmi_theta_shift(theta, m->far_form.kp, (vmi_bits)((j + 2 * half) & 3));
     vmi_theta_ratios(theta, m->far_form.kp, sn, cn, dn);
     return x;
@@ -7298,7 +7298,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady c
     z.nu = w - width;
     if (z.nu > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A);
     z.nu = w + width;
-    if (width > 0 || !found) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    if (z.nu > 0 && (width > 0 || !found)) curve[found++] = vmi_forced_state(&z, f->alpha, A); /* NaN: overflow */
     return found;
 }
 

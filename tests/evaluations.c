@@ -1,5 +1,6 @@
 /* Random evaluations of every special function, by the thousand million: ranges, symmetries, identities within the
-   promised bounds, neighbours in order, inverses. Prints a line a function, and the first violations with inputs.
+   promised bounds, neighbours in order, inverses. Prints a table, a line a
+   function (docs/evaluations.md), and to stderr the first violations with inputs.
      evaluations COUNT [SEED]     on all cores with -fopenmp; of slow functions COUNT/100 */
 #include "../varmass.h"
 #include <stdio.h>
@@ -41,7 +42,8 @@ static vm_real random_m(random_bits *g)
     switch (next_bits(g) & 7) {
     case 0: return 1 - of_size(g, IS_FLOAT ? -23 : -52, 0);
     case 1: return -of_size(g, -30, IS_FLOAT ? 60 : 300);
-    case 2: case 3: return uniform(g, -20, 1);
+    case 2:
+    case 3: return uniform(g, -20, 1);
     default: return uniform(g, 0, 1);
     }
 }
@@ -65,10 +67,7 @@ static vm_real random_phase(random_bits *g, vm_real quarter)
     return uniform(g, -8, 8) * quarter;
 }
 
-static vm_real next_up(vm_real x) /* x > 0 finite */
-{
-    return vmi_from_bits(vmi_to_bits(x) + 1);
-}
+static vm_real next_up(vm_real x) /* x > 0 finite */ { return vmi_from_bits(vmi_to_bits(x) + 1); }
 
 typedef struct trial {
     vm_real x, y, z; /* what was drawn */
@@ -127,8 +126,9 @@ static trial try_quotients(random_bits *g)
     const vm_real m = random_m(g), u = uniform(g, -8, 8) * jacobi_K(m);
     vm_real sn, cn, dn;
     jacobi_sncndn(u, m, &sn, &cn, &dn);
-    return result(u, m, 0, u != u || (same_size(jacobi_cd(u, m) * dn, cn, 24) && same_size(jacobi_sd(u, m) * dn, sn, 24) &&
-                                      same_size(jacobi_sc(u, m) * cn, sn, 24)));
+    return result(u, m, 0,
+                  u != u || (same_size(jacobi_cd(u, m) * dn, cn, 24) && same_size(jacobi_sd(u, m) * dn, sn, 24) &&
+                             same_size(jacobi_sc(u, m) * cn, sn, 24)));
 }
 
 static trial try_jacobi_plan(random_bits *g)
@@ -140,7 +140,8 @@ static trial try_jacobi_plan(random_bits *g)
     for (i = 0; i < 64 && good; i++) {
         u = random_phase(g, jacobi_K(m));
         jacobi_plan_sncndn(&p, u, &sn, &cn, &dn), jacobi_sncndn(u, m, &s, &c, &d);
-        good = on_curve(sn, cn, dn, 1 - m) && VM_FABS(sn - s) <= 8 * EPS && VM_FABS(cn - c) <= 8 * EPS && VM_FABS(dn - d) <= 8 * EPS * top;
+        good = on_curve(sn, cn, dn, 1 - m) && VM_FABS(sn - s) <= 8 * EPS && VM_FABS(cn - c) <= 8 * EPS &&
+               VM_FABS(dn - d) <= 8 * EPS * top;
     }
     return result(u, m, 0, good);
 }
@@ -154,19 +155,24 @@ static trial try_am(random_bits *g)
 
 static trial try_K(random_bits *g)
 {
-    const vm_real m = random_m(g), K = jacobi_K(m), below = jacobi_K(m > 0 ? vmi_from_bits(vmi_to_bits(m) - 1) : m * (1 + EPS));
-    return result(m, 0, 0, m == 1 ? K > VM_MAX : K > 0 && below <= K * (1 + 4 * EPS) && same_size(jacobi_kpK(m), VM_SQRT(1 - m) * K, 8));
+    const vm_real m = random_m(g), K = jacobi_K(m),
+                  below = jacobi_K(m > 0 ? vmi_from_bits(vmi_to_bits(m) - 1) : m * (1 + EPS));
+    return result(m, 0, 0,
+                  m == 1 ? K > VM_MAX
+                         : K > 0 && below <= K * (1 + 4 * EPS) && same_size(jacobi_kpK(m), VM_SQRT(1 - m) * K, 8));
 }
 
 static trial try_E(random_bits *g)
 {
-    const vm_real m = random_m(g), E = jacobi_E(m), below = jacobi_E(m > 0 ? vmi_from_bits(vmi_to_bits(m) - 1) : m * (1 + EPS));
+    const vm_real m = random_m(g), E = jacobi_E(m),
+                  below = jacobi_E(m > 0 ? vmi_from_bits(vmi_to_bits(m) - 1) : m * (1 + EPS));
     return result(m, 0, 0, E >= 1 && below >= E * (1 - 4 * EPS));
 }
 
 static trial try_legendre(random_bits *g) /* E K' + E' K - K K' = pi/2 */
 {
-    const vm_real m = uniform(g, 1e-9, 1 - 1e-7), K = jacobi_K(m), E = jacobi_E(m), K1 = jacobi_K_m1(m), E1 = jacobi_E_m1(m);
+    const vm_real m = uniform(g, 1e-9, 1 - 1e-7), K = jacobi_K(m), E = jacobi_E(m), K1 = jacobi_K_m1(m),
+                  E1 = jacobi_E_m1(m);
     return result(m, 0, 0, VM_FABS(E * K1 + E1 * K - K * K1 - VM_PI / 2) <= 6 * EPS * (E * K1 + E1 * K + K * K1));
 }
 
@@ -187,7 +193,9 @@ static trial try_cn_means(random_bits *g)
     const vm_real m = random_m(g);
     vm_real C2, C4, C6;
     jacobi_cn_means(m, &C2, &C4, &C6);
-    return result(m, 0, 0, m == 1 || (C2 <= 1 && C4 <= C2 * (1 + 16 * EPS) && C6 <= C4 * (1 + 16 * EPS) && C6 > 0 && C4 >= C2 * C2 * (1 - 24 * EPS)));
+    return result(m, 0, 0,
+                  m == 1 || (C2 <= 1 && C4 <= C2 * (1 + 16 * EPS) && C6 <= C4 * (1 + 16 * EPS) && C6 > 0 &&
+                             C4 >= C2 * C2 * (1 - 24 * EPS)));
 }
 
 static trial try_saca(random_bits *g)
@@ -196,14 +204,17 @@ static trial try_saca(random_bits *g)
     vm_real sa, ca, sa2, ca2, x;
     ateb_saca(s, alpha, &sa, &ca), ateb_saca(-s, alpha, &sa2, &ca2);
     x = vmi_raised(VM_FABS(ca), n);
-    return result(s, alpha, 0, VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 && sa2 == -sa && ca2 == ca &&
-                  (n * EPS > R(1e-3) || VM_FABS(sa * sa + x - 1) <= EPS * (4 + 4 * (2 * sa * sa + n * x) + (alpha + 1 - n != 0))));
+    return result(s, alpha, 0,
+                  VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 && sa2 == -sa && ca2 == ca &&
+                      (n * EPS > R(1e-3) ||
+                       VM_FABS(sa * sa + x - 1) <= EPS * (4 + 4 * (2 * sa * sa + n * x) + (alpha + 1 - n != 0))));
 }
 
 static trial try_saca_rises(random_bits *g)
 {
     const vm_real alpha = random_alpha(g), s = uniform(g, 0, 0.499) * ateb_pi(alpha);
-    const vm_real a = ateb_sa(s, alpha), b = ateb_sa(next_up(s), alpha), c = ateb_ca(s, alpha), d = ateb_ca(next_up(s), alpha);
+    const vm_real a = ateb_sa(s, alpha), b = ateb_sa(next_up(s), alpha), c = ateb_ca(s, alpha),
+                  d = ateb_ca(next_up(s), alpha);
     return result(s, alpha, 0, s == 0 || (b >= a * (1 - 4 * EPS) && d <= c * (1 + 4 * EPS)));
 }
 
@@ -224,8 +235,9 @@ static trial try_ateb_plan(random_bits *g)
 static trial try_pi(random_bits *g)
 {
     const vm_real alpha = random_alpha(g), pi = ateb_pi(alpha);
-    return result(alpha, 0, 0, pi >= (alpha + 1) * (1 - EPS) && pi <= (alpha + 1 + R(1.3862943611198906)) * (1 + EPS) &&
-                  (alpha == 0 || ateb_pi(next_up(alpha)) >= pi * (1 - EPS)));
+    return result(alpha, 0, 0,
+                  pi >= (alpha + 1) * (1 - EPS) && pi <= (alpha + 1 + R(1.3862943611198906)) * (1 + EPS) &&
+                      (alpha == 0 || ateb_pi(next_up(alpha)) >= pi * (1 - EPS)));
 }
 
 static trial try_phase(random_bits *g)
@@ -233,7 +245,10 @@ static trial try_phase(random_bits *g)
     const vm_real alpha = random_alpha(g), s = uniform(g, -0.999, 0.999) * ateb_pi(alpha);
     vm_real sa, ca;
     ateb_saca(s, alpha, &sa, &ca); /* 4 ulp, and what 4 ulp of sa and ca move */
-    return result(s, alpha, 0, VM_FABS(ateb_phase(sa, ca, alpha) - s) <= EPS * (8 * VM_FABS(s) + 4 * VM_FABS(sa * ca) * (1 + (alpha + 1) / 2)) || VM_FABS(ca) < R(1e-3));
+    return result(s, alpha, 0,
+                  VM_FABS(ateb_phase(sa, ca, alpha) - s) <=
+                          EPS * (8 * VM_FABS(s) + 4 * VM_FABS(sa * ca) * (1 + (alpha + 1) / 2)) ||
+                      VM_FABS(ca) < R(1e-3));
 }
 
 static trial try_integrals(random_bits *g)
@@ -254,7 +269,9 @@ static trial try_beta_inc(random_bits *g)
     const vm_real a = of_size(g, -9, 13), b = of_size(g, -9, 13), x = uniform(g, 0, 1);
     vm_real p, q, p2, q2;
     ateb_beta_inc_both(x, 1 - x, a, b, &p, &q), ateb_beta_inc_both(1 - x, x, b, a, &p2, &q2);
-    return result(a, b, x, p >= 0 && p <= 1 && q >= 0 && q <= 1 && VM_FABS(p + q - 1) <= 64 * EPS && same_size(p, q2, 64) && same_size(q, p2, 64));
+    return result(a, b, x,
+                  p >= 0 && p <= 1 && q >= 0 && q <= 1 && VM_FABS(p + q - 1) <= 64 * EPS && same_size(p, q2, 64) &&
+                      same_size(q, p2, 64));
 }
 
 static trial try_beta_inverse(random_bits *g)
@@ -270,21 +287,29 @@ static trial try_saca_nm(random_bits *g)
     vm_real sa, ca, x, y;
     ateb_saca_nm(s, n, m, &sa, &ca);
     x = vmi_raised(VM_FABS(sa), n + 1), y = vmi_raised(VM_FABS(ca), m + 1);
-    return result(n, m, s, VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 && VM_FABS(x + y - 1) <= EPS * (8 + 10 * ((n + 1) * x + (m + 1) * y)));
+    return result(n, m, s,
+                  VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 &&
+                      VM_FABS(x + y - 1) <= EPS * (8 + 10 * ((n + 1) * x + (m + 1) * y)));
 }
 
 static trial try_mean(random_bits *g)
 {
-    const vm_real alpha = random_alpha(g), p = uniform(g, 0, 12), q = uniform(g, 0, 12), mean = ateb_mean(alpha, p, q);
-    return result(alpha, p, q, mean >= 0 && mean <= 1 + 4 * EPS && ateb_mean(alpha, p + 1, q) <= mean * (1 + 8 * EPS));
+    const vm_real alpha = random_alpha(g), p = uniform(g, 0, 12), q = uniform(g, 0, 12),
+                  mean = ateb_mean(alpha, p, q);
+    return result(alpha, p, q,
+                  mean >= 0 && mean <= 1 + 4 * EPS && ateb_mean(alpha, p + 1, q) <= mean * (1 + 8 * EPS));
 }
 
 static trial try_lambert(random_bits *g)
 {
     const vm_real l = uniform(g, -60, 60), w = vm_lambert_w0_exp(l), x = of_size(g, -20, 30), w0 = vm_lambert_w0(x);
     const vm_real m = -1 - of_size(g, -20, 9), a = vm_lambert_w0_mexp(m), b = vm_lambert_wm1_mexp(m);
-    return result(l, x, m, w > 0 && vm_lambert_w0_exp(l + R(0.001)) >= w && w0 > 0 && vm_lambert_w0(next_up(x)) >= w0 * (1 - 2 * EPS) &&
-                  same_size(vmi_log(w0).hi + w0, vmi_log(x).hi, 8 + 8 / (double)(VM_FABS(vmi_log(x).hi) + EPS)) && a <= 0 && a >= -1 && b <= -1);
+    return result(
+        l, x, m,
+        w > 0 && vm_lambert_w0_exp(l + R(0.001)) >= w && w0 > 0 &&
+            vm_lambert_w0(next_up(x)) >= w0 * (1 - 2 * EPS) &&
+            same_size(vmi_log(w0).hi + w0, vmi_log(x).hi, 8 + 8 / (double)(VM_FABS(vmi_log(x).hi) + EPS)) &&
+            a <= 0 && a >= -1 && b <= -1);
 }
 
 typedef struct job {
@@ -293,19 +318,30 @@ typedef struct job {
     int evaluations, slower; /* of the function in a trial; fewer by so much */
 } job;
 
-static const job jobs[] = {
-    {"sn, cn, dn", try_sncndn, 2, 1},         {"sn, cn, dn, m1", try_sncndn_m1, 1, 1},
-    {"sn rises", try_sn_rises, 2, 1},         {"cd, sd, sc", try_quotients, 3, 1},
-    {"jacobi_plan", try_jacobi_plan, 64, 1}, {"am", try_am, 3, 1},
-    {"K, k'K", try_K, 2, 1},                  {"E", try_E, 2, 1},
-    {"K, E, Legendre", try_legendre, 4, 1},   {"solve k'K", try_solve_kpK, 1, 1},
-    {"solve K", try_solve_K, 1, 1},           {"cn means", try_cn_means, 1, 1},
-    {"sa, ca", try_saca, 2, 1},               {"sa, ca monotone", try_saca_rises, 4, 1},
-    {"ateb_plan", try_ateb_plan, 256, 1},    {"Pi_alpha", try_pi, 2, 1},
-    {"ateb_phase", try_phase, 1, 1},          {"ateb integrals", try_integrals, 2, 1},
-    {"beta", try_beta, 2, 10},                {"beta_inc", try_beta_inc, 2, 10},
-    {"beta_inc_inv", try_beta_inverse, 2, 100}, {"sa, ca (n, m)", try_saca_nm, 1, 100},
-    {"ateb_mean", try_mean, 2, 10},           {"Lambert W", try_lambert, 6, 1}};
+static const job jobs[] = {{"sn, cn, dn", try_sncndn, 2, 1},
+                           {"sn, cn, dn, m1", try_sncndn_m1, 1, 1},
+                           {"sn rises", try_sn_rises, 2, 1},
+                           {"cd, sd, sc", try_quotients, 3, 1},
+                           {"jacobi_plan", try_jacobi_plan, 64, 1},
+                           {"am", try_am, 3, 1},
+                           {"K, k'K", try_K, 2, 1},
+                           {"E", try_E, 2, 1},
+                           {"K, E, Legendre", try_legendre, 4, 1},
+                           {"solve k'K", try_solve_kpK, 1, 1},
+                           {"solve K", try_solve_K, 1, 1},
+                           {"cn means", try_cn_means, 1, 1},
+                           {"sa, ca", try_saca, 2, 1},
+                           {"sa, ca monotone", try_saca_rises, 4, 1},
+                           {"ateb_plan", try_ateb_plan, 256, 1},
+                           {"Pi_alpha", try_pi, 2, 1},
+                           {"ateb_phase", try_phase, 1, 1},
+                           {"ateb integrals", try_integrals, 2, 1},
+                           {"beta", try_beta, 2, 10},
+                           {"beta_inc", try_beta_inc, 2, 10},
+                           {"beta_inc_inv", try_beta_inverse, 2, 100},
+                           {"sa, ca (n, m)", try_saca_nm, 1, 100},
+                           {"ateb_mean", try_mean, 2, 10},
+                           {"Lambert W", try_lambert, 6, 1}};
 
 static double seconds(void)
 {
@@ -319,7 +355,9 @@ static long run(const job *j, int number, double count, uint64_t seed)
     const long blocks = (long)(count / j->slower / j->evaluations / BLOCK) + 1;
     const double start = seconds();
     long violations = 0, done = 0, b;
+#ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic) reduction(+ : violations)
+#endif
     for (b = 0; b < blocks; b++) {
         random_bits g;
         long i;
@@ -328,15 +366,17 @@ static long run(const job *j, int number, double count, uint64_t seed)
             const trial t = j->run(&g);
             if (t.good) continue;
             violations++;
-            if (violations <= 3) printf("VIOLATED %s: %.17g %.17g %.17g\n", j->name, (double)t.x, (double)t.y, (double)t.z);
+            if (violations <= 3)
+                fprintf(stderr, "VIOLATED %s: %.17g %.17g %.17g\n", j->name, (double)t.x, (double)t.y, (double)t.z);
         }
+#ifdef _OPENMP
 #pragma omp atomic
+#endif
         done++;
         if (b % 64 == 0) fprintf(stderr, "%-16s %3.0f %%\r", j->name, 100. * (double)done / (double)blocks);
     }
-    printf("%-16s %-6s %14.0f evaluations %6.0f ns %6ld violations\n", j->name, IS_FLOAT ? "float" : "double",
-           (double)blocks * BLOCK * j->evaluations, 1e9 * (seconds() - start) / ((double)blocks * BLOCK * j->evaluations),
-           violations);
+    printf("| %s | %.0f | %.0f | %ld |\n", j->name, (double)blocks * BLOCK * j->evaluations,
+           1e9 * (seconds() - start) / ((double)blocks * BLOCK * j->evaluations), violations);
     fflush(stdout);
     return violations;
 }
@@ -347,7 +387,9 @@ int main(int argc, char **argv)
     const uint64_t seed = argc > 2 ? (uint64_t)strtol(argv[2], NULL, 10) : 1;
     long violations = 0;
     int i;
+    printf("## %s\n\n| what is checked | evaluations | ns each | violations |\n|---|---:|---:|---:|\n",
+           IS_FLOAT ? "float" : "double");
     for (i = 0; i < (int)(sizeof jobs / sizeof *jobs); i++) violations += run(jobs + i, i, count, seed);
-    printf("evaluations %s: %ld violations\n", IS_FLOAT ? "float" : "double", violations);
+    printf("\n%ld violations\n\n", violations);
     return violations != 0;
 }

@@ -87,7 +87,8 @@ static vm_body some_body(work_of *w)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = draw(w, 2, 4), b.inertia.xx = draw(w, 2, 3), b.inertia.yy = draw(w, 2, 3), b.inertia.zz = draw(w, 2, 3);
+    b.mass = draw(w, 2, 4), b.inertia.xx = draw(w, 2, 3), b.inertia.yy = draw(w, 2, 3),
+    b.inertia.zz = draw(w, 2, 3);
     b.q.w = 1, b.q.x = draw(w, -1, 1), b.r.y = draw(w, -1, 1), b.v.z = draw(w, -3, 3);
     b.omega.x = draw(w, -2, 2), b.omega.y = draw(w, -2, 2), b.omega.z = draw(w, -2, 2);
     return b;
@@ -122,14 +123,16 @@ static void oscillators(work_of *w)
     vm_real x, v;
     int route;
     memset(&own, 0, sizeof own), memset(&f, 0, sizeof f), memset(&drum, 0, sizeof drum);
-    own.alpha = alpha, own.mass = vm_law_table(3, table_time, table_mass), own.stiffness = vm_law_linear(3, 0), own.x = 1;
+    own.alpha = alpha, own.mass = vm_law_table(3, table_time, table_mass), own.stiffness = vm_law_linear(3, 0),
+    own.x = 1;
     for (route = 0; route <= VM_ROUTE_RK87; route++)
         fold(w, R(vm_osc_plan_by(&oscillator, route, t, 0, &motion))), fold(w, motion.x), fold(w, motion.error);
     fold(w, R(vm_osc_at(&own, t, R(1e-2), &motion))), fold(w, motion.x), fold(w, motion.v);
     vm_osc_exact(t, 1, 2, alpha, &x, &v), fold(w, x), fold(w, v);
     f.alpha = 3, f.b = R(0.05), f.now.mass = 1, f.now.k = 1, f.now.nu = draw(w, 0.5, 2), f.now.force = R(0.1);
     vm_forced_init(&f), fold(w, R(vm_forced_steady(&f, 0, steady))), fold(w, steady[0].A);
-    drum.radius = R(0.5), drum.mass = 2, drum.inertia = 1, drum.band = R(0.1), drum.speed = draw(w, -1, 1), drum.omega = 3;
+    drum.radius = R(0.5), drum.mass = 2, drum.inertia = 1, drum.band = R(0.1), drum.speed = draw(w, -1, 1),
+    drum.omega = 3;
     fold(w, vm_drum_angle(1, &drum)), fold(w, vm_drum_angle_lambert(1, &drum));
 }
 
@@ -144,7 +147,8 @@ static void scenes(work_of *w)
     memset(&scene, 0, sizeof scene);
     list[0] = vm_scene_line(2, draw(w, 0.5, 1), 0), list[1] = vm_scene_axle(1, 0, draw(w, 1, 2));
     effects[0] = vm_effect_mass(0, VM_MASS_OF_T, R(-0.125), 0, 1);
-    effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 3, R(1.5), 0), effects[2] = vm_effect_drive(1, 0, R(0.5), R(0.1));
+    effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 3, R(1.5), 0),
+    effects[2] = vm_effect_drive(1, 0, R(0.5), R(0.1));
     events[0] = vm_then_switch(vm_event_position(0, 0, 0, -1), 2, 1);
     scene.bodies = list, scene.n_bodies = 2, scene.effects = effects, scene.n_effects = 3;
     scene.events = events, scene.located = located, scene.n_events = 1;
@@ -181,7 +185,8 @@ static void prepare(void)
     vm_osc_problem p;
     memset(&w, 0, sizeof w), memset(&p, 0, sizeof p);
     body = some_body(&w);
-    p.alpha = R(1.5), p.mass = vm_law_table(3, table_time, table_mass), p.stiffness = vm_law_exponential(3, R(-0.01));
+    p.alpha = R(1.5), p.mass = vm_law_table(3, table_time, table_mass),
+    p.stiffness = vm_law_exponential(3, R(-0.01));
     p.x = 1, p.reactive = 1;
     CHECK(jacobi_plan_init(&elliptic, R(0.7)) == 0 && ateb_plan_init(&periodic, R(2.2)) == 0);
     CHECK(vm_free_init(&tumbling, &body, 0) == VM_OK && vm_osc_plan_init(&oscillator, &p) == VM_OK);

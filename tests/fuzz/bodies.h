@@ -13,7 +13,10 @@ static vm_vec3 draw_vector(double size)
 }
 
 static int finite3(vm_vec3 a) { return is_finite(a.x) && is_finite(a.y) && is_finite(a.z); }
-static double size3(vm_vec3 a) { return sqrt((double)a.x * (double)a.x + (double)a.y * (double)a.y + (double)a.z * (double)a.z); }
+static double size3(vm_vec3 a)
+{
+    return sqrt((double)a.x * (double)a.x + (double)a.y * (double)a.y + (double)a.z * (double)a.z);
+}
 static int is_nan3(vm_vec3 a) { return is_nan(a.x) && is_nan(a.y) && is_nan(a.z); }
 static int within3(vm_vec3 a, vm_vec3 b, double tolerance)
 {
@@ -78,7 +81,8 @@ static vm_impulse draw_impulse(void)
 static vm_impulse2 draw_impulse2(void)
 {
     vm_impulse2 j;
-    j.jx = draw_in(-3, 3), j.jy = draw_in(-3, 3), j.couple = MOSTLY(draw_in(-3, 3)), j.x = draw_in(-3, 3), j.y = draw_in(-3, 3);
+    j.jx = draw_in(-3, 3), j.jy = draw_in(-3, 3), j.couple = MOSTLY(draw_in(-3, 3)), j.x = draw_in(-3, 3),
+    j.y = draw_in(-3, 3);
     return j;
 }
 
@@ -87,16 +91,17 @@ static int tame(vm_real x) { return VM_FABS(x) <= R(1e6) && (x == 0 || VM_FABS(x
 static int tame3(vm_vec3 a) { return tame(a.x) && tame(a.y) && tame(a.z); }
 static int tame_body(const vm_body *b)
 {
-    return tame(b->mass) && tame3(b->r) && tame3(b->v) && tame3(b->omega) && tame(b->inertia.xx) && tame(b->inertia.yy) &&
-           tame(b->inertia.zz);
+    return tame(b->mass) && tame3(b->r) && tame3(b->v) && tame3(b->omega) && tame(b->inertia.xx) &&
+           tame(b->inertia.yy) && tame(b->inertia.zz);
 }
 
 static int same_body(const vm_body *a, const vm_body *b) { return memcmp(a, b, sizeof *a) == 0; }
 static int finite_body(const vm_body *b)
 {
     return is_finite(b->mass) && finite3(b->r) && finite3(b->v) && finite3(b->omega) && is_finite(b->inertia.xx) &&
-           is_finite(b->inertia.yy) && is_finite(b->inertia.zz) && is_finite(b->inertia.xy) && is_finite(b->inertia.xz) &&
-           is_finite(b->inertia.yz) && is_finite(b->q.w) && is_finite(b->q.x) && is_finite(b->q.y) && is_finite(b->q.z);
+           is_finite(b->inertia.yy) && is_finite(b->inertia.zz) && is_finite(b->inertia.xy) &&
+           is_finite(b->inertia.xz) && is_finite(b->inertia.yz) && is_finite(b->q.w) && is_finite(b->q.x) &&
+           is_finite(b->q.y) && is_finite(b->q.z);
 }
 
 #endif

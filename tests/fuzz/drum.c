@@ -1,4 +1,5 @@
-/* Fuzz target: varmass.h, chapter 5.2, the drum and Lambert's W. Inverses, monotony, ranges, the two ways to phi(t). */
+/* Fuzz target: varmass.h, chapter 5.2, the drum and Lambert's W. Inverses, monotony, ranges, the two ways to
+   phi(t). */
 #include "bodies.h"
 
 static void check_lambert(void)
@@ -10,28 +11,32 @@ static void check_lambert(void)
     if ((double)x > least && is_finite(x)) {
         HOLDS(w0 >= -1 && (x >= 0) == (w0 >= 0));
         if (x < R(1e30) && (VM_FABS(x) > VM_MIN || x == 0))
-            HOLDS(fabs((double)w0 * exp((double)w0) - (double)x) <= 4 * EPS * fabs((double)x) * (2 + fabs((double)w0)));
+            HOLDS(fabs((double)w0 * exp((double)w0) - (double)x) <=
+                  4 * EPS * fabs((double)x) * (2 + fabs((double)w0)));
         if (x < VM_MAX) HOLDS(vm_lambert_w0(neighbour(x, 1)) >= w0 - 2 * VM_EPSILON * VM_FABS(w0));
     }
     if (x > 0) HOLDS(is_nan(wm1));
     if ((double)x > least && x < -VM_MIN / VM_EPSILON) {
         HOLDS(wm1 <= -1);
-        HOLDS(fabs((double)wm1 * exp((double)wm1) - (double)x) <= 4 * EPS * fabs((double)x) * (2 + fabs((double)wm1)));
+        HOLDS(fabs((double)wm1 * exp((double)wm1) - (double)x) <=
+              4 * EPS * fabs((double)x) * (2 + fabs((double)wm1)));
     }
     if (is_finite(l)) {
         HOLDS(w >= 0 && !is_nan(w));
-        if (VM_FABS(l) < 80) HOLDS(fabs((double)w + log((double)w) - (double)l) <= 4 * EPS * (2 + fabs((double)l) + (double)w));
+        if (VM_FABS(l) < 80)
+            HOLDS(fabs((double)w + log((double)w) - (double)l) <= 4 * EPS * (2 + fabs((double)l) + (double)w));
     }
     if (l <= -1 && is_finite(l)) {
         const vm_real a = vm_lambert_w0_mexp(l), b = vm_lambert_wm1_mexp(l);
         HOLDS(a <= 0 && a >= -1 && b <= -1 && is_finite(b));
-    } else HOLDS(is_nan(vm_lambert_w0_mexp(l)) && is_nan(vm_lambert_wm1_mexp(l)) );
+    } else HOLDS(is_nan(vm_lambert_w0_mexp(l)) && is_nan(vm_lambert_wm1_mexp(l)));
 }
 
 static vm_drum draw_drum(void)
 {
     vm_drum d;
-    d.radius = MOSTLY(draw_log(0.1, 2)), d.mass = MOSTLY(draw_log(0.1, 100)), d.inertia = MOSTLY(draw_log(0.1, 100));
+    d.radius = MOSTLY(draw_log(0.1, 2)), d.mass = MOSTLY(draw_log(0.1, 100)),
+    d.inertia = MOSTLY(draw_log(0.1, 100));
     d.band = MOSTLY(draw_byte() % 8 ? draw_log(1e-3, 1) : 0), d.speed = MOSTLY(draw_in(-3, 3));
     d.damping = MOSTLY(draw_in(0, 1)), d.stiffness = MOSTLY(draw_log(1, 1e4)), d.omega = MOSTLY(draw_log(0.1, 30));
     return d;
@@ -39,8 +44,9 @@ static vm_drum draw_drum(void)
 
 static int tame_drum(const vm_drum *d)
 {
-    return tame(d->radius) && tame(d->mass) && tame(d->inertia) && tame(d->band) && tame(d->speed) && tame(d->damping) &&
-           tame(d->stiffness) && tame(d->omega) && d->mass > 0 && d->inertia > 0 && d->omega > 0 && d->radius > 0 && d->band >= 0;
+    return tame(d->radius) && tame(d->mass) && tame(d->inertia) && tame(d->band) && tame(d->speed) &&
+           tame(d->damping) && tame(d->stiffness) && tame(d->omega) && d->mass > 0 && d->inertia > 0 &&
+           d->omega > 0 && d->radius > 0 && d->band >= 0;
 }
 
 /* r = 1 + e phi/(J0 Omega_b) = -k1 W(x), l = ln|x| = -ln|k1| - f1/k1: an error dl of l, roundings and what an eps of
@@ -60,7 +66,8 @@ static void check_published(const vm_drum *d, vm_real t)
 static void check_rigid(void)
 {
     const vm_drum d = draw_drum();
-    const vm_real phi = MOSTLY(draw_in(0, 6.2)), stop = vm_drum_stop(&d), rate = vm_drum_rate(phi, &d), t = vm_drum_time(phi, &d);
+    const vm_real phi = MOSTLY(draw_in(0, 6.2)), stop = vm_drum_stop(&d), rate = vm_drum_rate(phi, &d),
+                  t = vm_drum_time(phi, &d);
     vm_drum_geometry g;
     int status;
     HOLDS(is_nan(stop) || stop >= 0);
@@ -68,7 +75,8 @@ static void check_rigid(void)
     status = vm_drum_at(phi, &d, &g);
     if (status) HOLDS(UNTOUCHED(g));
     else HOLDS(g.mass > 0 && g.inertia > 0 && (!tame_drum(&d) || g.mass >= d.mass));
-    HOLDS(is_nan(vm_drum_rate(phi, NULL)) && is_nan(vm_drum_angle(1, NULL)) && is_nan(vm_drum_time(1, NULL)) && is_nan(vm_drum_stop(NULL)));
+    HOLDS(is_nan(vm_drum_rate(phi, NULL)) && is_nan(vm_drum_angle(1, NULL)) && is_nan(vm_drum_time(1, NULL)) &&
+          is_nan(vm_drum_stop(NULL)));
     if (!tame_drum(&d) || !is_finite(phi)) return;
     if (phi < 0 || phi > stop) {
         HOLDS(is_nan(rate) && is_nan(t));
@@ -92,7 +100,8 @@ static void check_shaft(void)
     if (tame_drum(&d) && phi >= 0 && phi < 7) {
         if (vm_drum_rhs(0, y, dydt, &d) == 0) HOLDS(vmi_all_finite(6, dydt));
         if (vm_drum_rhs_reduced(0, y, dydt, &d) == 0) HOLDS(vmi_all_finite(6, dydt));
-        if (vm_drum_rhs_angle(phi, y, dydt, &d) == 0 && vm_drum_rate(phi, &d) > R(1e-3)) HOLDS(vmi_all_finite(4, dydt));
+        if (vm_drum_rhs_angle(phi, y, dydt, &d) == 0 && vm_drum_rate(phi, &d) > R(1e-3))
+            HOLDS(vmi_all_finite(4, dydt));
     } else vm_drum_rhs(0, y, dydt, &d), vm_drum_rhs_reduced(0, y, dydt, &d), vm_drum_rhs_angle(phi, y, dydt, &d);
     STAIN(s);
     if (vm_drum_shaft_init(&d, &s)) {

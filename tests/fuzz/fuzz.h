@@ -22,7 +22,7 @@ static struct {
     const unsigned char *at, *end; /* the bytes that are left; beyond them come zeros */
     const char *target;
     double drawn[FUZZ_DRAWN]; /* the numbers of this run, for the report of a violation */
-    int n_drawn, wild; /* draw_any was called: sizes of all kinds, so that what is finite may overflow */
+    int n_drawn, wild;        /* draw_any was called: sizes of all kinds, so that what is finite may overflow */
     long violations, checks;
 } fuzz;
 
@@ -93,8 +93,8 @@ static vm_real neighbour(vm_real x, int steps)
 
 static vm_real special(void)
 {
-    static const double values[] = {0,    0.5,  1,        1.5,     2,        3,         5,    7,
-                                    1e10, 1e30, 3.141592653589793, 1e-10, 1e-30, 0.69314718055994531};
+    static const double values[] = {
+        0, 0.5, 1, 1.5, 2, 3, 5, 7, 1e10, 1e30, 3.141592653589793, 1e-10, 1e-30, 0.69314718055994531};
     const int n = (int)(sizeof values / sizeof *values), i = draw_below(n + 6);
     if (i < n) return R(values[i]);
     if (i == n) return VM_EPSILON;

@@ -34,7 +34,7 @@ static void check_triple(vm_real sn, vm_real cn, vm_real dn, vm_real m1, double 
     HOLDS(d >= low * (1 - 2 * EPS) && d <= top * (1 + 2 * EPS));
     if (!held) return;
     HOLDS(fabs(s * s + c * c - 1) <= 3 * tolerance * EPS); /* 2 (|sn| + |cn|) tolerance */
-    if (m1 < R(1e15))                                       /* where m itself overflows nothing here */
+    if (m1 < R(1e15))                                      /* where m itself overflows nothing here */
         HOLDS(fabs(d * d - c * c - (double)m1 * s * s) <= 6 * tolerance * EPS * top * top);
 }
 
@@ -45,7 +45,8 @@ static void check_quotients(vm_real u, vm_real m, vm_real K)
     HOLDS(same_bits(jacobi_sn(-u, m), -jacobi_sn(u, m)) && same_bits(jacobi_cn(-u, m), jacobi_cn(u, m)));
     HOLDS(same_bits(jacobi_dn(-u, m), jacobi_dn(u, m)));
     if (!(VM_FABS(u) <= 100 * K)) return;
-    HOLDS(close_to(jacobi_sn(u, m), sn, 16) && close_to(jacobi_cn(u, m), cn, 16) && close_to(jacobi_dn(u, m), dn, 16));
+    HOLDS(close_to(jacobi_sn(u, m), sn, 16) && close_to(jacobi_cn(u, m), cn, 16) &&
+          close_to(jacobi_dn(u, m), dn, 16));
     if (m < R(-1e30) || dn < VM_MIN / VM_EPSILON) return; /* products of these next to the ends of the range */
     HOLDS(close_to(jacobi_cd(u, m), cn / dn, 32) && close_to(jacobi_sd(u, m), sn / dn, 32));
     HOLDS(close_to(jacobi_nd(u, m), 1 / dn, 32));
@@ -112,7 +113,8 @@ static void check_functions(void)
         HOLDS(VM_FABS(sn) == 1 && cn == 0 && dn == 0);
         return;
     }
-    held = VM_FABS(u) <= (IS_FLOAT ? R(1e4) : R(1e9)) && !(VM_FABS(u) > (IS_FLOAT ? R(131072.) : R(1099511627776.)) * K);
+    held = VM_FABS(u) <= (IS_FLOAT ? R(1e4) : R(1e9)) &&
+           !(VM_FABS(u) > (IS_FLOAT ? R(131072.) : R(1099511627776.)) * K);
     check_triple(sn, cn, dn, 1 - m, 4, held);
     jacobi_sncndn(-u, m, &s, &c, &d);
     HOLDS(same_bits(s, -sn) && same_bits(c, cn) && same_bits(d, dn));

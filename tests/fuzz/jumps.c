@@ -16,7 +16,8 @@ static void check_balance(int n, const vm_body *before, int m, const vm_body *af
         HOLDS(UNTOUCHED(b));
         return;
     }
-    if (!tame3(about) || (external && !(tame3(external->linear) && tame3(external->couple) && tame3(external->at)))) return;
+    if (!tame3(about) || (external && !(tame3(external->linear) && tame3(external->couple) && tame3(external->at))))
+        return;
     HOLDS(size3(b.momentum) <= 16 * EPS * (double)b.momentum_scale);
     if (!null_axis) HOLDS(size3(b.angular_momentum) <= 64 * EPS * (double)b.angular_momentum_scale);
 }
@@ -26,7 +27,9 @@ static void check_balance(int n, const vm_body *before, int m, const vm_body *af
 static double sway(const vm_body *b)
 {
     const double trace = (double)b->inertia.xx + (double)b->inertia.yy + (double)b->inertia.zz;
-    return trace * size3(b->omega) * size3(b->omega) + (double)b->mass * (size3(b->v) + size3(b->r) * size3(b->omega)) * (size3(b->v) + size3(b->r) * size3(b->omega));
+    return trace * size3(b->omega) * size3(b->omega) + (double)b->mass *
+                                                           (size3(b->v) + size3(b->r) * size3(b->omega)) *
+                                                           (size3(b->v) + size3(b->r) * size3(b->omega));
 }
 
 static void check_kinetics(const vm_body *b)
@@ -35,8 +38,10 @@ static void check_kinetics(const vm_body *b)
     const vm_real T = vm_kinetic_energy(b);
     if (!tame_body(b)) return;
     HOLDS(finite3(p) && finite3(L) && is_finite(T));
-    if (b->mass > 0 && vm_inertia_possible(&b->inertia)) HOLDS(T >= 0 || T >= -R(64) * VM_EPSILON * b->inertia.xx * R(size3(b->omega) * size3(b->omega)));
-    HOLDS(is_nan(vm_kinetic_energy(NULL)) && is_nan3(vm_momentum(NULL)) && is_nan3(vm_angular_momentum(NULL, origin)));
+    if (b->mass > 0 && vm_inertia_possible(&b->inertia))
+        HOLDS(T >= 0 || T >= -R(64) * VM_EPSILON * b->inertia.xx * R(size3(b->omega) * size3(b->omega)));
+    HOLDS(is_nan(vm_kinetic_energy(NULL)) && is_nan3(vm_momentum(NULL)) &&
+          is_nan3(vm_angular_momentum(NULL, origin)));
 }
 
 /* the part sits where the whole is large enough for it */
@@ -79,7 +84,8 @@ static void check_separate(void)
     }
     if (vm_attach(&rest, &part, NULL, &again) == VM_OK) { /* plastic impact: back again, but for the impulse */
         HOLDS(close_to(again.mass, whole.mass, 8));
-        if (!external) HOLDS(within3(again.v, whole.v, 64 * EPS * (size3(whole.v) + size3(part.v) + size3(rest.v))));
+        if (!external)
+            HOLDS(within3(again.v, whole.v, 64 * EPS * (size3(whole.v) + size3(part.v) + size3(rest.v))));
         HOLDS(within3(again.r, whole.r, 64 * EPS * (size3(whole.r) + size3(part.r) + size3(rest.r))));
     }
 }
@@ -110,7 +116,8 @@ static void check_attach(void)
         {
             double scale = T + sway(&whole) + sway(&body);
             for (i = 0; i < n; i++) scale += sway(&added[i]);
-            HOLDS(loss >= -64 * EPS * scale && fabs(T - (double)vm_kinetic_energy(&whole) - loss) <= 64 * EPS * scale);
+            HOLDS(loss >= -64 * EPS * scale &&
+                  fabs(T - (double)vm_kinetic_energy(&whole) - loss) <= 64 * EPS * scale);
         }
     }
 }
@@ -133,7 +140,8 @@ static void check_inertia(void)
     HOLDS(within(back.xx, a.xx, 8 * EPS * (double)(moved.xx + moved.yy + moved.zz)));
     STAIN(part), STAIN(centre2);
     if (vm_split_inertia(ma + mb, &whole, mb, &b, vmi_sub(d, centre), &part, &centre2) < 0) HOLDS(UNTOUCHED(part));
-    else HOLDS(within(part.xx, a.xx, 64 * EPS * (double)(whole.xx + whole.yy + whole.zz) * (1 + (double)(mb / ma))));
+    else
+        HOLDS(within(part.xx, a.xx, 64 * EPS * (double)(whole.xx + whole.yy + whole.zz) * (1 + (double)(mb / ma))));
 }
 
 static void check_relative(void)
@@ -144,7 +152,8 @@ static void check_relative(void)
     int status;
     HOLDS(vm_to_relative(&to, &body, &relative) == VM_OK && vm_to_absolute(&to, &relative, &absolute) == VM_OK);
     if (!tame_body(&to) || !tame_body(&body)) return;
-    HOLDS(within3(absolute.v, body.v, 16 * EPS * (size3(to.v) + size3(body.v) + size3(to.omega) * (size3(to.r) + size3(body.r)))));
+    HOLDS(within3(absolute.v, body.v,
+                  16 * EPS * (size3(to.v) + size3(body.v) + size3(to.omega) * (size3(to.r) + size3(body.r)))));
     HOLDS(within3(absolute.omega, body.omega, 8 * EPS * (size3(to.omega) + size3(body.omega))));
     if (external && !(tame3(impulse.linear) && tame3(impulse.couple) && tame3(impulse.at))) return;
     STAIN(rest_relative);
@@ -170,10 +179,14 @@ static void check_inverse(void)
         HOLDS(UNTOUCHED(moving));
         return;
     }
-    if (status != VM_OK || !tame_body(&whole) || !tame_body(&part) || !tame3(v) || !tame3(omega) || !tame_body(&moving)) return;
+    if (status != VM_OK || !tame_body(&whole) || !tame_body(&part) || !tame3(v) || !tame3(omega) ||
+        !tame_body(&moving))
+        return;
     HOLDS(vm_separate(&whole, &moving, NULL, &rest) >= 0);
     if (asked & 1)
-        HOLDS(within3(rest.v, v, 64 * EPS * (double)(whole.mass / rest.mass) * (size3(v) + size3(whole.v) + size3(moving.v) + size3(whole.omega))));
+        HOLDS(within3(rest.v, v,
+                      64 * EPS * (double)(whole.mass / rest.mass) *
+                          (size3(v) + size3(whole.v) + size3(moving.v) + size3(whole.omega))));
 }
 
 static void check_plane(void)
@@ -191,27 +204,42 @@ static void check_plane(void)
     if (status < 0) HOLDS(UNTOUCHED(rest));
     else {
         HOLDS(is_finite(rest.vx) && is_finite(rest.omega) && rest.mass > 0 && rest.inertia >= 0);
-        HOLDS(vm_separate_all2(&whole, 1, &part, external, &again) == status && memcmp(&again, &rest, sizeof rest) == 0);
-        if (tame(whole.mass) && tame(whole.vx) && tame(whole.omega) && tame(part.mass) && tame(part.vx) && tame(part.omega) && tame(rest.omega) &&
-            tame(rest.mass) && status == VM_OK && (!external || tame(external->couple))) {
-            const double before = (double)vm_angular_momentum2(&whole, 0, 0), scale =
-                (double)(whole.mass * (VM_FABS(whole.vx) + VM_FABS(whole.vy)) * 8 + whole.inertia * VM_FABS(whole.omega) +
-                         rest.mass * (VM_FABS(rest.vx) + VM_FABS(rest.vy)) * 8 + rest.inertia * VM_FABS(rest.omega) + part.inertia * VM_FABS(part.omega) +
-                         part.mass * (VM_FABS(part.vx) + VM_FABS(part.vy)) * 8) + 40;
-            const double blow = external ? (double)external->couple + (double)(external->x * external->jy - external->y * external->jx) : 0;
-            const double after = (double)vm_angular_momentum2(&rest, 0, 0) + (double)vm_angular_momentum2(&part, 0, 0);
-            if (VM_FABS(rest.x) < 1000 && VM_FABS(rest.y) < 1000) HOLDS(fabs(after - before - blow) <= 64 * EPS * scale * (1 + fabs((double)rest.x) + fabs((double)rest.y)));
+        HOLDS(vm_separate_all2(&whole, 1, &part, external, &again) == status &&
+              memcmp(&again, &rest, sizeof rest) == 0);
+        if (tame(whole.mass) && tame(whole.vx) && tame(whole.omega) && tame(part.mass) && tame(part.vx) &&
+            tame(part.omega) && tame(rest.omega) && tame(rest.mass) && status == VM_OK &&
+            (!external || tame(external->couple))) {
+            const double before = (double)vm_angular_momentum2(&whole, 0, 0),
+                         scale = (double)(whole.mass * (VM_FABS(whole.vx) + VM_FABS(whole.vy)) * 8 +
+                                          whole.inertia * VM_FABS(whole.omega) +
+                                          rest.mass * (VM_FABS(rest.vx) + VM_FABS(rest.vy)) * 8 +
+                                          rest.inertia * VM_FABS(rest.omega) + part.inertia * VM_FABS(part.omega) +
+                                          part.mass * (VM_FABS(part.vx) + VM_FABS(part.vy)) * 8) +
+                                 40;
+            const double blow = external ? (double)external->couple +
+                                               (double)(external->x * external->jy - external->y * external->jx)
+                                         : 0;
+            const double after = (double)vm_angular_momentum2(&rest, 0, 0) +
+                                 (double)vm_angular_momentum2(&part, 0, 0);
+            if (VM_FABS(rest.x) < 1000 && VM_FABS(rest.y) < 1000)
+                HOLDS(fabs(after - before - blow) <=
+                      64 * EPS * scale * (1 + fabs((double)rest.x) + fabs((double)rest.y)));
             HOLDS(vm_kinetic_energy2(&rest) >= 0);
         }
         in_space = vm_in_space(&rest);
-        if (is_finite(rest.inertia) && (rest.inertia == 0 || rest.inertia > VM_MIN / VM_EPSILON)) HOLDS(vm_inertia_possible(&in_space.inertia));
+        if (is_finite(rest.inertia) && (rest.inertia == 0 || rest.inertia > VM_MIN / VM_EPSILON))
+            HOLDS(vm_inertia_possible(&in_space.inertia));
     }
     STAIN(again);
     status = vm_attach2(&whole, &part, external, &again);
     if (status < 0) HOLDS(UNTOUCHED(again));
-    else HOLDS(again.mass >= whole.mass && vm_attach_all2(&whole, 1, &part, external, &rest) == status && memcmp(&again, &rest, sizeof rest) == 0);
-    HOLDS(vm_to_relative2(&whole, &part, &relative) == VM_OK && vm_to_absolute2(&whole, &relative, &again) == VM_OK);
-    if (tame(whole.omega) && tame(part.omega)) HOLDS(within(again.omega, part.omega, 4 * EPS * (double)(VM_FABS(whole.omega) + VM_FABS(part.omega))));
+    else
+        HOLDS(again.mass >= whole.mass && vm_attach_all2(&whole, 1, &part, external, &rest) == status &&
+              memcmp(&again, &rest, sizeof rest) == 0);
+    HOLDS(vm_to_relative2(&whole, &part, &relative) == VM_OK &&
+          vm_to_absolute2(&whole, &relative, &again) == VM_OK);
+    if (tame(whole.omega) && tame(part.omega))
+        HOLDS(within(again.omega, part.omega, 4 * EPS * (double)(VM_FABS(whole.omega) + VM_FABS(part.omega))));
     STAIN(again);
     if (vm_separate_relative2(&whole, &relative, external, &again) < 0) HOLDS(UNTOUCHED(again));
     STAIN(again);
@@ -222,9 +250,16 @@ static void check_plane(void)
     STAIN(moving);
     status = vm_separate_for_spin2(&whole, &part, external, spin, &moving);
     if (status < 0) HOLDS(UNTOUCHED(moving));
-    else if (status == VM_OK && tame(whole.mass) && tame(whole.vx) && tame(whole.omega) && tame(part.omega) && tame(moving.vx) && tame(moving.vy) &&
-             (!external || tame(external->couple)) && vm_separate2(&whole, &moving, external, &rest) == VM_OK && rest.inertia > R(0.1) * whole.inertia)
-        HOLDS(within(rest.omega, spin, 4e3 * EPS * (1 + fabs((double)whole.omega) + (fabs((double)moving.vx) + fabs((double)moving.vy) + fabs((double)part.omega) + fabs((double)whole.vx) + fabs((double)whole.vy) + (external ? 50 / (double)whole.mass : 0)) * (double)(whole.mass / rest.inertia))));
+    else if (status == VM_OK && tame(whole.mass) && tame(whole.vx) && tame(whole.omega) && tame(part.omega) &&
+             tame(moving.vx) && tame(moving.vy) && (!external || tame(external->couple)) &&
+             vm_separate2(&whole, &moving, external, &rest) == VM_OK && rest.inertia > R(0.1) * whole.inertia)
+        HOLDS(within(
+            rest.omega, spin,
+            4e3 * EPS *
+                (1 + fabs((double)whole.omega) +
+                 (fabs((double)moving.vx) + fabs((double)moving.vy) + fabs((double)part.omega) +
+                  fabs((double)whole.vx) + fabs((double)whole.vy) + (external ? 50 / (double)whole.mass : 0)) *
+                     (double)(whole.mass / rest.inertia))));
 }
 
 static void fuzz_jumps(void)
@@ -237,6 +272,7 @@ static void fuzz_jumps(void)
     case 4: check_attach(); break;
     default: check_separate();
     }
-    HOLDS(strcmp(vm_strerror(-draw_below(17)), "unknown status") != 0 && strcmp(vm_strerror(-17 - draw_below(90)), "unknown status") == 0);
+    HOLDS(strcmp(vm_strerror(-draw_below(17)), "unknown status") != 0 &&
+          strcmp(vm_strerror(-17 - draw_below(90)), "unknown status") == 0);
 }
 FUZZ_TARGET(jumps)

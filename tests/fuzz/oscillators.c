@@ -11,7 +11,8 @@ static void check_exact(void)
     vm_osc_exact(t, x0, omega0, alpha, &x, &v);
     if (!(alpha >= 0) || !is_finite(alpha) || !is_finite(t) || is_nan(x0)) HOLDS(is_nan(x) && is_nan(v));
     if (valid && VM_FABS(x0) > R(0.01)) {
-        HOLDS(VM_FABS(x) <= VM_FABS(x0) * (1 + 4 * VM_EPSILON) && VM_FABS(v) <= vmax * (1 + 16 * VM_EPSILON) && period > 0);
+        HOLDS(VM_FABS(x) <= VM_FABS(x0) * (1 + 4 * VM_EPSILON) && VM_FABS(v) <= vmax * (1 + 16 * VM_EPSILON) &&
+              period > 0);
         energy = vm_osc_energy(x0, 0, omega0, alpha);
         HOLDS(within(vm_osc_energy(x, v, omega0, alpha), energy, 64 * EPS * (2 + (double)alpha) * (double)energy));
         vm_osc_trig(t, x0, omega0, alpha, &x, &v);
@@ -31,22 +32,27 @@ static void check_exact(void)
 
 static void check_constants(void)
 {
-    const vm_real alpha = MOSTLY(draw_byte() & 1 ? draw_in(0, 9) : draw_log(1e-6, 1e6)), ratio = MOSTLY(draw_log(1e-3, 1e3));
+    const vm_real alpha = MOSTLY(draw_byte() & 1 ? draw_in(0, 9) : draw_log(1e-6, 1e6)),
+                  ratio = MOSTLY(draw_log(1e-3, 1e3));
     const vm_real trig = vm_osc_omega_trig(alpha), m = vm_osc_m_jacobi(alpha), jacobi = vm_osc_omega_jacobi(alpha);
     const vm_real r = MOSTLY(draw_in(0, 1)), law = vm_osc_amplitude_law(ratio, draw_in(-1, 1), r, alpha);
     const vm_real v_law = vm_osc_velocity_law(ratio, draw_in(-1, 1), r, alpha);
     const vm_osc_comparison c = vm_osc_compare(alpha);
     if (!(alpha >= 0) || !is_finite(alpha)) {
-        HOLDS(is_nan(trig) && is_nan(m) && is_nan(jacobi) && is_nan(law) && is_nan(c.trig_vmax) && is_nan(c.jacobi_x) && is_nan(v_law));
+        HOLDS(is_nan(trig) && is_nan(m) && is_nan(jacobi) && is_nan(law) && is_nan(c.trig_vmax) &&
+              is_nan(c.jacobi_x) && is_nan(v_law));
         return;
     }
     if (alpha > R(1e6)) return;
     HOLDS(trig > 0 && jacobi > 0 && m > R(-1.8080) && m < R(0.8063));
     HOLDS(vm_osc_m_jacobi(neighbour(alpha, 1)) >= m - 16 * VM_EPSILON);
-    HOLDS(c.trig_vmax > 0 && c.jacobi_vmax > 0 && c.trig_x >= 0 && c.jacobi_x >= 0 && c.trig_v >= 0 && c.jacobi_v >= 0);
+    HOLDS(c.trig_vmax > 0 && c.jacobi_vmax > 0 && c.trig_x >= 0 && c.jacobi_x >= 0 && c.trig_v >= 0 &&
+          c.jacobi_v >= 0);
     if (ratio > R(1e-4) && ratio < R(1e4) && r >= 0 && r <= 1) {
         HOLDS(law > 0 && v_law > 0 && is_finite(law) && is_finite(v_law));
-        HOLDS(within(vm_osc_amplitude_law(1, 0, r, alpha), 1, 4 * EPS) && vm_osc_amplitude_law(ratio, 1, r, alpha) <= vm_osc_amplitude_law(ratio, 0, r, alpha) * (1 + 8 * VM_EPSILON));
+        HOLDS(within(vm_osc_amplitude_law(1, 0, r, alpha), 1, 4 * EPS) &&
+              vm_osc_amplitude_law(ratio, 1, r, alpha) <=
+                  vm_osc_amplitude_law(ratio, 0, r, alpha) * (1 + 8 * VM_EPSILON));
     }
     if (!(ratio > 0)) HOLDS(is_nan(law) || ratio == 0);
 }
@@ -65,7 +71,8 @@ static int wave(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 
 static vm_law draw_law(table_of *table, vm_real *ctx)
 {
-    const vm_real f0 = MOSTLY(draw_log(0.1, 10)), f1 = MOSTLY(draw_in(-0.1, 0.1)), f2 = MOSTLY(draw_in(-0.01, 0.01));
+    const vm_real f0 = MOSTLY(draw_log(0.1, 10)), f1 = MOSTLY(draw_in(-0.1, 0.1)),
+                  f2 = MOSTLY(draw_in(-0.01, 0.01));
     int i;
     switch (draw_below(7)) {
     case 0: return vm_law_linear(f0, f1);
@@ -73,7 +80,9 @@ static vm_law draw_law(table_of *table, vm_real *ctx)
     case 2: return vm_law_exponential(f0, f1);
     case 3: return vm_law_power(f0, f1, draw_in(-3, 3));
     case 4:
-        for (i = 0; i < TABLE; i++) table->time[i] = R(4 * i) + (draw_byte() % 16 ? 0 : draw_in(-8, 8)), table->value[i] = draw_byte() % 16 ? draw_in(0.5, 2) : 0;
+        for (i = 0; i < TABLE; i++)
+            table->time[i] = R(4 * i) + (draw_byte() % 16 ? 0 : draw_in(-8, 8)),
+            table->value[i] = draw_byte() % 16 ? draw_in(0.5, 2) : 0;
         return vm_law_table(draw_byte() % 8 ? TABLE : draw_below(TABLE), table->time, table->value);
     case 5:
         ctx[0] = draw_log(0.5, 5), ctx[1] = draw_in(-0.3, 0.3), ctx[2] = draw_in(0, 1);
@@ -94,9 +103,11 @@ static void check_laws(void)
     if (status) HOLDS(status < 0 && UNTOUCHED(f) && UNTOUCHED(rate));
     else {
         HOLDS(f > 0 && is_finite(f) && is_finite(rate));
-        if (law.kind != VM_LAW_TABLE && tame(law.f1) && tame(law.f2) && tame(t) && tame(law.f0) && VM_FABS(t) < 30 && VM_FABS(law.f1) < R(0.2) && VM_FABS(law.f2) < R(0.5) &&
-            law.kind != VM_LAW_POWER && vm_law_at(&law, t + R(IS_FLOAT ? 0.01 : 1e-5), &f_next, &rate_next) == 0)
-            HOLDS(within((f_next - f) / R(IS_FLOAT ? 0.01 : 1e-5), rate, (IS_FLOAT ? 0.02 : 1e-4) * (1 + (double)f)));
+        if (law.kind != VM_LAW_TABLE && tame(law.f1) && tame(law.f2) && tame(t) && tame(law.f0) &&
+            VM_FABS(t) < 30 && VM_FABS(law.f1) < R(0.2) && VM_FABS(law.f2) < R(0.5) && law.kind != VM_LAW_POWER &&
+            vm_law_at(&law, t + R(IS_FLOAT ? 0.01 : 1e-5), &f_next, &rate_next) == 0)
+            HOLDS(
+                within((f_next - f) / R(IS_FLOAT ? 0.01 : 1e-5), rate, (IS_FLOAT ? 0.02 : 1e-4) * (1 + (double)f)));
     }
     status = vm_law_inverse_integral(&law, t, &integral);
     if (status) HOLDS(status < 0 && UNTOUCHED(integral));
@@ -131,14 +142,16 @@ static int route_is_law(int route) { return route < VM_ROUTE_VARIATION; }
 
 static int tame_problem(const vm_osc_problem *p)
 {
-    return tame_law(&p->mass) && tame_law(&p->stiffness) && tame(p->x) && tame(p->v) && VM_FABS(p->x) < 4 && VM_FABS(p->v) < 4;
+    return tame_law(&p->mass) && tame_law(&p->stiffness) && tame(p->x) && tame(p->v) && VM_FABS(p->x) < 4 &&
+           VM_FABS(p->v) < 4;
 }
 
-/* The integrators' bounds are 2^23 periods of 2^13 steps: a call ends, but after hours. Here are thousands of periods. */
+/* The integrators' bounds are 2^23 periods of 2^13 steps: a call ends, but after hours. Here are thousands of
+   periods. */
 static int takes_long(const vm_osc_plan *plan, vm_real t)
 {
     const vm_osc_problem *p = &plan->problem;
-    return is_finite(t) && (!tame_problem(p) || VM_FABS(t) > 100 || plan->Om * VM_FABS(t) > 1e4 ||
+    return is_finite(t) && (!tame_problem(p) || VM_FABS(t) > 100 || plan->Om * VM_FABS(t) > R(1e4) ||
                             VM_FABS(plan->q * t) > 10); /* damped away: for alpha < 1 ever shorter periods */
 }
 
@@ -152,7 +165,8 @@ static void check_routes(void)
     vm_osc_motion m, n;
     vm_osc_plan plan;
     int status, planned;
-    const int wild = !route_is_law(route) || !tame_law(&p.mass) || !tame_law(&p.stiffness) || p.force || VM_FABS(t) > 30; /* differences in the last place move the steps of the integrators */
+    const int wild = !route_is_law(route) || !tame_law(&p.mass) || !tame_law(&p.stiffness) || p.force ||
+                     VM_FABS(t) > 30; /* differences in the last place move the steps of the integrators */
     STAIN(plan), STAIN(m);
     planned = vm_osc_plan_init(&plan, &p);
     if (planned) HOLDS(planned < 0 && UNTOUCHED(plan));
@@ -160,8 +174,10 @@ static void check_routes(void)
     status = vm_osc_by(&p, route, t, tolerance, &m);
     if (status < 0) HOLDS(UNTOUCHED(m));
     else {
-        HOLDS(planned == 0 && route >= 0 && route <= VM_ROUTE_RK87 && is_finite(m.x) && is_finite(m.v) && m.route == route);
-        HOLDS((m.error >= 0 || !tame(p.x) || !tame(p.v)) && m.evals >= 0 && strcmp(vm_osc_route_name(route), vm_osc_route_name(99)) != 0);
+        HOLDS(planned == 0 && route >= 0 && route <= VM_ROUTE_RK87 && is_finite(m.x) && is_finite(m.v) &&
+              m.route == route);
+        HOLDS((m.error >= 0 || !tame(p.x) || !tame(p.v)) && m.evals >= 0 &&
+              strcmp(vm_osc_route_name(route), vm_osc_route_name(99)) != 0);
     }
     switch (route) {
     case VM_ROUTE_TRIG: HOLDS(vm_osc_by_trig(&p, t, &n) == status); break;
@@ -173,7 +189,8 @@ static void check_routes(void)
     case VM_ROUTE_RK87: HOLDS(vm_osc_by_rk87(&p, t, tolerance, &n) == status); break;
     default: HOLDS(status < 0);
     }
-    if (status >= 0 && !wild) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude)); /* with and without a plan */
+    if (status >= 0 && !wild)
+        HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude)); /* with and without a plan */
     STAIN(n);
     if (planned == 0) {
         const int by = vm_osc_plan_by(&plan, route, t, tolerance, &n);
@@ -200,7 +217,8 @@ static void check_at(void)
     else HOLDS(is_finite(m.x) && is_finite(m.v) && m.route >= 0 && m.route <= VM_ROUTE_RK87);
     if (planned) return;
     HOLDS(vm_osc_plan_at(&plan, t, tolerance, &n) == status);
-    if (status >= 0 && route_is_law(m.route) && tame_law(&p.mass) && tame_law(&p.stiffness)) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
+    if (status >= 0 && route_is_law(m.route) && tame_law(&p.mass) && tame_law(&p.stiffness))
+        HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
     method = draw_below(8) - 1;
     STAIN(rates);
     status = vm_osc_averaged(&plan, method, t, MOSTLY(draw_in(0.1, 2)), rates, rates + 1, rates + 2);

@@ -1,10 +1,11 @@
-/* Fuzz target: varmass.h, free rotation and Euler's angles. Angular momentum and energy stay at any time, the way back
-   leads back, |q| stays, refusals change nothing. */
+/* Fuzz target: varmass.h, free rotation and Euler's angles. Angular momentum and energy stay at any time, the way
+   back leads back, |q| stays, refusals change nothing. */
 #include "bodies.h"
 
 static double norm4(vm_quat q)
 {
-    return sqrt((double)q.w * (double)q.w + (double)q.x * (double)q.x + (double)q.y * (double)q.y + (double)q.z * (double)q.z);
+    return sqrt((double)q.w * (double)q.w + (double)q.x * (double)q.x + (double)q.y * (double)q.y +
+                (double)q.z * (double)q.z);
 }
 
 static void check_free(void)
@@ -40,14 +41,17 @@ static void check_free(void)
     turns = (double)(body.inertia.xx + body.inertia.yy + body.inertia.zz) * size3(body.omega);
     HOLDS(within3(L, L2, 64 * EPS * turns));
     body.v = later.v = origin;
-    HOLDS(fabs((double)vm_kinetic_energy(&body) - (double)vm_kinetic_energy(&later)) <= 64 * EPS * turns * size3(body.omega));
-    if (body.inertia.xy == 0 && VM_FABS(t - t0) * R(size3(body.omega)) < 10 && vm_free_rotation(&later, t0 - t, &again) == VM_OK)
+    HOLDS(fabs((double)vm_kinetic_energy(&body) - (double)vm_kinetic_energy(&later)) <=
+          64 * EPS * turns * size3(body.omega));
+    if (body.inertia.xy == 0 && VM_FABS(t - t0) * R(size3(body.omega)) < 10 &&
+        vm_free_rotation(&later, t0 - t, &again) == VM_OK)
         HOLDS(within3(vm_angular_momentum(&again, again.r), L, 128 * EPS * turns));
 }
 
 static void check_principal(void)
 {
-    const double x = (double)draw_in(0, 1), y = (double)draw_in(0, 1), z = draw_byte() & 1 ? (double)draw_in(0, 1) : y;
+    const double x = (double)draw_in(0, 1), y = (double)draw_in(0, 1),
+                 z = draw_byte() & 1 ? (double)draw_in(0, 1) : y;
     const vm_real t = MOSTLY(draw_in(-50, 50));
     vm_vec3 moments, omega = draw_vector(4), now;
     vm_quat q = draw_attitude(), q_now;
@@ -97,7 +101,9 @@ static void check_euler(void)
     for (i = 0; i < 3; i++) HOLDS(fabs(size3(body_axis[i]) - 1) <= 8 * EPS);
     HOLDS(fabs(norm4(q) - 1) <= 8 * EPS);
     if (!tame3(omega) || VM_FABS(rates[0]) > 100) return;
-    HOLDS(within(R((double)rates[0] * (double)axis[0].x + (double)rates[1] * (double)axis[1].x + (double)rates[2] * (double)axis[2].x), omega.x,
+    HOLDS(within(R((double)rates[0] * (double)axis[0].x + (double)rates[1] * (double)axis[1].x +
+                   (double)rates[2] * (double)axis[2].x),
+                 omega.x,
                  32 * EPS * (1 + fabs((double)rates[0]) + fabs((double)rates[1]) + fabs((double)rates[2]))));
 }
 

@@ -14,8 +14,9 @@ static vm_rotor draw_rotor(void)
 
 static int tame_rotor(const vm_rotor *r)
 {
-    return tame(r->mass) && tame(r->inertia) && tame(r->stiffness) && tame(r->damping) && tame(r->torque) && tame(r->s) &&
-           r->mass > R(1e-3) && r->inertia > R(1e-3) && r->stiffness >= 0 && r->damping >= 0 && VM_FABS(r->s) <= 10;
+    return tame(r->mass) && tame(r->inertia) && tame(r->stiffness) && tame(r->damping) && tame(r->torque) &&
+           tame(r->s) && r->mass > R(1e-3) && r->inertia > R(1e-3) && r->stiffness >= 0 && r->damping >= 0 &&
+           VM_FABS(r->s) <= 10;
 }
 
 static void draw_state(vm_real *y)
@@ -34,7 +35,8 @@ static int all_tame(int n, const vm_real *y)
 static double energy_of_rotor(const vm_rotor *r, const vm_real *y)
 {
     return ((double)r->mass * ((double)y[3] * (double)y[3] + (double)y[4] * (double)y[4]) +
-            (double)r->stiffness * ((double)y[0] * (double)y[0] + (double)y[1] * (double)y[1])) / 2;
+            (double)r->stiffness * ((double)y[0] * (double)y[0] + (double)y[1] * (double)y[1])) /
+           2;
 }
 
 static void check_rotor_free(void)
@@ -52,10 +54,13 @@ static void check_rotor_free(void)
     if (vm_rotor_orbit(&r, start, abcd) < 0) HOLDS(UNTOUCHED(abcd));
     if (status || !tame_rotor(&r) || !all_tame(6, start) || !tame(t)) return;
     HOLDS(vmi_all_finite(6, end));
-    HOLDS(fabs(energy_of_rotor(&r, end) - energy_of_rotor(&r, start)) <= 64 * EPS * energy_of_rotor(&r, start) * (1 + fabs((double)t) * sqrt((double)(r.stiffness / r.mass))) + 1e-30);
+    HOLDS(fabs(energy_of_rotor(&r, end) - energy_of_rotor(&r, start)) <=
+          64 * EPS * energy_of_rotor(&r, start) * (1 + fabs((double)t) * sqrt((double)(r.stiffness / r.mass))) +
+              1e-30);
     if (r.damping == 0 && vm_rotor_free(-t, &r, end, back) == 0)
-        HOLDS(within(back[0], start[0], 256 * EPS * (1 + fabs((double)t)) * (1 + sqrt((double)(r.stiffness / r.mass))) *
-                                             (4 + fabs((double)end[0]) + 2 * fabs((double)end[3]) * (1 + fabs((double)t)))));
+        HOLDS(within(back[0], start[0],
+                     256 * EPS * (1 + fabs((double)t)) * (1 + sqrt((double)(r.stiffness / r.mass))) *
+                         (4 + fabs((double)end[0]) + 2 * fabs((double)end[3]) * (1 + fabs((double)t)))));
 }
 
 static void check_linear(void)
@@ -86,7 +91,8 @@ static void check_break(void)
     int status;
     draw_state(before);
     piece.mass = draw_byte() % 8 ? whole.mass * draw_in(0, 1) : draw_any(), piece.inertia = MOSTLY(draw_in(0, 0.1));
-    piece.distance = MOSTLY(draw_in(0, 0.5)), piece.alpha = MOSTLY(draw_in(-3, 3)), piece.radius = MOSTLY(draw_in(0.5, 2));
+    piece.distance = MOSTLY(draw_in(0, 0.5)), piece.alpha = MOSTLY(draw_in(-3, 3)),
+    piece.radius = MOSTLY(draw_in(0.5, 2));
     piece.contact = MOSTLY(draw_in(-4, 4));
     STAIN(result);
     status = vm_rotor_break_off(&whole, before, &piece, &result);
@@ -99,10 +105,14 @@ static void check_break(void)
     if (tame_rotor(&whole) && all_tame(6, before) && tame(piece.mass)) { /* momentum along x and y */
         int i;
         for (i = 3; i < 5; i++) {
-            const double part = (double)piece.mass * (double)result.piece[i], rest = (double)result.rest.mass * (double)result.state[i];
+            const double part = (double)piece.mass * (double)result.piece[i],
+                         rest = (double)result.rest.mass * (double)result.state[i];
             if (fabs(part) < 1e6 && whole.s == 0)
                 HOLDS(fabs(part + rest - (double)whole.mass * (double)before[i]) <=
-                      64 * EPS * (fabs(part) + fabs(rest) + (double)whole.mass * (fabs((double)before[3]) + fabs((double)before[4]) + 4 * fabs((double)before[5]))));
+                      64 * EPS *
+                          (fabs(part) + fabs(rest) +
+                           (double)whole.mass *
+                               (fabs((double)before[3]) + fabs((double)before[4]) + 4 * fabs((double)before[5]))));
         }
     }
 }
@@ -116,8 +126,9 @@ static void check_motion(void)
     status = vm_rotor_rhs(0, y, dydt, &r);
     STAIN(polar);
     if (vm_rotor_to_polar(y, polar)) {
-        const vm_real r = vmi_hypot(y[0], y[1]), v = VM_FABS(y[3]) + VM_FABS(y[4]);
-        HOLDS(UNTOUCHED(polar) && (!vmi_all_finite(6, y) || r == 0 || v / r > VM_MAX / 2 || v > VM_MAX / 2 || r > VM_MAX / 2));
+        const vm_real radius = vmi_hypot(y[0], y[1]), v = VM_FABS(y[3]) + VM_FABS(y[4]);
+        HOLDS(UNTOUCHED(polar) && (!vmi_all_finite(6, y) || radius == 0 || v / radius > VM_MAX / 2 ||
+                                   v > VM_MAX / 2 || radius > VM_MAX / 2));
         return;
     }
     HOLDS(polar[0] > 0 && VM_FABS(polar[1]) <= VM_PI);
@@ -128,10 +139,16 @@ static void check_motion(void)
     }
     if (!tame_rotor(&r) || !all_tame(6, y)) return;
     HOLDS(status == 0 && vmi_all_finite(6, dydt));
-    for (i = 0; i < 6; i++) HOLDS(within(back[i], y[i], 32 * EPS * (1 + fabs((double)y[3]) + fabs((double)y[4]) + fabs((double)y[i]))));
+    for (i = 0; i < 6; i++)
+        HOLDS(within(back[i], y[i], 32 * EPS * (1 + fabs((double)y[3]) + fabs((double)y[4]) + fabs((double)y[i]))));
     if (polar[0] < R(1e-3)) return;
     status = vm_rotor_polar_rhs(0, polar, dpolar, &r); /* psi'' is the same */
-    HOLDS(status == 0 && within(dpolar[5], dydt[5], 1e3 * EPS * (1 + (double)((r.stiffness * VM_FABS(r.s) * 4 + r.damping * VM_FABS(y[5]) + VM_FABS(r.torque)) / r.inertia))));
+    HOLDS(
+        status == 0 &&
+        within(dpolar[5], dydt[5],
+               1e3 * EPS *
+                   (1 + (double)((r.stiffness * VM_FABS(r.s) * 4 + r.damping * VM_FABS(y[5]) + VM_FABS(r.torque)) /
+                                 r.inertia))));
     polar[0] = 0;
     HOLDS(vm_rotor_polar_rhs(0, polar, dpolar, &r) == VM_DOMAIN);
 }
@@ -162,17 +179,25 @@ static void check_steady(void)
     if (status) HOLDS(UNTOUCHED(re) && UNTOUCHED(im) && !(stable && tame_rotor(&r) && tame(Omega)));
     else {
         HOLDS(vmi_all_finite(5, re) && vmi_all_finite(5, im));
-        for (i = 0; i < 5; i++) HOLDS(i == 0 || fuzz.wild || fabs((double)im[i]) >= fabs((double)im[i - 1]) * (1 - 8 * cbrt(EPS))); /* but for multiple roots */
-        if (tame_rotor(&r) && VM_FABS(Omega) < R(1e3)) { /* their sum is -k*, they come in pairs */
+        for (i = 0; i < 5; i++)
+            HOLDS(i == 0 || fuzz.wild ||
+                  fabs((double)im[i]) >=
+                      fabs((double)im[i - 1]) * (1 - 8 * cbrt(EPS))); /* but for multiple roots */
+        if (tame_rotor(&r) && VM_FABS(Omega) < R(1e3)) {              /* their sum is -k*, they come in pairs */
             double sum = 0, scale = 0, others = 0;
-            for (i = 0; i < 5; i++) sum += (double)re[i], others += (double)im[i], scale += fabs((double)re[i]) + fabs((double)im[i]);
-            /* each root moves by the root of eps of its multiplicity, 3 at the most as D, G > 0 and k* do not come together */
-            HOLDS(fabs(sum + (double)c[1]) <= 8 * cbrt(EPS) * (scale + (double)c[1]) && fabs(others) <= 8 * cbrt(EPS) * scale);
+            for (i = 0; i < 5; i++)
+                sum += (double)re[i], others += (double)im[i], scale += fabs((double)re[i]) + fabs((double)im[i]);
+            /* each root moves by the root of eps of its multiplicity, 3 at the most as D, G > 0 and k* do not come
+               together */
+            HOLDS(fabs(sum + (double)c[1]) <= 8 * cbrt(EPS) * (scale + (double)c[1]) &&
+                  fabs(others) <= 8 * cbrt(EPS) * scale);
             for (i = 0; i < 5 && !fuzz.wild; i++) check_root(c, (double)re[i], (double)im[i]);
-            if (stable) for (i = 0; i < 5; i++) HOLDS((double)re[i] <= 8 * cbrt(EPS) * scale);
+            if (stable)
+                for (i = 0; i < 5; i++) HOLDS((double)re[i] <= 8 * cbrt(EPS) * scale);
         }
     }
-    if (r.s == 0 && tame_rotor(&r) && Omega * Omega * r.mass != r.stiffness && is_finite(Omega)) HOLDS(steady == 0 || is_nan(steady));
+    if (r.s == 0 && tame_rotor(&r) && Omega * Omega * r.mass != r.stiffness && is_finite(Omega))
+        HOLDS(steady == 0 || is_nan(steady));
     growth = vm_rotor_growth(MOSTLY(draw_in(0, 100)), &r, Omega);
     HOLDS(is_nan(growth) || growth >= 0);
 }

@@ -2,12 +2,9 @@
    came in balances with what is there; a run ends, where it is told to or with a status. */
 #include "bodies.h"
 
-enum { BODIES = 4, EFFECTS = 6, EVENTS = 3, STATE = 13 * BODIES + BODIES + VM_BOOK };
+enum { BODIES = 4, EFFECTS = 6, EVENTS = 3, STATE = (13 + 10) * BODIES + VM_BOOK };
 
-static vm_real push(vm_real t, vm_real x, vm_real v, void *ctx)
-{
-    return *(const vm_real *)ctx * (1 + t) - x - v;
-}
+static vm_real push(vm_real t, vm_real x, vm_real v, void *ctx) { return *(const vm_real *)ctx * (1 + t) - x - v; }
 
 static void callback(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene)
 {
@@ -42,12 +39,30 @@ static int user_then(vm_real t, vm_real *y, void *ctx)
     return VM_OK;
 }
 
+static vm_real push_between(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    return *(const vm_real *)ctx * VM_LIBM(cos)(t) - x * x * x - v;
+}
+
+/* the point of contact moves, the stream swells and fades, and comes back */
+static void vary(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
+{
+    (void)y;
+    stream->at.x += R(0.1) * VM_LIBM(sin)(3 * t);
+    stream->rate *= 1 + *(const vm_real *)ctx * VM_LIBM(cos)(5 * t);
+    stream->velocity.y += *(const vm_real *)ctx * t;
+}
+
 static int draw_index(int n) { return draw_byte() % 32 ? draw_below(n + 1) % (n ? n : 1) : (int)draw_byte() - 128; }
-static int draw_coordinate(void) { return draw_byte() % 16 ? draw_byte() % 4 ? 0 : draw_below(3) : (int)draw_byte() - 128; }
+static int draw_coordinate(void)
+{
+    return draw_byte() % 16 ? draw_byte() % 4 ? 0 : draw_below(3) : (int)draw_byte() - 128;
+}
 
 static vm_scene_body draw_scene_body(void)
 {
-    const vm_real mass = MOSTLY(draw_log(0.1, 10)), a = draw_in(-2, 2), b = MOSTLY(draw_in(-2, 2)), inertia = MOSTLY(draw_log(0.1, 2));
+    const vm_real mass = MOSTLY(draw_log(0.1, 10)), a = draw_in(-2, 2), b = MOSTLY(draw_in(-2, 2)),
+                  inertia = MOSTLY(draw_log(0.1, 2));
     const vm_vec3 r = draw_vector(3), v = draw_vector(2);
     vm_scene_body made;
     vm_body free_body;
@@ -61,31 +76,102 @@ static vm_scene_body draw_scene_body(void)
         break;
     default: made = vm_scene_line(mass, a, b);
     }
-    if (draw_byte() % 4 == 0) made = vm_scene_with_mass_state(made);
+    switch (draw_byte() % 8) { /* of what does not fit a body the check says so */
+    case 0:
+    case 1: made = vm_scene_with_mass_state(made); break;
+    case 2:
+    case 3:
+    case 4:
+        if (made.motion == VM_PLANE) made = vm_scene_growing_plane(made);
+        if (made.motion == VM_FREE) made = vm_scene_growing_free(made);
+        break;
+    case 5: made = draw_byte() & 1 ? vm_scene_growing_plane(made) : vm_scene_growing_free(made); break;
+    default: break;
+    }
     if (draw_byte() % 8 == 0) made = vm_scene_absent(made);
     return made;
 }
 
-static vm_effect draw_effect(int n, vm_real *ctx)
+static vm_stream draw_stream(void)
+{
+    vm_stream stream;
+    memset(&stream, 0, sizeof stream);
+    stream.rate = MOSTLY(draw_in(-0.1, 0.3)), stream.motion = draw_byte() % 32 ? draw_below(4) : draw_below(8) - 2;
+    stream.at = draw_vector(1), stream.velocity = draw_vector(2), stream.spin = draw_vector(1);
+    if (draw_byte() & 1) stream.gyration = draw_inertia(1, 0.2);
+    return stream;
+}
+
+static vm_band draw_band(void)
+{
+    vm_band band;
+    band.radius = MOSTLY(draw_log(0.05, 1)), band.thickness = MOSTLY(draw_log(1e-4, 1e-2)),
+    band.width = MOSTLY(draw_in(0, 1));
+    band.density = MOSTLY(draw_log(10, 1e4)), band.speed = MOSTLY(draw_in(-2, 2)), band.share = draw_in(0, 1);
+    band.by_layer = draw_byte() & 1;
+    return band;
+}
+
+/* Bare below 0; radius, mass and inertia grow with the angle; what is wound up lies between the drum and the
+   radius */
+static void check_band(void)
+{
+    const vm_band band = draw_band();
+    const vm_real phi = MOSTLY(draw_in(-10, 500)), more = phi + draw_in(0, 10);
+    const vm_band_now a = vm_band_at(phi, &band), b = vm_band_at(more, &band);
+    if (!(band.radius > 0 && band.thickness >= 0 && band.width >= 0 && band.density >= 0) || !is_finite(phi)) {
+        HOLDS(is_nan(a.radius) && is_nan(a.mass) && is_nan(a.inertia) && is_nan(a.rate));
+        return;
+    }
+    if (phi < 0)
+        HOLDS((a.radius == band.radius || is_nan(a.radius)) && a.rate == 0 && a.mass == 0 && a.inertia == 0);
+    if (fuzz.wild) return;
+    HOLDS(a.radius >= band.radius && a.mass >= 0 && a.inertia >= 0 && a.rate >= 0);
+    HOLDS(b.radius >= a.radius && b.mass >= a.mass * (1 - 8 * VM_EPSILON) &&
+          b.inertia >= a.inertia * (1 - 16 * VM_EPSILON));
+    HOLDS((double)a.inertia >= (double)a.mass * (double)band.radius * (double)band.radius * (1 - 16 * EPS));
+    HOLDS((double)a.inertia <= (double)a.mass * (double)a.radius * (double)a.radius * (1 + 16 * EPS));
+}
+
+/* The effects point at what they are given: each has a place of its own for as long as the scene */
+typedef struct effect_data {
+    vm_real ctx;
+    vm_stream stream;
+    vm_band band;
+} effect_data;
+
+static vm_effect draw_crossing(int body, effect_data *data)
+{
+    const vm_stream *stream = draw_byte() % 64 ? &data->stream : NULL;
+    vm_effect effect;
+    data->stream = draw_stream();
+    switch (draw_below(4)) {
+    case 0: effect = vm_effect_stream_mass(body, stream); break;
+    case 1: effect = vm_effect_stream_force(body, stream); break;
+    case 2: effect = vm_effect_stream_moment(body, stream); break;
+    default: effect = vm_effect_stream_torque(body, stream);
+    }
+    return draw_byte() & 1 ? effect : vm_effect_varying(effect, draw_byte() % 32 ? vary : NULL, &data->ctx);
+}
+
+static vm_effect draw_effect(int n, effect_data *data)
 {
     const int body = draw_index(n), coordinate = draw_coordinate();
     const int other = draw_byte() & 1 ? VM_GROUND : draw_index(n), other_coordinate = draw_coordinate();
-    const vm_real p = MOSTLY(draw_in(-2, 2)), positive = MOSTLY(draw_log(0.1, 10)), alpha = draw_byte() & 1 ? R(1) : MOSTLY(draw_in(0, 5));
+    const vm_real p = MOSTLY(draw_in(-2, 2)), positive = MOSTLY(draw_log(0.1, 10)),
+                  alpha = draw_byte() & 1 ? R(1) : MOSTLY(draw_in(0, 5));
     const vm_vec3 u = draw_vector(1);
-    static vm_stream stream; /* the effect points at them */
-    static vm_band band;
+    vm_real *ctx = &data->ctx;
     *ctx = draw_in(-0.5, 0.5);
-    memset(&stream, 0, sizeof stream), memset(&band, 0, sizeof band);
-    stream.rate = *ctx / 5, stream.velocity = u;
-    switch (draw_below(22)) {
+    switch (draw_below(24)) {
     case 14: return vm_effect_linear_spring(body, coordinate, other, other_coordinate, positive, p);
     case 15: return vm_effect_rotational_damper(body, positive);
-    case 16: return vm_effect_stream_force(body, &stream);
-    case 17: return vm_effect_stream_moment(body, &stream);
-    case 18: return vm_effect_stream_torque(body, &stream);
-    case 19:
-        HOLDS(vm_band_at(-1, &band).mass == vm_band_at(0, &band).mass || fuzz.wild);
-        return vm_effect_band(body, &band);
+    case 16:
+    case 17:
+    case 18: return draw_crossing(body, data);
+    case 19: data->band = draw_band(); return vm_effect_band(body, draw_byte() % 64 ? &data->band : NULL);
+    case 20: return vm_effect_user_between(body, coordinate, other, other_coordinate, push_between, ctx);
+    case 21: return vm_effect_varying(vm_effect_gravity(body, coordinate, p), vary, ctx); /* no stream: refused */
     case 0: return vm_effect_gravity(body, coordinate, p);
     case 1: return vm_effect_damper(body, coordinate, other, other_coordinate, positive);
     case 2: return vm_effect_van_der_pol(body, coordinate, p, positive);
@@ -96,11 +182,34 @@ static vm_effect draw_effect(int n, vm_real *ctx)
     case 7: return vm_effect_shaft(body, positive, alpha);
     case 8: return vm_effect_unbalance(body, p, positive, alpha);
     case 9: return vm_effect_gyroscopic(body, p);
-    case 10: return vm_effect_link(body, other, moving_point, ctx, positive, draw_byte() & 1, 10);
-    case 11: return vm_effect_mass_law(body, mass_law, ctx, u, draw_byte() & 1);
-    case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, draw_byte() & 1);
-    case 13: return vm_effect_stream(body, *ctx / 5, u, draw_byte() & 1);
+    case 10: return vm_effect_link(body, other, moving_point, ctx, positive, draw_below(2), 10);
+    case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(draw_below(2)));
+    case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(draw_below(2)));
+    case 13: return vm_effect_stream(body, *ctx / 5, u, R(draw_below(2)));
     default: return vm_effect_spring(body, coordinate, other, other_coordinate, positive, alpha, p);
+    }
+}
+
+static vm_event draw_separation(vm_event event, int body, int into)
+{
+    const int relative = draw_byte() & 1;
+    vm_body part = draw_body(0.1);
+    part.mass = MOSTLY(draw_in(0.01, 0.3));
+    part.inertia = draw_inertia(is_finite(part.mass) ? part.mass : 1, 0.1);
+    if (draw_byte() & 1) event.external = draw_impulse();
+    switch (draw_below(4)) {
+    case 0: return vm_then_separate_on_line(event, body, into, &part, relative);
+    case 1: return vm_then_separate_in_plane(event, body, into, &part, relative);
+    default: return vm_then_separate(event, body, into, &part, relative);
+    }
+}
+
+static vm_event draw_attachment(vm_event event, int body, int added)
+{
+    switch (draw_below(4)) {
+    case 0: return vm_then_attach_on_line(event, body, added);
+    case 1: return vm_then_attach_in_plane(event, body, added);
+    default: return vm_then_attach(event, body, added);
     }
 }
 
@@ -108,7 +217,6 @@ static vm_event draw_event(int n, int effects, vm_real *ctx)
 {
     const int body = draw_index(n), coordinate = draw_coordinate(), direction = draw_below(3) - 1;
     const vm_real value = MOSTLY(draw_in(-2, 2)), time = MOSTLY(draw_in(0, 2));
-    vm_body part;
     vm_event event;
     *ctx = draw_in(0, 2);
     switch (draw_below(6)) {
@@ -120,36 +228,49 @@ static vm_event draw_event(int n, int effects, vm_real *ctx)
     }
     switch (draw_below(6)) {
     case 0: return vm_then_switch(event, draw_index(effects), draw_byte() & 1);
-    case 1:
-        part = draw_body(0.1), part.mass = MOSTLY(draw_in(0.01, 0.3));
-        part.inertia = draw_inertia(is_finite(part.mass) ? part.mass : 1, 0.1);
-        return vm_then_separate(event, body, draw_index(n), &part, draw_byte() & 1);
-    case 2: return vm_then_attach(event, body, draw_index(n));
+    case 1: return draw_separation(event, body, draw_index(n));
+    case 2: return draw_attachment(event, body, draw_index(n));
     case 3: return vm_then_user(event, user_then, NULL);
     case 4: return vm_then_stop(event);
-    default:
-        event.most = 3;
-        return vm_then_stop(event);
+    default: event.most = 3; return vm_then_stop(event);
     }
 }
 
 static void check_forces(void)
 {
-    const vm_real k = MOSTLY(draw_in(0, 3)), alpha = MOSTLY(draw_in(0, 5)), x = MOSTLY(draw_in(-3, 3)), v = MOSTLY(draw_in(-3, 3));
+    const vm_real k = MOSTLY(draw_in(0, 3)), alpha = MOSTLY(draw_in(0, 5)), x = MOSTLY(draw_in(-3, 3)),
+                  v = MOSTLY(draw_in(-3, 3));
+    vm_real fx, fy;
     if (!tame(k) || !tame(x) || !tame(v) || !tame(alpha) || alpha < 0 || alpha > 8 || k < 0) return;
-    HOLDS(vm_force_spring(k, alpha, -x) == -vm_force_spring(k, alpha, x) && (double)x * (double)vm_force_spring(k, alpha, x) <= 0);
-    HOLDS(vm_force_damper(k, v) == -k * v && vm_force_van_der_pol(k, 0, x, v) == k * v && vm_force_drive(k, 0, v) == k);
+    HOLDS(vm_force_spring(k, alpha, -x) == -vm_force_spring(k, alpha, x) &&
+          (double)x * (double)vm_force_spring(k, alpha, x) <= 0);
+    HOLDS(vm_force_damper(k, v) == -k * v && vm_force_van_der_pol(k, 0, x, v) == k * v &&
+          vm_force_drive(k, 0, v) == k);
     if (VM_FABS(x) < 1000) HOLDS(VM_FABS(vm_force_harmonic(k, 2, x, v)) <= k);
-    HOLDS(vm_force_stream(k, 0, 1, v) == 0 && within(vm_force_stream(k, x, 0, v), k * (x - v), 4 * EPS * (double)(k * (VM_FABS(x) + VM_FABS(v)))));
+    HOLDS(vm_force_stream(k, 0, 1, v) == 0 &&
+          within(vm_force_stream(k, x, 0, v), k * (x - v), 4 * EPS * (double)(k * (VM_FABS(x) + VM_FABS(v)))));
+    HOLDS(vm_force_gravity(k, -x) == -vm_force_gravity(k, x) && vm_force_gravity(k, 0) == 0);
+    vm_force_shaft(k, alpha, x, v, &fx, &fy); /* towards the axis, k r^alpha in all */
+    HOLDS((double)fx * (double)x + (double)fy * (double)v <= 0 &&
+          fabs((double)fx * (double)v - (double)fy * (double)x) <=
+              64 * EPS * fabs((double)fx * (double)v) + (double)VM_MIN);
+    vm_force_shaft(k, 1, x, v, &fx, &fy);
+    HOLDS(close_to(fx, -k * x, 8) && close_to(fy, -k * v, 8));
+    vm_force_gyroscopic(k, x, v, &fx, &fy); /* does no work */
+    HOLDS(fabs((double)fx * (double)x + (double)fy * (double)v) <=
+          8 * EPS * (double)k * fabs((double)x * (double)v));
+    vm_force_unbalance(k, x, alpha, v, &fx, &fy);
+    HOLDS(within(R(hypot((double)fx, (double)fy)), k * x * x, 8 * EPS * (double)(k * x * x)));
 }
 
 static void check_scene(void)
 {
     vm_scene_body bodies[BODIES];
+    effect_data data[EFFECTS];
     vm_effect effects[EFFECTS];
     vm_event events[EVENTS];
     ode_event located[EVENTS];
-    vm_real ctx[EFFECTS + EVENTS], y[STATE], dydt[STATE], work[VM_SCENE_WORK(STATE)], t = 0;
+    vm_real ctx[EVENTS], y[STATE], dydt[STATE], work[VM_SCENE_WORK(STATE)], t = 0;
     const vm_real t_end = MOSTLY(draw_in(0, 2));
     rk45_options options;
     vm_scene scene;
@@ -158,10 +279,11 @@ static void check_scene(void)
     vm_body body;
     int i, status, checked, size, wild = 0;
     memset(&scene, 0, sizeof scene), memset(&options, 0, sizeof options);
-    scene.n_bodies = 1 + draw_below(BODIES), scene.n_effects = draw_below(EFFECTS + 1), scene.n_events = draw_byte() & 1 ? draw_below(EVENTS + 1) : 0;
+    scene.n_bodies = 1 + draw_below(BODIES), scene.n_effects = draw_below(EFFECTS + 1),
+    scene.n_events = draw_byte() & 1 ? draw_below(EVENTS + 1) : 0;
     for (i = 0; i < scene.n_bodies; i++) bodies[i] = draw_scene_body();
-    for (i = 0; i < scene.n_effects; i++) effects[i] = draw_effect(scene.n_bodies, ctx + i);
-    for (i = 0; i < scene.n_events; i++) events[i] = draw_event(scene.n_bodies, scene.n_effects, ctx + EFFECTS + i);
+    for (i = 0; i < scene.n_effects; i++) effects[i] = draw_effect(scene.n_bodies, data + i);
+    for (i = 0; i < scene.n_events; i++) events[i] = draw_event(scene.n_bodies, scene.n_effects, ctx + i);
     scene.bodies = bodies, scene.effects = effects, scene.events = events, scene.located = located;
     if (draw_byte() & 1) vm_scene_keep_book(&scene, &book);
     STAIN(culprit), STAIN(y);
@@ -169,7 +291,8 @@ static void check_scene(void)
     HOLDS(checked <= 0 && strcmp(vm_strerror(checked), "unknown status") != 0);
     size = vm_scene_size(&scene);
     status = vm_scene_start(&scene, t, y, &culprit);
-    if (checked) HOLDS(status == checked && culprit.kind && culprit.index >= -1 && culprit.index < 16 && UNTOUCHED(y));
+    if (checked)
+        HOLDS(status == checked && culprit.kind && culprit.index >= -1 && culprit.index < 16 && UNTOUCHED(y));
     if (status < 0) {
         HOLDS(UNTOUCHED(y));
         return;
@@ -200,7 +323,10 @@ static void check_scene(void)
 
 static void fuzz_scenes(void)
 {
-    if (draw_below(8) == 0) check_forces();
-    else check_scene();
+    switch (draw_below(16)) {
+    case 0: check_forces(); break;
+    case 1: check_band(); break;
+    default: check_scene();
+    }
 }
 FUZZ_TARGET(scenes)

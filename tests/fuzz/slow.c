@@ -1,5 +1,6 @@
 /* Fuzz target: varmass.h, chapters 7.6 to 8 and the diagnostics: Van der Pol, Laval's rotor, two bodies, harmonic
-   excitation. Right-hand sides are finite or say why not, splitting and joining are inverses, steady vibrations are. */
+   excitation. Right-hand sides are finite or say why not, splitting and joining are inverses, steady vibrations
+   are. */
 #include "bodies.h"
 
 static vm_linear_mass draw_mass(void)
@@ -8,7 +9,10 @@ static vm_linear_mass draw_mass(void)
     m.mass = MOSTLY(draw_log(0.1, 10)), m.rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.05, 0.05) : 0);
     return m;
 }
-static int tame_mass(vm_linear_mass m) { return tame(m.mass) && tame(m.rate) && m.mass > R(0.05) && VM_FABS(m.rate) <= 1; }
+static int tame_mass(vm_linear_mass m)
+{
+    return tame(m.mass) && tame(m.rate) && m.mass > R(0.05) && VM_FABS(m.rate) <= 1;
+}
 
 static void check_van_der_pol(void)
 {
@@ -18,7 +22,8 @@ static void check_van_der_pol(void)
     vm_vdp v;
     int status, stable = -7;
     memset(&v, 0, sizeof v);
-    v.alpha = MOSTLY(draw_in(0, 7)), v.k = MOSTLY(draw_log(0.1, 10)), v.b = MOSTLY(draw_in(-0.1, 0.3)), v.c = MOSTLY(draw_in(-0.1, 0.3));
+    v.alpha = MOSTLY(draw_in(0, 7)), v.k = MOSTLY(draw_log(0.1, 10)), v.b = MOSTLY(draw_in(-0.1, 0.3)),
+    v.c = MOSTLY(draw_in(-0.1, 0.3));
     v.reactive = MOSTLY(draw_in(0, 1)), v.method = draw_byte() % 16 ? draw_below(3) : 7;
     v.mass = vm_slow_mass_linear, v.mass_ctx = &m;
     status = vm_vdp_init(&v);
@@ -26,16 +31,20 @@ static void check_van_der_pol(void)
         HOLDS(status < 0 && v.a1 == 0 && v.a2 == 0);
         return;
     }
-    HOLDS(v.alpha >= 0 && v.k > 0 && v.a1 > 0 && (!tame(v.k) || !tame(v.alpha) || (is_finite(v.a2) && is_finite(v.a3))));
+    HOLDS(v.alpha >= 0 && v.k > 0 && v.a1 > 0 &&
+          (!tame(v.k) || !tame(v.alpha) || (is_finite(v.a2) && is_finite(v.a3))));
     A = vm_vdp_amplitude(&v, t, A0, m);
     steady = vm_vdp_steady(&v, m.rate, &stable);
     HOLDS(is_nan(steady) || steady >= 0);
-    if (fuzz.wild || !tame_mass(m) || !tame(v.b) || !tame(v.c) || !tame(t) || !tame(A0) || !tame(v.alpha) || !tame(v.reactive) || VM_FABS(v.b) > 1 || VM_FABS(v.c) > 1 ||
-        v.reactive < 0 || v.reactive > 1 || A0 < 0 || A0 > 3 || t < 0 || t > 3)
+    if (fuzz.wild || !tame_mass(m) || !tame(v.b) || !tame(v.c) || !tame(t) || !tame(A0) || !tame(v.alpha) ||
+        !tame(v.reactive) || VM_FABS(v.b) > 1 || VM_FABS(v.c) > 1 || v.reactive < 0 || v.reactive > 1 || A0 < 0 ||
+        A0 > 3 || t < 0 || t > 3)
         return;
     HOLDS(is_nan(A) ? v.c < 0 || m.mass + m.rate * t <= 0 : A >= 0);
     HOLDS(within(vm_vdp_amplitude(&v, 0, A0, m), A0, 16 * EPS * (double)A0));
-    if (m.rate == 0 && steady > R(0.01) && steady < 100 && v.c > R(1e-3)) HOLDS(within(vm_vdp_amplitude(&v, t, steady, m), steady, 256 * EPS * (double)steady * (1 + exp((double)t))));
+    if (m.rate == 0 && steady > R(0.01) && steady < 100 && v.c > R(1e-3))
+        HOLDS(
+            within(vm_vdp_amplitude(&v, t, steady, m), steady, 256 * EPS * (double)steady * (1 + exp((double)t))));
     y[0] = draw_in(-2, 2), y[1] = draw_in(-2, 2);
     status = vm_vdp_rhs(t, y, dydt, &v);
     HOLDS(status ? m.mass + m.rate * t <= 0 : vmi_all_finite(2, dydt) && dydt[0] == y[1]);
@@ -70,18 +79,23 @@ static void check_laval(void)
     z.re = y[0], z.im = y[1], v.re = y[2], v.im = y[3];
     vm_laval_polar(z, &rho, &phi);
     HOLDS(rho >= 0 && VM_FABS(phi) <= VM_PI);
-    all_tame = tame_mass(m) && tame(spring.k) && spring.k > R(0.01) && tame(spring.alpha) && spring.alpha >= 0 && spring.alpha < 10 && tame(r.gyro) &&
-               VM_FABS(r.gyro) <= 1 && tame(r.reactive) && VM_FABS(r.reactive) <= 1 && rho > R(0.01);
+    all_tame = tame_mass(m) && tame(spring.k) && spring.k > R(0.01) && tame(spring.alpha) && spring.alpha >= 0 &&
+               spring.alpha < 10 && tame(r.gyro) && VM_FABS(r.gyro) <= 1 && tame(r.reactive) &&
+               VM_FABS(r.reactive) <= 1 && rho > R(0.01);
     HOLDS(!all_tame || is_finite(vm_laval_momentum(&r, m.mass, z, v)));
     if (all_tame) HOLDS(vm_laval_power(rho, &slope, &spring) > 0);
-    if (vm_laval_rhs(t, y, dydt, &r) == 0 && all_tame) HOLDS(vmi_all_finite(4, dydt) && dydt[0] == y[2] && dydt[1] == y[3]);
+    if (vm_laval_rhs(t, y, dydt, &r) == 0 && all_tame)
+        HOLDS(vmi_all_finite(4, dydt) && dydt[0] == y[2] && dydt[1] == y[3]);
     STAIN(state);
     if (vm_laval_split(&r, t, y, y[4], state)) HOLDS(UNTOUCHED(state));
     else {
         HOLDS(vmi_all_finite(5, state));
         HOLDS(vm_laval_join(&r, t, state, motion) == 0);
         if (all_tame && spring.alpha == 1)
-            for (i = 0; i < 4; i++) HOLDS(within(motion[i], y[i], 256 * EPS * 4 * (1 + sqrt((double)(spring.k / m.mass))) * (1 + sqrt((double)(m.mass / spring.k)))));
+            for (i = 0; i < 4; i++)
+                HOLDS(within(motion[i], y[i],
+                             256 * EPS * 4 * (1 + sqrt((double)(spring.k / m.mass))) *
+                                 (1 + sqrt((double)(m.mass / spring.k)))));
         if (all_tame && spring.alpha == 1) {
             HOLDS(vm_laval_exact_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
             HOLDS(vm_laval_averaged_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
@@ -90,15 +104,19 @@ static void check_laval(void)
     A = MOSTLY(draw_in(0.1, 2));
     W = vm_laval_frequency(&r, A, m.mass, sense);
     if (all_tame && tame(A) && A > R(0.05) && A < 3) { /* m W^2 - 2 g W = F_e/A */
-        const double w = (double)W, F = (double)spring.k * pow((double)A, (double)spring.alpha - 1), g = (double)r.gyro, mass = (double)m.mass;
+        const double w = (double)W, F = (double)spring.k * pow((double)A, (double)spring.alpha - 1),
+                     g = (double)r.gyro, mass = (double)m.mass;
         HOLDS(sense > 0 ? W > 0 : W < 0);
         HOLDS(fabs(mass * w * w - 2 * g * w - F) <= 64 * EPS * (mass * w * w + 2 * fabs(g * w) + F));
         y[0] = A, y[1] = draw_in(-3, 3);
-        if ((sense > 0 ? vm_laval_forward_rhs(t, y, dydt, &r) : vm_laval_backward_rhs(t, y, dydt, &r)) == 0) HOLDS(vmi_all_finite(2, dydt));
-        HOLDS(within(vm_laval_amplitude(&r, A, m.mass, m.mass), A, 256 * EPS * (double)A) || (r.gyro != 0 && r.reactive != 1));
+        if ((sense > 0 ? vm_laval_forward_rhs(t, y, dydt, &r) : vm_laval_backward_rhs(t, y, dydt, &r)) == 0)
+            HOLDS(vmi_all_finite(2, dydt));
+        HOLDS(within(vm_laval_amplitude(&r, A, m.mass, m.mass), A, 256 * EPS * (double)A) ||
+              (r.gyro != 0 && r.reactive != 1));
         if (r.gyro == 0) {
             const vm_real mass2 = m.mass * R(1.5);
-            HOLDS(within(vm_laval_amplitude(&r, A, m.mass, mass2), A * vm_osc_amplitude_law(R(1.5), 0, r.reactive, spring.alpha), 1e3 * EPS * (double)A));
+            HOLDS(within(vm_laval_amplitude(&r, A, m.mass, mass2),
+                         A * vm_osc_amplitude_law(R(1.5), 0, r.reactive, spring.alpha), 1e3 * EPS * (double)A));
         }
     }
 }
@@ -111,9 +129,11 @@ static void check_pair(void)
     vm_pair p;
     int i, all_tame, status;
     memset(&p, 0, sizeof p);
-    p.alpha = MOSTLY(draw_in(0, 6)), p.k = MOSTLY(draw_log(0.1, 10)), p.reactive = MOSTLY(draw_in(0, 1)), p.mass = vm_slow_mass_linear, p.mass_ctx = &m;
+    p.alpha = MOSTLY(draw_in(0, 6)), p.k = MOSTLY(draw_log(0.1, 10)), p.reactive = MOSTLY(draw_in(0, 1)),
+    p.mass = vm_slow_mass_linear, p.mass_ctx = &m;
     for (i = 0; i < 4; i++) y[i] = draw_byte() % 64 ? draw_in(-2, 2) : draw_any();
-    all_tame = tame_mass(m) && tame(p.alpha) && p.alpha >= 0 && p.alpha < 10 && tame(p.k) && p.k > R(0.01) && tame(p.reactive) && VM_FABS(p.reactive) <= 1;
+    all_tame = tame_mass(m) && tame(p.alpha) && p.alpha >= 0 && p.alpha < 10 && tame(p.k) && p.k > R(0.01) &&
+               tame(p.reactive) && VM_FABS(p.reactive) <= 1;
     for (i = 0; i < 4; i++) all_tame = all_tame && tame(y[i]) && VM_FABS(y[i]) < 3;
     if (vm_pair_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(4, dydt));
     STAIN(modes);
@@ -122,14 +142,16 @@ static void check_pair(void)
     else {
         if (vm_pair_join(&p, t, modes, back) == 0 && all_tame && m.rate == 0 && VM_FABS(y[0] - y[1]) > R(0.05))
             for (i = 0; i < 4; i++) HOLDS(within(back[i], y[i], (IS_FLOAT ? 1e-3 : 1e-9)));
-        if (vm_pair_averaged_rhs(t, modes, dydt, &p) == 0 && all_tame && modes[0] > R(0.05)) HOLDS(vmi_all_finite(4, dydt));
+        if (vm_pair_averaged_rhs(t, modes, dydt, &p) == 0 && all_tame && modes[0] > R(0.05))
+            HOLDS(vmi_all_finite(4, dydt));
     }
     STAIN(back);
     status = vm_pair_at(&p, t, y, m, back);
     if (status) HOLDS(status < 0 && UNTOUCHED(back));
     else {
         HOLDS(vmi_all_finite(4, back) || !all_tame);
-        if (all_tame && p.reactive == 0 && m.rate == 0) HOLDS(within(back[2] + back[3], y[2] + y[3], 256 * EPS * 8));
+        if (all_tame && p.reactive == 0 && m.rate == 0)
+            HOLDS(within(back[2] + back[3], y[2] + y[3], 256 * EPS * 8));
     }
 }
 
@@ -147,8 +169,10 @@ static void check_forced(void)
     vm_passage passage;
     int i, n, status, all_tame;
     memset(&f, 0, sizeof f), memset(steady, 0, sizeof steady);
-    f.alpha = MOSTLY(draw_byte() % 4 ? draw_in(0.2, 6) : R(1)), f.b = MOSTLY(draw_in(0, 0.1)), f.reactive = MOSTLY(draw_in(0, 1));
-    f.now.mass = MOSTLY(draw_log(0.1, 10)), f.now.k = MOSTLY(draw_log(0.1, 10)), f.now.nu = MOSTLY(draw_log(0.1, 5));
+    f.alpha = MOSTLY(draw_byte() % 4 ? draw_in(0.2, 6) : R(1)), f.b = MOSTLY(draw_in(0, 0.1)),
+    f.reactive = MOSTLY(draw_in(0, 1));
+    f.now.mass = MOSTLY(draw_log(0.1, 10)), f.now.k = MOSTLY(draw_log(0.1, 10)),
+    f.now.nu = MOSTLY(draw_log(0.1, 5));
     f.now.force = MOSTLY(draw_in(0, 0.3)), f.now.mass_rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.01, 0.01) : 0);
     if (draw_byte() & 1) f.drift = drifting, f.drift_ctx = &drift;
     before = f;
@@ -158,14 +182,18 @@ static void check_forced(void)
         return;
     }
     HOLDS(f.alpha >= 0 && f.now.mass > 0 && f.now.k > 0 && is_finite(f.Om1) && f.pi >= 2);
-    all_tame = tame(f.alpha) && f.alpha < 10 && tame(f.b) && VM_FABS(f.b) < 1 && tame(f.now.mass) && f.now.mass > R(0.05) && tame(f.now.k) && f.now.k > R(0.05) && tame(f.now.nu) &&
-               f.now.nu > R(0.05) && f.now.nu < 10 && tame(f.now.force) && VM_FABS(f.now.force) < 1 && tame(f.now.mass_rate) && VM_FABS(f.now.mass_rate) < R(0.02) && tame(f.reactive) && VM_FABS(f.reactive) <= 1 && f.now.mass < 20 && f.now.k < 20;
+    all_tame = tame(f.alpha) && f.alpha < 10 && tame(f.b) && VM_FABS(f.b) < 1 && tame(f.now.mass) &&
+               f.now.mass > R(0.05) && tame(f.now.k) && f.now.k > R(0.05) && tame(f.now.nu) && f.now.nu > R(0.05) &&
+               f.now.nu < 10 && tame(f.now.force) && VM_FABS(f.now.force) < 1 && tame(f.now.mass_rate) &&
+               VM_FABS(f.now.mass_rate) < R(0.02) && tame(f.reactive) && VM_FABS(f.reactive) <= 1 &&
+               f.now.mass < 20 && f.now.k < 20;
     motion[0] = draw_in(-2, 2), motion[1] = draw_in(-2, 2), motion[2] = draw_in(-4, 4);
     if (vm_forced_rhs(t, motion, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt) && dydt[0] == motion[1]);
     STAIN(y);
     status = vm_forced_split(&f, t, motion, y);
     if (status) HOLDS(status < 0 && UNTOUCHED(y));
-    else if (vm_forced_join(&f, t, y, back) == 0 && all_tame && f.now.force == 0 && f.b == 0 && f.now.mass_rate == 0 && VM_FABS(motion[0]) > R(0.1))
+    else if (vm_forced_join(&f, t, y, back) == 0 && all_tame && f.now.force == 0 && f.b == 0 &&
+             f.now.mass_rate == 0 && VM_FABS(motion[0]) > R(0.1))
         for (i = 0; i < 2; i++) HOLDS(within(back[i], motion[i], IS_FLOAT ? 1e-2 : 1e-8));
     y[0] = draw_in(0.1, 2), y[1] = draw_in(-3, 3), y[2] = draw_in(-3, 3);
     if (vm_forced_exact_rhs(t, y, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
@@ -173,12 +201,14 @@ static void check_forced(void)
     n = vm_forced_steady(&f, t, steady);
     HOLDS(n <= 3);
     for (i = 0; i < n; i++) {
-        if (tame(f.now.force) && all_tame) HOLDS(steady[i].A > 0 && is_finite(steady[i].A) && (i == 0 || steady[i].A >= steady[i - 1].A));
+        if (tame(f.now.force) && all_tame)
+            HOLDS(steady[i].A > 0 && is_finite(steady[i].A) && (i == 0 || steady[i].A >= steady[i - 1].A));
         HOLDS(steady[i].stable == (steady[i].det > 0 && steady[i].trace < 0));
         if (!all_tame) continue;
         y[0] = steady[i].A, y[1] = steady[i].delta, y[2] = 0;
         HOLDS(vm_forced_averaged_rhs(t, y, dydt, &f) == 0);
-        if (y[0] > R(1e-3) && y[0] < 1000 && f.alpha > R(0.5)) HOLDS(VM_FABS(dydt[0]) <= R(IS_FLOAT ? 1e-3 : 1e-9) * (1 + y[0]) * (1 + 1 / y[0]));
+        if (y[0] > R(1e-3) && y[0] < 1000 && f.alpha > R(0.5))
+            HOLDS(VM_FABS(dydt[0]) <= R(IS_FLOAT ? 1e-3 : 1e-9) * (1 + y[0]) * (1 + 1 / y[0]));
     }
     A = MOSTLY(draw_in(0.1, 3));
     n = vm_forced_curve(&f, t, A, curve);
@@ -213,20 +243,23 @@ static int circle_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 static void check_diagnostics(void)
 {
-    vm_real w = draw_in(0.5, 3), t0 = draw_in(-3, 3), span = MOSTLY(draw_in(-20, 20)), buffer[2], work[RK45_WORK(2)];
+    vm_real w = draw_in(0.5, 3), t0 = draw_in(-3, 3), span = MOSTLY(draw_in(-20, 20)), buffer[2],
+            work[RK45_WORK(2)];
     const vm_real y0[2] = {1, 0}, step = MOSTLY(draw_in(-0.3, 0.3));
     const int kind = draw_byte() % 32 ? draw_below(2) : 5;
     vm_point points[8];
     rk45 s;
     long n, i, found = 0;
     STAIN(points);
-    if (step != 0 && VM_FABS(span / step) > 1e6) return;
+    if (step != 0 && VM_FABS(span / step) > R(1e6)) return;
     n = vm_find_points(cosine_motion, &w, kind, t0, t0 + span, step, 8, points);
     if (n < 0) HOLDS(UNTOUCHED(points));
     else if (VM_FABS(step) * w < 1 && tame(span) && VM_FABS(span) <= 20) {
         HOLDS(fabs((double)n - fabs((double)(span * w)) / 3.141592653589793) <= 1.001);
-        for (i = 0; i < n && i < 8; i++) HOLDS(VM_FABS(kind ? points[i].x : points[i].v) <= R(64) * VM_EPSILON * 25 * (1 + w) * (1 + w));
-        if (kind == 0 && n > 0) HOLDS(vm_envelope_error(kind, n < 8 ? n : 8, points, unit_law, NULL) <= R(1e3) * VM_EPSILON);
+        for (i = 0; i < n && i < 8; i++)
+            HOLDS(VM_FABS(kind ? points[i].x : points[i].v) <= R(64) * VM_EPSILON * 25 * (1 + w) * (1 + w));
+        if (kind == 0 && n > 0)
+            HOLDS(vm_envelope_error(kind, n < 8 ? n : 8, points, unit_law, NULL) <= R(1e3) * VM_EPSILON);
     }
     if (rk45_init(&s, circle_rhs, NULL, 2, 0, y0, NULL, work) >= 0) {
         const int steps = 1 + draw_below(30);
@@ -242,7 +275,8 @@ static void check_diagnostics(void)
         const vm_real A = MOSTLY(draw_in(0.1, 3)), alpha = MOSTLY(draw_in(0, 5)), m_rate = draw_in(-0.1, 0.1);
         const vm_real q = vm_adiabaticity(A, 1, m_rate, 2, 0, draw_in(0, 0.1), 1, alpha);
         if (!(A > 0) || !(alpha >= 0) || !is_finite(A) || !is_finite(alpha)) HOLDS(is_nan(q));
-        else if (A > R(0.01) && A < 100 && alpha < 8) HOLDS(VM_FABS(q) <= R(0.3) * 1000000); /* 0.3/A^((alpha-1)/2) */
+        else if (A > R(0.01) && A < 100 && alpha < 8)
+            HOLDS(VM_FABS(q) <= R(0.3) * 1000000); /* 0.3/A^((alpha-1)/2) */
     }
 }
 

@@ -45,13 +45,16 @@ static void check_loads(void)
         HOLDS(status == VM_OK || fuzz.wild); /* what overflows in one may be compensated by another */
         if (status) return;
         total = vmi_add(total, one.force);
-        scale += size3(one.force) + fabs((double)streams[i].rate) * (size3(body.v) + size3(streams[i].velocity) + 4 * size3(body.omega));
+        scale += size3(one.force) + fabs((double)streams[i].rate) *
+                                        (size3(body.v) + size3(streams[i].velocity) + 4 * size3(body.omega));
     }
     if (all_tame) HOLDS(finite3(sum.force) && within3(sum.force, total, 8 * EPS * scale));
     STAIN(a), STAIN(b);
     status = vm_accelerations(&body, &sum, force, moment, &a, &b);
     if (status) HOLDS(UNTOUCHED(a) && UNTOUCHED(b));
-    else if (all_tame && tame3(force)) HOLDS(finite3(a) && within(a.x, (force.x + sum.force.x) / body.mass, 8 * EPS * (double)((VM_FABS(force.x) + VM_FABS(sum.force.x)) / body.mass)));
+    else if (all_tame && tame3(force))
+        HOLDS(finite3(a) && within(a.x, (force.x + sum.force.x) / body.mass,
+                                   8 * EPS * (double)((VM_FABS(force.x) + VM_FABS(sum.force.x)) / body.mass)));
 }
 
 static void check_flow(void)
@@ -91,15 +94,20 @@ static void check_flow(void)
         HOLDS(vm_rhs_balanced(0, y, other, &flow) == 0);
         for (i = 0; i < VM_RHS; i++) HOLDS(within(other[i], dydt[i], 16 * EPS * (1 + fabs((double)dydt[i]))));
         for (i = 0; i < 3; i++) /* momentum and what was carried off stay */
-            HOLDS(within(other[VM_Y_BALANCE + i], -dydt[VM_Y_P + i], 64 * EPS * (200 + fabs((double)dydt[VM_Y_P + i]) + 100 * size3(body.omega) + 100 * size3(body.v))));
+            HOLDS(within(
+                other[VM_Y_BALANCE + i], -dydt[VM_Y_P + i],
+                64 * EPS * (200 + fabs((double)dydt[VM_Y_P + i]) + 100 * size3(body.omega) + 100 * size3(body.v))));
     }
     flow.mass = body.mass, flow.inertia = body.inertia, flow.drift = draw_vector(0.1), flow.status = 0;
-    if (vm_rhs_given(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
+    if (vm_rhs_given(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0)
+        HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
     flow.status = 0;
-    if (vm_rhs_carried(0, y, dydt, &flow) == 0 && all_tame && tame3(flow.drift) && flow.status == 0) HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
+    if (vm_rhs_carried(0, y, dydt, &flow) == 0 && all_tame && tame3(flow.drift) && flow.status == 0)
+        HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
     flow.status = 0;
     for (i = 0; i < 7; i++) y[i] = i < 6 ? draw_in(-2, 2) : MOSTLY(draw_in(-1, 5));
-    if (vm_rhs_translation(0, y, dydt, &flow) == 0 && all_tame && y[6] > R(1e-3) && flow.status == 0) HOLDS(vmi_all_finite(VM_RHS_TRANSLATION, dydt));
+    if (vm_rhs_translation(0, y, dydt, &flow) == 0 && all_tame && y[6] > R(1e-3) && flow.status == 0)
+        HOLDS(vmi_all_finite(VM_RHS_TRANSLATION, dydt));
     y[VM_Y_MASS] = -1;
     flow.status = 0;
     if (vm_rhs(0, y, dydt, &flow) == 0) HOLDS(flow.status < 0 && !vmi_all_finite(VM_RHS, dydt));
@@ -116,7 +124,8 @@ static void check_plane_and_line(void)
     memset(&flow, 0, sizeof flow), memset(&flow1, 0, sizeof flow1), memset(streams, 0, sizeof streams);
     flow.n = flow1.n = draw_below(STREAMS + 1), flow.streams = streams, flow1.streams = line;
     for (i = 0; i < flow.n; i++) {
-        streams[i].rate = MOSTLY(draw_in(-1, 1)), streams[i].motion = draw_below(4), streams[i].x = draw_in(-1, 1), streams[i].y = draw_in(-1, 1);
+        streams[i].rate = MOSTLY(draw_in(-1, 1)), streams[i].motion = draw_below(4), streams[i].x = draw_in(-1, 1),
+        streams[i].y = draw_in(-1, 1);
         streams[i].vx = draw_in(-3, 3), streams[i].vy = draw_in(-3, 3), streams[i].gyration = draw_in(0, 0.1);
         line[i].rate = streams[i].rate, line[i].velocity = streams[i].vx, line[i].motion = streams[i].motion;
         all_tame &= tame(streams[i].rate);
@@ -141,11 +150,13 @@ static void check_closed_forms(void)
     vm_stream1 stream;
     vm_real x, v;
     int status;
-    if (!(m > 0) || !(m0 > 0) || !is_finite(m) || !is_finite(m0) || !is_finite(v0) || !is_finite(u)) HOLDS(is_nan(levi) && is_nan(tsiolkovsky));
+    if (!(m > 0) || !(m0 > 0) || !is_finite(m) || !is_finite(m0) || !is_finite(v0) || !is_finite(u))
+        HOLDS(is_nan(levi) && is_nan(tsiolkovsky));
     else if (tame(v0) && tame(u) && tame(m) && tame(m0) && tame(impulse)) {
         HOLDS(is_finite(levi) && is_finite(tsiolkovsky));
         if (impulse == 0) HOLDS(levi >= (v0 < u ? v0 : u) - VM_EPSILON * 16 * (VM_FABS(u) + VM_FABS(v0)) || m < m0);
-        HOLDS(within(vm_tsiolkovsky(tsiolkovsky, m, m0, u), v0, 16 * EPS * (fabs((double)v0) + fabs((double)tsiolkovsky) + 10 * fabs((double)u))));
+        HOLDS(within(vm_tsiolkovsky(tsiolkovsky, m, m0, u), v0,
+                     16 * EPS * (fabs((double)v0) + fabs((double)tsiolkovsky) + 10 * fabs((double)u))));
         HOLDS(within(vm_tsiolkovsky(v0, m, m, u), v0, 0));
     }
     stream.rate = MOSTLY(draw_in(-1, 1)), stream.velocity = u, stream.motion = draw_below(5);
@@ -154,9 +165,11 @@ static void check_closed_forms(void)
     if (status) HOLDS(status < 0 && UNTOUCHED(x) && UNTOUCHED(v));
     else {
         HOLDS(is_finite(x) && is_finite(v) && m0 > 0 && stream.motion <= VM_AT_REST);
-        if (tame(v0) && tame(m0) && tame(t) && tame(u) && force == 0 && stream.motion == VM_RELATIVE && tame(stream.rate))
+        if (tame(v0) && tame(m0) && tame(t) && tame(u) && force == 0 && stream.motion == VM_RELATIVE &&
+            tame(stream.rate))
             HOLDS(within(v, vm_tsiolkovsky(v0, m0, m0 + stream.rate * t, u),
-                         64 * EPS * (fabs((double)v0) + fabs((double)u) * (10 + (double)(m0 / (m0 + stream.rate * t))))));
+                         64 * EPS *
+                             (fabs((double)v0) + fabs((double)u) * (10 + (double)(m0 / (m0 + stream.rate * t))))));
     }
 }
 
@@ -167,8 +180,10 @@ static void check_jet(void)
     vm_jet jet;
     vm_vec3 omega;
     int status;
-    jet.rate = MOSTLY(draw_in(-1, 1)), jet.axial = MOSTLY(draw_log(0.1, 10)), jet.transverse = MOSTLY(draw_log(0.1, 10));
-    jet.gyration_axial = MOSTLY(draw_in(0, 1)), jet.gyration_transverse = MOSTLY(draw_byte() % 4 ? draw_in(0, 1) : 0);
+    jet.rate = MOSTLY(draw_in(-1, 1)), jet.axial = MOSTLY(draw_log(0.1, 10)),
+    jet.transverse = MOSTLY(draw_log(0.1, 10));
+    jet.gyration_axial = MOSTLY(draw_in(0, 1)),
+    jet.gyration_transverse = MOSTLY(draw_byte() % 4 ? draw_in(0, 1) : 0);
     jet.gyration_out = MOSTLY(draw_in(0, 1)), jet.nozzle = MOSTLY(draw_in(0, 2));
     STAIN(omega);
     status = vm_jet_damping(t, &jet, omega0, &omega);

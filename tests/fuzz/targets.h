@@ -19,8 +19,16 @@ typedef struct fuzz_target {
 } fuzz_target;
 
 static const fuzz_target targets[] = {
-    {"ateb", fuzz_ateb, 2},         {"drum", fuzz_drum, 0},   {"integrators", fuzz_integrators, 4},
-    {"jacobi", fuzz_jacobi, 0},     {"jumps", fuzz_jumps, 0}, {"lagrange", fuzz_lagrange, 0},
-    {"oscillators", fuzz_oscillators, 20}, {"rotation", fuzz_rotation, 0},   {"rotor", fuzz_rotor, 0},
-    {"scenes", fuzz_scenes, 10},  {"slow", fuzz_slow, 4},  {"streams", fuzz_streams, 0},
+    {"ateb", fuzz_ateb, 2},
+    {"drum", fuzz_drum, 0},
+    {"integrators", fuzz_integrators, 4},
+    {"jacobi", fuzz_jacobi, 0},
+    {"jumps", fuzz_jumps, 0},
+    {"lagrange", fuzz_lagrange, 0},
+    {"oscillators", fuzz_oscillators, 20},
+    {"rotation", fuzz_rotation, 0},
+    {"rotor", fuzz_rotor, 0},
+    {"scenes", fuzz_scenes, 10},
+    {"slow", fuzz_slow, 4},
+    {"streams", fuzz_streams, 0},
 };
