@@ -155,7 +155,7 @@ static void set_up(void)
     effect[1] = vm_effect_damper(0, 0, VM_GROUND, 0, VM_C(0.1));
     effect[2] = vm_effect_van_der_pol(0, 0, VM_C(0.1), VM_C(0.2));
     scene = no_scene;
-    scene.bodies = body, scene.n_bodies = 1, scene.effects = effect;
+    scene.bodies = body, scene.n_bodies = 1, scene.effects = effect, scene.n_effects = 3;
     vm_scene_start(&scene, 0, y_scene, NULL);
 }
 

@@ -18,7 +18,8 @@ count() { # count PRECISION : lines "function instructions"
 }
 for precision in double float; do
     echo "callgrind: $precision" >&2
-    count $precision >"$folder/$precision.counts" || exit 1
+    count $precision >"$folder/$precision.counts"
+    grep -q '^calls' "$folder/$precision.counts" || { echo "$folder/$precision did not come to its end" >&2; exit 1; }
 done
 {
     echo '# Instructions of a call'

@@ -42,7 +42,7 @@ static int bench_quick;
 static double seconds(void)
 {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t); /* what other processes take does not count */
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
