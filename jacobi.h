@@ -47,7 +47,7 @@
    below nor symmetry to the bit hold: -fexcess-precision=standard, or -msse2 -mfpmath=sse, mends it.
    Names that begin with vmi_ or VMI_ are internal.
 
-   ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md), inputs taken as exact
+   ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md, cost.md), inputs taken as exact
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and 2^40 K (float 1e4, 2^17 K); from K/eps on u
                   holds no phase, and sn = 0, cn = dn = 1. Relative error <= 8 ulp for |u| <= 100 K, at and
                   next to the zeros too (float: but for u within 1/2000 ulp of one, where K's words end at 2^-55). A
