@@ -1957,7 +1957,8 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
     const vm_two half = {VM_C(0.5), 0};
     vm_two above, n;
     const vm_real most = VM_C(1e6);
-    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !(p > -1) || !(q > -1) || !(p <= most) || !(q <= most)) return VM_NAN;
+    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !(p > -1) || !(q > -1) || !(p <= most) || !(q <= most))
+        return VM_NAN;
     n = vmi_two_sum(alpha, 1);
     above = vmi_beta_ln(vmi_half(vmi_two_sum(p, 1)), vmi_two_over(vmi_two_sum(q, 1), n));
     above = vmi_two_plus(above, vmi_minus(vmi_beta_ln(half, vmi_two_over(vmi_two(1, 0), n))));
