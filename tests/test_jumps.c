@@ -575,7 +575,8 @@ static void test_plane_point_again(void)
         v[0] = rest.vx, v[1] = rest.vy, omega = rest.omega;
         CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
         CHECK(vm_separate_for2(&whole, &point, NULL, v, &omega, &moving) == VM_OK);
-        fast = 1 + hypot((double)point.vx, (double)point.vy) + hypot((double)v[0], (double)v[1]) / (double)point.mass;
+        fast = 1 + hypot((double)point.vx, (double)point.vy) +
+               hypot((double)v[0], (double)v[1]) / (double)point.mass;
         check_error("separate_for2: v", "a point", "eps",
                     hypot((double)(moving.vx - point.vx), (double)(moving.vy - point.vy)) / eps / fast, 10, i, 0);
     }

@@ -589,7 +589,8 @@ static void test_far_on_separatrix(void)
         const double t = (double)R(3 * x / w), sech = 1 / cosh(w * t / 3);
         CHECK(vm_free_attitude(&m, R(t), &q, &omega) == VM_OK);
         check_error("separatrix", "sech", "eps", /* of exp(x) an error of x eps is that of x */
-                    fmax(fabs((double)omega.x / sech - 0.75), fabs((double)omega.z / sech - 1)) / eps / (1 + fabs(x)),
+                    fmax(fabs((double)omega.x / sech - 0.75), fabs((double)omega.z / sech - 1)) / eps /
+                        (1 + fabs(x)),
                     1.5, x, 0);
         check_error("separatrix", "tanh", "eps", fabs((double)omega.y - w * tanh(w * t / 3)) / eps, 4, x, 0);
     }
