@@ -46,6 +46,33 @@ static void test_tables(void)
             }
 }
 
+/* Within some periods of any start the first-order law is as good as it says, which is not by far */
+static void test_first_order(void)
+{
+    static const double alphas[] = {0.3, 1, 2, 4, 6, 8};
+    int a, i, k;
+    for (a = 0; a < 6 && !is_float; a++) {
+        const vm_real alpha = R(alphas[a]), pi = ateb_pi(alpha);
+        const double vmax = sqrt(2 / (alphas[a] + 1));
+        double least = 10;
+        for (k = 0; k < 24; k++)
+            for (i = 1; i < 40; i++) {
+                vm_osc_problem o = problem(alphas[a], vm_law_linear(1, R(0.01)), 1, 0);
+                vm_osc_motion truth, m;
+                double error;
+                vm_real sa, ca;
+                ateb_saca(pi * R(k - 12) / 12, alpha, &sa, &ca);
+                o.x = ca, o.v = R(-vmax) * sa;
+                CHECK(vm_osc_by_variation(&o, R(0.3 * i), R(1e-6), &truth) >= 0);
+                CHECK(vm_osc_by_ateb(&o, R(0.3 * i), &m) == VM_OK);
+                error = fmax(fabs((double)(m.x - truth.x)), fabs((double)(m.v - truth.v)) / vmax);
+                check_error("first order", "true/est", "", error / (double)m.error, 1, alphas[a], 0.3 * i);
+                least = fmin(least, (double)m.error / error);
+            }
+        check_error("first order", "est/true, least", "", least, 2, alphas[a], 0);
+    }
+}
+
 /* ---- Laws that the user writes ---- */
 
 /* A mass that cannot be told beyond a time, on either side */
@@ -185,6 +212,7 @@ static void test_averages(void)
 int main(void)
 {
     test_tables();
+    test_first_order();
     test_asked_no_further();
     test_choice();
     test_calls();
