@@ -5,11 +5,11 @@ A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||,
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
 the map that coverage.py leaves (lines that have moved since are found by their text), each with the same chance, so
 that a header counts by its length. The programs that execute the line are built and run one by one, those in double
-first, then those in float, the quickest first, and last those that take SLOW seconds, until one fails, ends with a
-signal or needs SECONDS of processor time. Where all pass, MANY of each precision, the mutant has survived and is
-printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with its reason to
-tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of
-seconds.
+first, then those in float, the header's own and the quickest first, and last those that take SLOW seconds, until one
+fails, ends with a signal or needs SECONDS of processor time. Where all pass, MANY of each precision, the mutant has
+survived and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with
+its reason to tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes
+this a matter of seconds.
 
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
@@ -35,7 +35,7 @@ SECONDS, SLOW = 20, 6
 TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
 LEAST = 90.0
 WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
-DECLARED = re.compile(r'\s*(?:const |VM_TABLE )*(?!return\b|else\b|case\b)\w+ [^=({]*\[') # an array, which may be longer
+DECLARED = re.compile(r'\s*(?:const |VM_TABLE )*(?!return\b|else\b|case\b)\w+ [^=({]*\[') # a longer array is as good
 NUMBER = r'\d+\.\d+(?:e[+-]?\d+)?|\d+e[+-]?\d+'
 CHANGES = (
     ('sign', r' \+ ', ' - '), ('sign', r' - ', ' + '), ('sign', r' \+= ', ' -= '), ('sign', r' -= ', ' += '),
@@ -133,9 +133,10 @@ def judge(folder, header, right, text, programs):
     return verdict
 
 
-def in_order(names, seconds):
-    """The programs to try: in double, then in float, the quickest first, and last the slow ones in double."""
-    quick = sorted((name for name in names if seconds[name] < SLOW), key=seconds.get)
+def in_order(header, names, seconds):
+    """The programs to try: in double, then in float, the header's own and the quickest first; last the slow ones."""
+    quick = sorted((name for name in names if seconds[name] < SLOW),
+                   key=lambda name: (not name.startswith(header), seconds[name]))
     slow = [name for name in names if seconds[name] >= SLOW and not flags_of(name)]
     kinds = [[name for name in quick if re.search(r'_float$|_contracted$|$', name)[0] == ending]
              for ending in ('', '_float')]
@@ -211,7 +212,7 @@ def main():
                 return 'equivalent', mutant, text
             whole = '\n'.join(sources[header][:line - 1] + [text] + sources[header][line:])
             return in_copy(folders, judge, header, '\n'.join(sources[header]), whole,
-                           in_order(executed[header][line], known['seconds'])), mutant, text
+                           in_order(header, executed[header][line], known['seconds'])), mutant, text
 
         verdicts = {header: Counter() for header in chosen}
         for k, (verdict, (header, line, kind, *_), text) in enumerate(pool.map(verdict_of, mutants), 1):

@@ -1679,6 +1679,10 @@ static void test_bad_input(void)
     CHECK(vm_pair_at(&p, 1, y, m, d) == VM_BAD_MASS && vm_pair_at(&p, VM_NAN, y, linear(1, 0), d) == VM_NOT_FINITE);
     y[1] = VM_NAN;
     CHECK(vm_pair_at(&p, 0, y, m, d) == VM_NOT_FINITE && vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE);
+    for (i = 0; i < 3; i++) {
+        y[0] = 1, y[1] = y[2] = 0, y[i] = VM_NAN;
+        CHECK(vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE && vm_forced_join(&f, 0, y, d) == VM_NOT_FINITE);
+    }
     CHECK(vm_forced_curve(&f, 0, 0, s) == VM_DOMAIN);
     other = f, other.now.force = 0, CHECK(vm_forced_steady(&other, 0, s) == 0);
     v.mass = NULL, p.mass = NULL; /* no laws */
