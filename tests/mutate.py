@@ -221,7 +221,8 @@ def main():
             if verdict == 'survived':
                 print(f'{header}.h:{line}: {kind}', sources[header][line - 1].strip(), text.strip(), sep='\n    ',
                       flush=True)
-    shutil.rmtree(f'{build}/mutants')
+    while not folders.empty(): # others may be at work beside
+        shutil.rmtree(folders.get())
     enough = True
     for header, counts in verdicts.items():
         alive = counts['caught'] + counts['survived']
