@@ -1,6 +1,7 @@
 /* jacobi.h against arbitrary-precision tables, identities, closed forms and the edges of its domain. */
 #include "../jacobi.h"
 #include "check.h"
+#include "least_powers.h"
 
 static const int is_float = PRECISION[0] == 'f';
 #if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)
@@ -543,6 +544,7 @@ static void test_domain(void)
 
 int main(void)
 {
+    check_least_powers();
     test_table();
     test_quotient_table();
     test_amplitude_table();
