@@ -6,7 +6,7 @@ index or a count, or swaps the alternatives of a conditional. Lines are drawn fr
 the map that coverage.py leaves (lines that have moved since are found by their text), each with the same chance, so
 that a header counts by its length. The programs that execute the line are built and run one by one, those in double
 first, then those in float, the header's own and the quickest first, and last those that take SLOW seconds, until one
-fails, ends with a signal or needs SECONDS of processor time. Where all pass, MANY of each precision, the mutant has
+fails, ends with a signal or needs four times its time. Where all pass, MANY of each precision, the mutant has
 survived and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with
 its reason to tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes
 this a matter of seconds.
@@ -31,8 +31,8 @@ from queue import Queue
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
 MANY = 10
-SECONDS, SLOW = 20, 6
-TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
+SLOW = 6 # seconds
+TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc'] # the one compiles in no time, the other takes everything
 LEAST = 90.0
 WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
 DECLARED = re.compile(r'\s*(?:const |VM_TABLE )*(?!return\b|else\b|case\b)\w+ [^=({]*\[') # a longer array is as good
@@ -116,7 +116,7 @@ def compiler_of(folder, name):
     sys.exit(f'{name} fails without a mutant')
 
 
-def judge(folder, header, right, text, programs):
+def judge(folder, header, right, text, programs, seconds):
     """'caught', 'stillborn' (does not compile), or 'survived'; the right header is put back afterwards."""
     verdict = 'survived'
     for name in programs:
@@ -125,7 +125,7 @@ def judge(folder, header, right, text, programs):
         write(folder, header, text)
         if not built(folder, name, COMPILERS[name]):
             verdict = 'stillborn'
-        elif not passes(folder, SECONDS):
+        elif not passes(folder, int(3 + 4 * seconds[name])):
             verdict = 'caught'
         write(folder, header, right)
         if verdict != 'survived':
@@ -169,12 +169,12 @@ def in_copy(folders, work, *arguments):
         folders.put(folder)
 
 
-def controls(folders, sources):
+def controls(folders, sources, seconds):
     for header in HEADERS:
         text = '\n'.join(sources[header])
         end = text.index('/* ---- End of the shared block')
         wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
-        verdicts = [in_copy(folders, judge, header, text, some, [header]) for some in (text, wrong)]
+        verdicts = [in_copy(folders, judge, header, text, some, [header], seconds) for some in (text, wrong)]
         if verdicts != ['survived', 'caught']:
             sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
 
@@ -202,7 +202,7 @@ def main():
     mutants = [draw(rng, codes, places) for _ in range(count)]
     folders, equivalent = prepared(build), known_equivalent()
     with ThreadPoolExecutor(WORKERS) as pool:
-        controls(folders, sources)
+        controls(folders, sources, known['seconds'])
 
         def verdict_of(mutant):
             header, line, kind, start, end, new = mutant
@@ -212,7 +212,8 @@ def main():
                 return 'equivalent', mutant, text
             whole = '\n'.join(sources[header][:line - 1] + [text] + sources[header][line:])
             return in_copy(folders, judge, header, '\n'.join(sources[header]), whole,
-                           in_order(header, executed[header][line], known['seconds'])), mutant, text
+                           in_order(header, executed[header][line], known['seconds']),
+                           known['seconds']), mutant, text
 
         verdicts = {header: Counter() for header in chosen}
         for k, (verdict, (header, line, kind, *_), text) in enumerate(pool.map(verdict_of, mutants), 1):

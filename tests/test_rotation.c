@@ -608,7 +608,7 @@ static void test_extreme(void)
         for (j = 0; j < 7; j++)
             for (k = 0; k < 6; k++) {
                 const double J = is_float ? 1e-4 : 1e-9;
-                const vm_vec3 bodies[] = {vmi_vec3(3, 2, 1),
+                const vm_vec3 bodies[6] = {vmi_vec3(3, 2, 1),
                                           vmi_vec3(1, 1, R(J)),
                                           vmi_vec3(R(1 + J), 1, R(J)),
                                           vmi_vec3(2, R(1 + J), R(1 - J)),

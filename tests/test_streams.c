@@ -802,7 +802,7 @@ static void test_plane_angles(void)
         check_error("sin, cos", "plane", "eps", fabs((double)c - cos((double)R(x))) / eps, .6, x, 0);
     }
     for (i = 0; i < 3; i++) {
-        static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+        const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
         vm_real s, c;
         vmi_stream_sincos(R(bad[i]), &s, &c);
         CHECK(s != s && c != c);
@@ -1199,7 +1199,7 @@ static int stopping(vm_real t, const vm_real *y, vm_flow *flow)
 
 static void test_bad_input(void)
 {
-    static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     scene k, good;
     vm_real y[VM_RHS], dy[VM_RHS], kept[VM_RHS];
     vm_reactive loads, loads_kept;
