@@ -32,7 +32,7 @@ from queue import Queue
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
 MANY = 10
 SLOW = 6 # seconds
-TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc'] # the one compiles in no time, the other takes everything
+TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
 LEAST = 90.0
 WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
 DECLARED = re.compile(r'\s*(?:const |VM_TABLE )*(?!return\b|else\b|case\b)\w+ [^=({]*\[') # a longer array is as good
@@ -108,9 +108,10 @@ def write(folder, header, text):
 COMPILERS = {}
 
 
-def compiler_of(folder, name):
+def compiler_of(folder, name, seconds):
     """The first one by which the program compiles and passes, with the headers as they are."""
-    for compiler in (TCC, GCC) if shutil.which(TCC[0]) and not name.endswith('_contracted') else (GCC,):
+    tcc = shutil.which(TCC[0]) and seconds < SLOW and not name.endswith('_contracted')
+    for compiler in (TCC, GCC) if tcc else (GCC,):
         if built(folder, name, compiler) and passes(folder, 600):
             return compiler
     sys.exit(f'{name} fails without a mutant')
@@ -121,7 +122,7 @@ def judge(folder, header, right, text, programs, seconds):
     verdict = 'survived'
     for name in programs:
         if name not in COMPILERS:
-            COMPILERS[name] = compiler_of(folder, name)
+            COMPILERS[name] = compiler_of(folder, name, seconds[name])
         write(folder, header, text)
         if not built(folder, name, COMPILERS[name]):
             verdict = 'stillborn'
