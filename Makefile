@@ -107,6 +107,7 @@ test-fuzz:
 
 # a campaign of minutes to hours: COUNT random evaluations of each special function, in both precisions
 COUNT = 10000000
+LINES = # first and last line of the table, none: all
 evaluations:
 	@mkdir -p build/tests
 	@{ printf '# Random evaluations\n\nPrinted by `make evaluations COUNT=%s SEED=%s`: random arguments from the whole domains' $(COUNT) $(SEED); \
@@ -115,7 +116,7 @@ evaluations:
 	} >build/evaluations.md; \
 	for precision in "" -DVM_USE_FLOAT; do \
 	    $(COMPILE) -fopenmp $$precision tests/evaluations.c -o build/tests/evaluations -lm && \
-	    ./build/tests/evaluations $(COUNT) $(SEED) >>build/evaluations.md || { cat build/evaluations.md; exit 1; }; done; \
+	    ./build/tests/evaluations $(COUNT) $(SEED) $(LINES) >>build/evaluations.md || { cat build/evaluations.md; exit 1; }; done; \
 	cat build/evaluations.md >docs/evaluations.md
 
 # everything from many threads at once, under ThreadSanitizer
