@@ -95,9 +95,9 @@ points: build/command
 	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
 	    done; done
 
-# a campaign of minutes: the same bits on every target that can be had, with emulators
+# a campaign of half an hour: the same bits and the tests on every target that can be had, with emulators
 test-cross:
-	sh tests/cross.sh build docs/cross.md
+	sh tests/cross.sh build docs/cross.md $(TESTS)
 
 # a bounded time of fuzzing, all targets together; then errors that are planted must be found
 SECONDS = 240
