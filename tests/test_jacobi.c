@@ -364,6 +364,40 @@ static void test_plans(void)
     CHECK(memcmp(&plan, &kept, sizeof plan) == 0);
 }
 
+/* ---- Far out: k' multiplies what the reduction leaves of u's phase. True values (mpmath), and the plan's ---- */
+
+static void check_far(double u, double m1, double sn, double cn)
+{
+    const vm_real kp = VM_SQRT((vm_real)m1);
+    const double top = kp > 1 ? (double)kp : 1;
+    vm_real s, c, d, p_s, p_c, p_d;
+    jacobi_plan plan;
+    jacobi_plan_init_m1(&plan, (vm_real)m1);
+    jacobi_sncndn_m1((vm_real)u, (vm_real)m1, &s, &c, &d);
+    jacobi_plan_sncndn(&plan, (vm_real)u, &p_s, &p_c, &p_d);
+    check_error("sn, far out", "by plan", "eps", ERROR_EPS(s, (double)p_s, 0, 1), 8, u, m1);
+    check_error("cn, far out", "by plan", "eps", ERROR_EPS(c, (double)p_c, 0, 1), 8, u, m1);
+    check_error("dn, far out", "by plan", "eps", ERROR_EPS(d, (double)p_d, 0, top), 8, u, m1);
+    if (sn == 0) return;
+    check_error("sn, far out", "m < -1e85", "eps", ERROR_EPS(s, sn, 0, 1), 4, u, m1);
+    check_error("cn, far out", "m < -1e85", "eps", ERROR_EPS(c, cn, 0, 1), 4, u, m1);
+}
+
+static void test_far(void)
+{
+    const double longest = VM_MANT_DIG > 24 ? 1e9 : 1e4, most = VM_MANT_DIG > 24 ? 1e9 : 131072;
+    const double size = VM_MANT_DIG > 24 ? 1e290 : 1e30;
+    int i;
+    if (representable(1.1259643796341058e+87)) {
+        check_far(1.4871823851220019e-33, 1.1259643796341058e+87, 0.99996063659091773, 0.0088727261135774705);
+        check_far(-2.6311726271857379e-34, 2.6911810008058163e+88, -0.97006289508605531, -0.24285382347671787);
+    }
+    for (i = 0; i < 20000; i++) {
+        const vm_real m1 = (vm_real)pow(size, uniform(-1, 1)), K = jacobi_K_m1(m1);
+        check_far(uniform(-1, 1) * fmin(longest, most * (double)K), (double)m1, 0, 0);
+    }
+}
+
 /* ---- The route by the AGM: every step more brings it nearer, until the type's digits are reached ---- */
 
 static void test_agm(void)
@@ -553,6 +587,7 @@ int main(void)
     test_amplitude();
     test_quotients();
     test_plans();
+    test_far();
     test_agm();
     test_closed_forms();
     test_solver();
