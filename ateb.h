@@ -1755,8 +1755,8 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     sum = vmi_two_scaled(vmi_two_log(vmi_two_over(vmi_two_times(A, B), S)), (vm_real)(k - i - j) + VM_C(0.5));
     sum = vmi_two_plus(sum, vmi_two_plus(half_ln_2pi, vmi_two((vm_real)(i + j - k), 0)));
     sum = vmi_two_plus(sum, vmi_two_log(rise));
-    sum = vmi_two_plus(sum,
-                       vmi_two_plus(vmi_two_scaled(ln_SA, (vm_real)(k - j)), vmi_two_scaled(ln_SB, (vm_real)(k - i))));
+    sum = vmi_two_plus(sum, vmi_two_scaled(ln_SA, (vm_real)(k - j)));
+    sum = vmi_two_plus(sum, vmi_two_scaled(ln_SB, (vm_real)(k - i)));
     sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_times(vmi_two_plus(ln_x, ln_SA), a),
                                          vmi_two_times(vmi_two_plus(ln_y, ln_SB), b)));
     return vmi_two_sum(sum.hi, sum.lo + (vmi_stirling(S.hi) - vmi_stirling(A.hi) - vmi_stirling(B.hi)));

@@ -198,7 +198,8 @@ static void check_means(void)
     if (alpha_promised(alpha) && p > -1 && p + 2 <= R(1e6) && q > -1 && q <= R(1e6) && mean > VM_MIN / VM_EPSILON) {
         /* B(a + 1, b) = B(a, b) a/(a + b); an eps of p + 2 moves ln B by a eps (1/a + ln(1 + b/a)) <= (1 + b) eps */
         const double a = ((double)p + 1) / 2, b = ((double)q + 1) / ((double)alpha + 1);
-        HOLDS(within(ateb_mean(alpha, p + 2, q), R((double)mean * (a / (a + b))), (8 + 2 * b) * EPS * (double)mean));
+        HOLDS(
+            within(ateb_mean(alpha, p + 2, q), R((double)mean * (a / (a + b))), (8 + 2 * b) * EPS * (double)mean));
     }
     if (!(alpha_promised(alpha) && alpha < R(1e6))) return;
     HOLDS(within(ateb_mean(alpha, 2, 0) + ateb_mean(alpha, 0, alpha + 1), 1, 8 * EPS));
