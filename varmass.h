@@ -1201,12 +1201,13 @@ typedef struct VM_TAG(vm_pair) {
 } vm_pair;
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair);
 /* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
-   its first ripple, so that any initial velocities do. Averaged equations of the modes for any mass. */
+   its first ripple, so that any initial velocities do. VM_DOMAIN where the motion is smaller than this ripple, as
+   it is where m -> 0. Averaged equations of the modes for any mass. */
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes);
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y);
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair);
 /* y at t where it was y0 at t = 0, for the mass m.mass + m.rate t, closed: (528), (529) with p0 = y0 - x0. Error of
-   order m.rate over times of order 1/m.rate. y may be y0. */
+   order m.rate over times of order 1/m.rate; VM_DOMAIN as above, at either end. y may be y0. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y);
 
 /* -- Chapter 8: harmonic excitation -- */
@@ -5005,7 +5006,8 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
     if (l > -1 && k1 > 0) l = -1;           /* by rounding */
-    w = k1 < 0 ? vm_lambert_w0_exp(l) : k1 < 1 ? vm_lambert_wm1_mexp(l) : vm_lambert_w0_mexp(l);
+    /* e tells the branch: k1 may round to 1 */
+    w = k1 < 0 ? vm_lambert_w0_exp(l) : e > 0 ? vm_lambert_wm1_mexp(l) : vm_lambert_w0_mexp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
 
@@ -6716,13 +6718,14 @@ VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, v
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_laval_state now;
     vm_complex turned, P, N;
+    vm_real found[5];
     const int status = vmi_laval_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    y[0] = P.re, y[1] = P.im, y[2] = N.re, y[3] = N.im, y[4] = phi;
-    return VM_OK;
+    found[0] = P.re, found[1] = P.im, found[2] = N.re, found[3] = N.im, found[4] = phi;
+    return vmi_deliver(5, found, y);
 }
 
 /* z and z' where phi is the angle of turn */
@@ -6738,11 +6741,12 @@ VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real
 {
     vmi_laval_state now;
     vm_complex z, v;
+    vm_real joined[4];
     const int status = vmi_laval_now(r, t, &now);
     if (status) return status;
     vmi_laval_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
-    motion[0] = z.re, motion[1] = z.im, motion[2] = v.re, motion[3] = v.im;
-    return VM_OK;
+    joined[0] = z.re, joined[1] = z.im, joined[2] = v.re, joined[3] = v.im;
+    return vmi_deliver(4, joined, motion);
 }
 
 /* P' and N' (470)-(473) at the fast phase phi:
@@ -6953,26 +6957,28 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
 
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
-    vm_real exact, A;
+    vm_real exact, A, found[4];
     int i;
-    for (i = 0; i < 4; i++)
-        if (!VM_IS_FINITE(y[i])) return VM_NOT_FINITE;
-    modes[3] = y[2] + y[3], modes[2] = y[0] + y[1];
-    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &modes[1]);
+    if (!vmi_all_finite(4, y)) return VM_NOT_FINITE;
+    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &found[1]);
     A = exact;
-    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, modes[1]);
-    modes[0] = A;
-    return VM_OK;
+    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, found[1]);
+    if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    found[0] = A, found[2] = y[0] + y[1], found[3] = y[2] + y[3];
+    return vmi_deliver(4, found, modes);
 }
 
-VM_API void vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
+VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
 {
-    const vm_real A = modes[0] > 0 ? modes[0] * vmi_pair_ripple(p, mass, rate, modes[0], modes[1]) : modes[0];
     const vm_real q = modes[2], dq = modes[3];
-    vm_real x, v;
+    vm_real A = modes[0], x, v, joined[4];
+    if (!vmi_all_finite(4, modes)) return VM_NOT_FINITE;
+    if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[1]);
+    if (!(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, modes[1], 2 * p->k, mass, p->alpha, &x, &v);
-    y[0] = (q - x) / 2, y[1] = (q + x) / 2;
-    y[2] = (dq - v) / 2, y[3] = (dq + v) / 2;
+    joined[0] = (q - x) / 2, joined[1] = (q + x) / 2;
+    joined[2] = (dq - v) / 2, joined[3] = (dq + v) / 2;
+    return vmi_deliver(4, joined, y);
 }
 
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
@@ -6988,8 +6994,7 @@ VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_re
     vm_real mass, rate;
     int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (!status) status = vmi_pair_check(p, mass, rate);
-    if (!status) vmi_pair_join(p, mass, rate, modes, y);
-    return status;
+    return status ? status : vmi_pair_join(p, mass, rate, modes, y);
 }
 
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
@@ -7021,8 +7026,7 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
     modes[0] *= vmi_exp(-drift * ln_ratio, 0);
     modes[2] += modes[3] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
     modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
-    vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
-    return VM_OK;
+    return vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
 }
 
 /* ---- Chapter 8: harmonic excitation ------------------------------------------------------------------------- */

@@ -458,6 +458,23 @@ static void test_beta(void)
     }
 }
 
+/* One index small, the other large: (a)_i (b)_j/(a+b)_(i+j) underflowed in float. a, b, B(a, b); and the mean of
+   |sa|^16384 |ca|^32768, whose second index is 32769/(alpha + 1). */
+static void test_beta_corners(void)
+{
+    static const double beta[3][4] = {{0.0009765625, 61381.75, 1012.4641975062358, -2.7380625848528827e-14},
+                                      {99999, 0.015625, 52.993758709500966, -7.648226022558271e-16},
+                                      {0.001953125, 0.0078125, 639.9840501070859, 4.554551895558147e-14}};
+    const double alpha = 1125899906842624, mean = 3.051664682233022e-05, mean_low = 1.4440926060013984e-21;
+    int i;
+    for (i = 0; i < 3; i++)
+        check_error("beta", "corners", "ulp",
+                    ERROR_ULP(ateb_beta((vm_real)beta[i][0], (vm_real)beta[i][1]), beta[i][2], beta[i][3]), 1,
+                    beta[i][0], beta[i][1]);
+    check_error("mean", "corner", "ulp", ERROR_ULP(ateb_mean((vm_real)alpha, 16384, 32768), mean, mean_low), 2,
+                alpha, 16384);
+}
+
 static void test_beta_domain(void)
 {
     const vm_real half = (vm_real)0.5, below = -half, above = 1 + half;
@@ -603,6 +620,7 @@ int main(void)
     test_plan_large();
     test_phase();
     test_beta();
+    test_beta_corners();
     test_beta_domain();
     test_two_indices();
     test_means_and_integrals();
