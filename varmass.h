@@ -6911,7 +6911,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
         there = vmi_laval_invariant(x + step, &o);
         while (there != there) { /* F_e' is no number there */
             step /= 2, bounded = 1;
-            if (VM_FABS(step) < VM_EPSILON) return VM_NAN;
+            if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(x))) return VM_NAN;
             there = vmi_laval_invariant(x + step, &o);
         }
         if (there == 0 || (there > 0) != (here > 0)) break;
@@ -6955,26 +6955,26 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
 
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
-    vm_real exact, A;
+    vm_real r[4], exact, A;
     int i;
-    for (i = 0; i < 4; i++)
-        if (!VM_IS_FINITE(y[i])) return VM_NOT_FINITE;
-    modes[3] = y[2] + y[3], modes[2] = y[0] + y[1];
-    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &modes[1]);
+    if (!vmi_all_finite(4, y)) return VM_NOT_FINITE;
+    r[3] = y[2] + y[3], r[2] = y[0] + y[1];
+    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &r[1]);
     A = exact;
-    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, modes[1]);
-    modes[0] = A;
-    return VM_OK;
+    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, r[1]);
+    r[0] = A;
+    return vmi_deliver(4, r, modes);
 }
 
-VM_API void vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
+VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
 {
     const vm_real A = modes[0] > 0 ? modes[0] * vmi_pair_ripple(p, mass, rate, modes[0], modes[1]) : modes[0];
     const vm_real q = modes[2], dq = modes[3];
-    vm_real x, v;
+    vm_real x, v, r[4];
     vmi_slow_motion(A, modes[1], 2 * p->k, mass, p->alpha, &x, &v);
-    y[0] = (q - x) / 2, y[1] = (q + x) / 2;
-    y[2] = (dq - v) / 2, y[3] = (dq + v) / 2;
+    r[0] = (q - x) / 2, r[1] = (q + x) / 2;
+    r[2] = (dq - v) / 2, r[3] = (dq + v) / 2;
+    return vmi_deliver(4, r, y);
 }
 
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
@@ -6990,8 +6990,7 @@ VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_re
     vm_real mass, rate;
     int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (!status) status = vmi_pair_check(p, mass, rate);
-    if (!status) vmi_pair_join(p, mass, rate, modes, y);
-    return status;
+    return status ? status : vmi_pair_join(p, mass, rate, modes, y);
 }
 
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
@@ -7023,8 +7022,7 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
     modes[0] *= vmi_exp(-drift * ln_ratio, 0);
     modes[2] += modes[3] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
     modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
-    vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
-    return VM_OK;
+    return vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
 }
 
 /* ---- Chapter 8: harmonic excitation ------------------------------------------------------------------------- */
@@ -7164,11 +7162,6 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-VM_API int vmi_forced_finite(const vm_real *y)
-{
-    return VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]) && VM_IS_FINITE(y[2]);
-}
-
 VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     const vm_forced_now n = vmi_forced_at(f, t);
@@ -7177,7 +7170,7 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
     vm_real exact, A, phi;
     int i;
     if (status) return status;
-    if (!vmi_forced_finite(motion)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi, A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
@@ -7191,14 +7184,14 @@ VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_re
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = y[2], phi = y[1] + theta;
-    vm_real A;
+    vm_real A, r[3];
     if (status) return status;
-    if (!vmi_forced_finite(y)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
-    vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &motion[0], &motion[1]);
-    motion[2] = theta;
-    return VM_OK;
+    vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
+    r[2] = theta;
+    return vmi_deliver(3, r, motion);
 }
 
 /* The resonance with all quantities frozen, p = q/(alpha+3) */
