@@ -1290,7 +1290,7 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
     j = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
-    if (VM_FABS(rest) < near_zero * s && j > 0 && 8 * c->q.hi >= VM_SQRT(VM_EPSILON)) {
+    if (VM_FABS(rest) < near_zero * s && 8 * c->q.hi >= VM_SQRT(VM_EPSILON)) {
         const vmi_three q = vmi_ateb_finest_quarter(c->n);
         const vm_two high = vmi_two_product(j, q.hi), mid = vmi_two_product(j, q.mid);
         if (j * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + j * q.lo);

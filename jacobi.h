@@ -1166,7 +1166,7 @@ VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
     const vm_two m1 = vmi_two_sum(1, -m);
     const vmi_thetas t = vmi_neville(u, m1.hi, m1.lo, &bound);
     const vm_real above = p == 's' ? t.s : p == 'c' ? t.c : p == 'd' ? t.d : t.n;
-    const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : q == 'd' ? t.d : t.n;
+    const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : t.d; /* sn, cn, dn go another way */
     return above == below ? 1 : above / below;
 }
 

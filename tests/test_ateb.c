@@ -101,6 +101,8 @@ static void test_elementary(void)
     CHECK(vmi_exp(VM_INFINITY, 0) == VM_INFINITY && vmi_exp(VM_MAX, 0) == VM_INFINITY);
     CHECK(vmi_exp(-VM_INFINITY, 0) == 0 && vmi_exp(-VM_MAX, 0) == 0 && vmi_exp(0, 0) == 1);
     CHECK(vmi_exp(VM_NAN, 0) != vmi_exp(VM_NAN, 0));
+    CHECK(vmi_ldexp(1, 30000) == VM_INFINITY && vmi_ldexp(1, -30000) == 0);
+    CHECK(vmi_copysign(2, VM_C(-0.0)) == -2 && vmi_copysign(-2, 0) == 2 && vmi_copysign(-2, -3) == -2);
     CHECK(vmi_log(1).hi == 0 && vmi_log(1).lo == 0);
 }
 
@@ -604,6 +606,25 @@ static void test_monotone(void)
     check_error("against monotony", "neighbours", "ulp", steps, 2, 0, 0);
 }
 
+/* Where quarters take all digits of s, and beyond: in range, and of one phase */
+static void test_last_digits(void)
+{
+    static const double alphas[] = {0, 0.3, 1, 2, 3, 17, 1000};
+    int i, k, in_range = 1;
+    for (i = 0; i < (int)(sizeof alphas / sizeof *alphas); i++)
+        for (k = 0; k < 2000; k++) {
+            const vm_real alpha = (vm_real)alphas[i];
+            const vm_real s = ateb_pi(alpha) * (vm_real)ldexp(uniform(1, 2), VM_MANT_DIG - 6 + k % 8);
+            vm_real sa, ca;
+            ateb_saca(s, alpha, &sa, &ca);
+            in_range = in_range && VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1;
+            check_error("sa^2+|ca|^(a+1)", "s to 4 Pi/eps", "eps (a+1)",
+                        ERROR_EPS(sa * sa + VM_LIBM(pow)(VM_FABS(ca), alpha + 1), 1, 0, alphas[i] + 1), 4,
+                        (double)s, alphas[i]);
+        }
+    CHECK(in_range);
+}
+
 int main(void)
 {
     test_elementary();
@@ -625,5 +646,6 @@ int main(void)
     test_two_indices();
     test_means_and_integrals();
     test_monotone();
+    test_last_digits();
     return check_finish("ateb.h");
 }
