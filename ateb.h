@@ -948,7 +948,7 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
                   h_head = vmi_head(h);
     const vm_real *row = table[vmi_to_bits(shifted) & 63];
     vm_two g = vmi_fast_two_sum(row[2], row[3] * h_head); /* half of the digits each: exact */
-    const vm_real hh = h * h;
+    const vm_real hh = (h + q.lo) * (h + q.lo);
     vm_real high = (row[4] + h * row[5]) + hh * (row[6] + h * row[7]);
 #if VM_MANT_DIG > 24
     high += (hh * hh) * ((row[8] + h * row[9]) + hh * (row[10] + h * row[11]));

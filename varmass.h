@@ -5847,6 +5847,7 @@ VM_API int vmi_osc_slow_integrals(vmi_osc_slow *c, int n, vm_real t, vm_real *y)
     if (t == 0) return VM_OK;
     status = tight ? rk87_init(&s, vmi_osc_slow_rhs, c, n, 0, y, &options, work)
                    : rk45_init(&s, vmi_osc_slow_rhs, c, n, 0, y, &options, work);
+    if (n == 3 && c->side < 0) vmi_osc_knot(c, 0, y, 1); /* the plan starts with what is on the other side of 0 */
     while (status >= 0 && s.t != t) {
         knot = vmi_law_next_knot(c->mass, s.t, t);
         if (n == 3) knot = vmi_law_next_knot(c->stiffness, s.t, knot);

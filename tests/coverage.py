@@ -6,7 +6,7 @@ some code is there with these and in optimised builds only. A line with nothing 
 is none. A branch is each of the two outcomes of a condition, && and || having one each side; conditions that the
 compiler knows are none. What counts is the union over the programs, since each of them has its own copies of the
 functions. BUILD/coverage/missed.txt lists what no program executes; BUILD/coverage/map.json, for mutate.py, which
-programs execute a line, the most often first, and how long they take.
+programs execute a line, the most often first, how long they take, and the headers' text.
 
 usage: coverage.py BUILD TEST... from the top of the project; ends with an error below LEAST percent
 """
@@ -134,7 +134,8 @@ def main():
     programs = {header: {line: [name for _, name in sorted(names, reverse=True)] for line, names in of_line.items()}
                 for header, of_line in programs.items()}
     with open(f'{folder}/map.json', 'w') as file:
-        json.dump({'seconds': {name: seconds for name, seconds, _, _ in measured}, 'programs': programs}, file)
+        json.dump({'seconds': {name: seconds for name, seconds, _, _ in measured}, 'programs': programs,
+                   'sources': {header: open(f'{header}.h').read().split('\n') for header in HEADERS}}, file)
     enough = report(folder, lines, branches)
     print(f'{folder}/missed.txt names them')
     sys.exit(0 if enough else f'less than {LEAST} % of something')

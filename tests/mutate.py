@@ -3,16 +3,19 @@
 
 A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
-the map that coverage.py leaves, each with the same chance, so that a header counts by its length. The programs that
-execute the line are built in double and run one by one, the quickest first, until one fails, ends with a signal or
-needs SECONDS of processor time. Where MANY programs pass, the mutant has survived and is printed, to be judged: a
-test is missing, or it is equivalent (the results are as good) and goes with its reason to tests/mutants.txt, whose
-mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of seconds.
+the map that coverage.py leaves (lines that have moved since are found by their text), each with the same chance, so
+that a header counts by its length. The programs that execute the line are built and run one by one, those in double
+first, then those in float, the quickest first, and last those that take SLOW seconds, until one fails, ends with a
+signal or needs SECONDS of processor time. Where all pass, MANY of each precision, the mutant has survived and is
+printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with its reason to
+tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of
+seconds.
 
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
 usage: mutate.py BUILD SEED COUNT [HEADER] from the top of the project, after coverage.py
 """
+import difflib
 import glob
 import json
 import os
@@ -27,11 +30,12 @@ from concurrent.futures import ThreadPoolExecutor
 from queue import Queue
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
-MANY, FEW = 10, 2
-SECONDS = 20
-TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc'] # the one compiles in no time, the other takes everything
+MANY = 10
+SECONDS, SLOW = 20, 6
+TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
 LEAST = 90.0
 WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
+DECLARED = re.compile(r'\s*(?:const |VM_TABLE )*(?!return\b|else\b|case\b)\w+ [^=({]*\[') # an array, which may be longer
 NUMBER = r'\d+\.\d+(?:e[+-]?\d+)?|\d+e[+-]?\d+'
 CHANGES = (
     ('sign', r' \+ ', ' - '), ('sign', r' - ', ' + '), ('sign', r' \+= ', ' -= '), ('sign', r' -= ', ' += '),
@@ -60,10 +64,18 @@ def draw(rng, codes, places):
         header, line = rng.choice(places)
         kind, pattern, new = rng.choice(CHANGES)
         code = codes[header][line - 1]
-        found = list(re.finditer(pattern, code))
+        found = [at for at in re.finditer(pattern, code) if not DECLARED.fullmatch(code[:at.start()])]
         if found and re.search(r'[;{},]|\\$|&&|\|\|', code):
             at = rng.choice(found)
             return header, line, kind, at.start(), at.end(), new(at) if callable(new) else new
+
+
+def moved(before, lines):
+    """Which line each line of the text before has become, from 1; without those that changed."""
+    if before == lines:
+        return {line: line for line in range(1, len(lines) + 1)}
+    blocks = difflib.SequenceMatcher(None, before, lines, autojunk=False).get_matching_blocks()
+    return {block.a + k + 1: block.b + k + 1 for block in blocks for k in range(block.size)}
 
 
 def flags_of(name):
@@ -97,13 +109,11 @@ COMPILERS = {}
 
 
 def compiler_of(folder, name):
-    """The first one that compiles the program, which has to pass with the headers as they are."""
-    for compiler in (TCC, GCC) if shutil.which(TCC[0]) and not flags_of(name) else (GCC,):
-        if built(folder, name, compiler):
-            if not passes(folder, 600):
-                sys.exit(f'{name} fails without a mutant')
+    """The first one by which the program compiles and passes, with the headers as they are."""
+    for compiler in (TCC, GCC) if shutil.which(TCC[0]) and not name.endswith('_contracted') else (GCC,):
+        if built(folder, name, compiler) and passes(folder, 600):
             return compiler
-    sys.exit(f'{name} does not compile')
+    sys.exit(f'{name} fails without a mutant')
 
 
 def judge(folder, header, right, text, programs):
@@ -124,10 +134,12 @@ def judge(folder, header, right, text, programs):
 
 
 def in_order(names, seconds):
-    """The programs to try: those in double, the quickest first, but for slow ones where there are others."""
-    double = sorted((name for name in names if not flags_of(name)), key=seconds.get)
-    quick = [name for name in double if seconds[name] < SECONDS / 2]
-    return ((quick if len(quick) >= FEW else double) or names)[:MANY]
+    """The programs to try: in double, then in float, the quickest first, and last the slow ones in double."""
+    quick = sorted((name for name in names if seconds[name] < SLOW), key=seconds.get)
+    slow = [name for name in names if seconds[name] >= SLOW and not flags_of(name)]
+    kinds = [[name for name in quick if re.search(r'_float$|_contracted$|$', name)[0] == ending]
+             for ending in ('', '_float')]
+    return kinds[0][:MANY] + kinds[1][:MANY] + slow or names[:MANY]
 
 
 def prepared(build):
@@ -178,7 +190,11 @@ def main():
     chosen = sys.argv[4:] or HEADERS
     sources = {header: open(f'{header}.h').read().split('\n') for header in HEADERS}
     codes = {header: code_of('\n'.join(sources[header])).split('\n') for header in chosen}
-    executed = {header: {int(line): names for line, names in known['programs'][header].items()} for header in chosen}
+    executed = {}
+    for header in chosen:
+        now = moved(known['sources'][header], sources[header])
+        executed[header] = {now[int(line)]: names for line, names in known['programs'][header].items()
+                            if int(line) in now}
     places = [(header, line) for header in chosen for line in sorted(executed[header])
               if codes[header][line - 1].strip()]
     rng = random.Random(seed)

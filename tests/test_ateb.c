@@ -37,6 +37,23 @@ static void check_pi_two_words(const ateb_row *row)
                 1, row->alpha, 0);
 }
 
+/* Pi by a table of 33 cells serves for |s| <= 128 (alpha + 1) but within |s|/(1024 (alpha + 1)) of the zeros: what is
+   right to 2^-66 (float 2^-36) and an ulp of its low word, below 2^-11, leaves less than an ulp of sa and ca there,
+   also at the cells' edges. */
+static void check_cells(const ateb_row *row, vm_real sa, vm_real ca)
+{
+    const double unit = PRECISION[0] == 'f' ? 1.5e-11 : 1.4e-20; /* 2^-36, 2^-66 */
+    vmi_ateb c;
+    vmi_ateb_constants(&c, (vm_real)row->alpha);
+    check_error("Pi, short", row->region, "2^-66",
+                fabs((2 * (double)c.quarter.hi - row->pi) + (2 * (double)c.quarter.lo - row->pi_low)) / unit /
+                    (2 + row->pi / 16),
+                1, row->alpha, 0);
+    if (fabs(row->sa) < fabs(row->ca))
+        check_error("sa", "next to 0", "ulp", ERROR_ULP(sa, row->sa, row->sa_low), 2, row->s, row->alpha);
+    else check_error("ca", "next to 0", "ulp", ERROR_ULP(ca, row->ca, row->ca_low), 2, row->s, row->alpha);
+}
+
 static void test_table(void)
 {
     size_t i;
@@ -51,6 +68,7 @@ static void test_table(void)
         check_error("Pi", "", "ulp", ERROR_ULP(ateb_pi((vm_real)row->alpha), row->pi, row->pi_low), 1, row->alpha,
                     0);
         check_pi_two_words(row);
+        if (!strcmp(row->region, "cells of Pi")) check_cells(row, sa, ca);
         if (fabs(row->s) > 100 * row->pi) continue;
         sa_moved = (row->alpha < largest_of_three ? finest_pi_error : pi_error) * fabs(row->s);
         ca_moved = 2 / (row->alpha + 1) * sa_moved / ULP(row->ca);

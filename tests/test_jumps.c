@@ -557,6 +557,31 @@ static void test_plane_point(void)
     CHECK(vm_separate_for2(&whole, &part, NULL, NULL, &part.omega, &rest) == VM_NULL_AXIS);
 }
 
+/* The spin that a small point leaves can be had again by its motion, also where it differs from the whole's by less
+   than what the wanted spin is rounded to and more than the point's moment of momentum is */
+static void test_plane_point_again(void)
+{
+    int i;
+    for (i = 0; i < 1000; i++) {
+        vm_body2 whole = random_body2(uniform(2, 5)), point = whole, rest, moving;
+        vm_real v[2], omega;
+        double fast;
+        whole.inertia = R(uniform(1, 3)), whole.omega = R(uniform(5, 50));
+        point.mass = R(pow(10, uniform(-6, -1))), point.inertia = 0;
+        point.x = whole.x + R(uniform(0.2, 0.5)), point.y = whole.y + R(uniform(0.2, 0.5));
+        point.vx -= whole.omega * (point.y - whole.y), point.vy += whole.omega * (point.x - whole.x);
+        if (i % 2) point.vx += R(uniform(-10, 10)), point.vy += R(uniform(-10, 10));
+        CHECK(vm_separate2(&whole, &point, NULL, &rest) == VM_OK);
+        v[0] = rest.vx, v[1] = rest.vy, omega = rest.omega;
+        CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
+        CHECK(vm_separate_for2(&whole, &point, NULL, v, &omega, &moving) == VM_OK);
+        fast = 1 + hypot((double)point.vx, (double)point.vy) +
+               hypot((double)v[0], (double)v[1]) / (double)point.mass;
+        check_error("separate_for2: v", "a point", "eps",
+                    hypot((double)(moving.vx - point.vx), (double)(moving.vy - point.vy)) / eps / fast, 10, i, 0);
+    }
+}
+
 /* Two points, one of which leaves: rounding errors of the inertia must neither be taken for that of the other, which
    would spin anyhow, nor for one that no body has */
 static void test_plane_nothing_left(void)
@@ -1213,6 +1238,7 @@ int main(int argc, char **argv)
     test_plane_burst();
     test_plane_inverse();
     test_plane_point();
+    test_plane_point_again();
     test_plane_nothing_left();
     test_small_part();
     test_small_rest();

@@ -574,6 +574,30 @@ static void test_limits(void)
     }
 }
 
+/* Moments 1, 2, 9/4 and omega = (3/4, 0, 1) lie on the separatrix without rounding: omega = (3/4 sech, w tanh, sech)
+   of w t/3, w^2 = 45/32, as long as there are numbers for it; then the small components are next to nothing. */
+static void test_far_on_separatrix(void)
+{
+    const double w = sqrt(45 / 32.), last = is_float ? 75 : 690;
+    vm_free_motion m;
+    vm_quat q;
+    vm_vec3 omega;
+    double x;
+    q.w = 1, q.x = q.y = q.z = 0;
+    CHECK(vm_free_init_principal(&m, vmi_vec3(1, 2, R(2.25)), q, vmi_vec3(R(0.75), 0, 1), 0) == VM_OK);
+    for (x = -last; x <= last; x += last / 30) {
+        const double t = (double)R(3 * x / w), sech = 1 / cosh(w * t / 3);
+        CHECK(vm_free_attitude(&m, R(t), &q, &omega) == VM_OK);
+        check_error("separatrix", "sech", "eps", /* of exp(x) an error of x eps is that of x */
+                    fmax(fabs((double)omega.x / sech - 0.75), fabs((double)omega.z / sech - 1)) / eps /
+                        (1 + fabs(x)),
+                    1.5, x, 0);
+        check_error("separatrix", "tanh", "eps", fabs((double)omega.y - w * tanh(w * t / 3)) / eps, 4, x, 0);
+    }
+    CHECK(vm_free_attitude(&m, R(1e6), &q, &omega) == VM_OK);
+    CHECK(omega.x < 1e4 * VM_MIN && omega.x >= 0 && omega.z < 1e4 * VM_MIN && omega.z >= 0);
+}
+
 /* Omega that would shrink below the smallest number, far ends of the separatrix, axes almost met: finite, and it
    keeps what it must */
 static void test_extreme(void)
@@ -733,6 +757,7 @@ int main(void)
     test_special();
     test_tilted_rod();
     test_limits();
+    test_far_on_separatrix();
     test_extreme();
     test_tiny_components();
     test_runge_kutta();

@@ -304,6 +304,46 @@ static void check_jumps(void)
     agrees("catch", "mass", s.bodies[0].mass, 7, 7, 1e-15);
 }
 
+/* A spring whose far end is a body that is not there, the first of the scene, pulls nothing */
+static void check_absent_end(void)
+{
+    stage s;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_absent(vm_scene_line(7, 5, 9)));
+    stage_body(&s, vm_scene_line(3, 0, 2));
+    stage_effect(&s, vm_effect_spring(1, 0, 0, 0, 1, 1, 0));
+    begin(&s), run(&s, 4, VM_OK);
+    CHECK(s.y[3] == 2);
+    agrees("absent", "x", s.y[2], 8, 8, 1e-14);
+}
+
+/* The length of a free body's quaternion L: L' = L (1 - L^2)/2, so that L^2 = 1/(1 + (1/L0^2 - 1) exp(-t)); the
+   spin of a sphere stays all the same */
+static void check_quaternion_length(void)
+{
+    const double start = 0.6 * 0.6 + 0.3 * 0.3 + 0.2 * 0.2 + 0.5 * 0.5;
+    vm_body body;
+    int i;
+    memset(&body, 0, sizeof body);
+    body.mass = 1, body.inertia.xx = body.inertia.yy = body.inertia.zz = 2;
+    body.omega = stage_vec(0.3, -0.7, 0.4);
+    for (i = 1; i <= 4; i++) {
+        double length = 0;
+        vm_body now;
+        stage s;
+        int k;
+        stage_clear(&s, 4);
+        stage_body(&s, vm_scene_free(&body));
+        begin(&s);
+        s.y[3] = (vm_real)0.6, s.y[4] = (vm_real)0.3, s.y[5] = (vm_real)-0.2, s.y[6] = (vm_real)0.5;
+        run(&s, 3 * i, VM_OK);
+        for (k = 3; k < 7; k++) length += (double)(s.y[k] * s.y[k]);
+        agrees("quaternion", "L^2", (vm_real)length, 1 / (1 + (1 / start - 1) * exp(-3. * i)), 1, 1e-9);
+        vm_scene_body_at(&s.scene, 0, s.y, &now);
+        agrees("quaternion", "|omega|", size_of(now.omega), sqrt(0.74), 1, 1e-9);
+    }
+}
+
 /* Chords on the plane: two bodies meet and stick; the same in the plane, on a line and on an axle */
 static void check_sticking(void)
 {
@@ -476,6 +516,8 @@ int main(void)
     check_stator();
     check_laws();
     check_jumps();
+    check_absent_end();
+    check_quaternion_length();
     check_sticking();
     check_endless();
     check_chain();

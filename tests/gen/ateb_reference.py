@@ -115,6 +115,12 @@ def ateb_regions():
         for j in (1, 2, 3, 32, 99):
             yield "alpha extreme", j * half(alpha), alpha
             yield "alpha extreme", single(j * half(single(alpha))), single(alpha)
+    for k in range(64):  # 1/(alpha + 1) at the edges of the table of Pi, where its errors are felt most
+        for near in float, single:
+            alpha = near(32 / (k // 2 + 0.4995 + 0.001 * (k % 2)) - 1)
+            for j in (0, 1):
+                j += int(127 * (alpha + 1) / half(alpha))
+                yield "cells of Pi", near(j * half(alpha) + (-1) ** (k // 4) * j * half(alpha) / (1014 * (alpha + 1))), alpha
 
 
 def check_ateb():

@@ -101,6 +101,12 @@ def jacobi_regions():
         yield "u near jK", near(u * (1 + random.choice((0, 0, ulp, -ulp, 3 * ulp, 1e-12, -1e-8)))), m, False
     for u, m in WORST:
         yield "worst", u, m, False
+    for near, least in (float, -323.3), (single, -44.8):  # below eps^2 and into the subnormal numbers
+        for k, m1 in enumerate([near(10 ** (least + e)) for e in (0, 0.4, 2, 4, 9, 13.5, 15.3, 17)]):
+            with mp.workdps(40):
+                K = float(quarter(mpf(m1)))
+            for j in (3, 32, 98):
+                yield "m1 least", near((j + 0.11 * (k + 1)) * K), m1, True
 
 
 # where errors beyond the bounds, or nearly so, have been found: next to the edges of a series, in the last places of

@@ -1,0 +1,221 @@
+/* The ladder of routes to x(t), in a second: what test_routes.c shows of random problems here shows of single ones.
+   Tables whose curvature jumps, laws that are asked no further than t, the choice, the calls with a force, averages
+   against integrals in closed form. */
+#include "../varmass.h"
+#include "check.h"
+
+#define R(x) ((vm_real)(x))
+static const int is_float = PRECISION[0] == 'f';
+
+static vm_osc_problem problem(double alpha, vm_law mass, double reactive, double damping)
+{
+    vm_osc_problem o;
+    memset(&o, 0, sizeof o);
+    o.alpha = R(alpha), o.mass = mass, o.stiffness = vm_law_linear(1, 0);
+    o.reactive = R(reactive), o.damping = R(damping), o.x = 1;
+    return o;
+}
+
+/* ---- Tables ---- */
+
+/* Points 160 apart, 20 periods, values up and down by 20 %: at each the mean amplitude changes by the jump of m'' or
+   k''. The second-order law, of which 1.5e-4 is left without that, against integration; its estimate is honest. */
+static void test_tables(void)
+{
+    enum { N = 11 };
+    static const double alphas[] = {0.6, 2.3, 3, 6};
+    vm_real times[N], values[N];
+    int a, i, k;
+    for (i = 0; i < N; i++) times[i] = R(160 * (i - 5)), values[i] = R(1.2 + 0.2 * (i % 2) + 0.02 * (i - 5));
+    for (a = 0; a < 4 && !is_float; a++)
+        for (i = -4; i < 4; i++)
+            for (k = 0; k < 4; k++) {
+                const vm_law table = vm_law_table(N, times, values);
+                const vm_real t = R(160 * (i + 0.5));
+                vm_osc_problem o = problem(alphas[a], table, k % 2, 0);
+                vm_osc_motion truth, second;
+                double error;
+                if (k > 1) o.mass = vm_law_linear(1, 0), o.stiffness = table;
+                o.v = R(0.2 * k);
+                CHECK(vm_osc_by_rk87(&o, t, R(1e-8), &truth) >= 0);
+                CHECK(vm_osc_by_second(&o, t, &second) == VM_OK);
+                error = fabs((double)((second.x - truth.x) / truth.amplitude));
+                check_error("second order", k > 1 ? "table of k" : "table of m", "A", error, 1.5e-5, alphas[a],
+                            (double)t);
+                check_error("second order", "true/est", "", error / (double)second.error, 1, alphas[a], (double)t);
+            }
+}
+
+/* Within some periods of any start the first-order law is as good as it says, which is not by far */
+static void test_first_order(void)
+{
+    static const double alphas[] = {0.3, 1, 2, 4, 6, 8};
+    int a, i, k;
+    for (a = 0; a < 6 && !is_float; a++) {
+        const vm_real alpha = R(alphas[a]), pi = ateb_pi(alpha);
+        const double vmax = sqrt(2 / (alphas[a] + 1));
+        double least = 10;
+        for (k = 0; k < 24; k++)
+            for (i = 1; i < 40; i++) {
+                vm_osc_problem o = problem(alphas[a], vm_law_linear(1, R(0.01)), 1, 0);
+                vm_osc_motion truth, m;
+                double error;
+                vm_real sa, ca;
+                ateb_saca(pi * R(k - 12) / 12, alpha, &sa, &ca);
+                o.x = ca, o.v = R(-vmax) * sa;
+                CHECK(vm_osc_by_variation(&o, R(0.3 * i), R(1e-6), &truth) >= 0);
+                CHECK(vm_osc_by_ateb(&o, R(0.3 * i), &m) == VM_OK);
+                error = fmax(fabs((double)(m.x - truth.x)), fabs((double)(m.v - truth.v)) / vmax);
+                check_error("first order", "true/est", "", error / (double)m.error, 1, alphas[a], 0.3 * i);
+                least = fmin(least, (double)m.error / error);
+            }
+        check_error("first order", "est/true, least", "", least, 2, alphas[a], 0);
+    }
+}
+
+/* ---- Laws that the user writes ---- */
+
+/* A mass that cannot be told beyond a time, on either side */
+static int known_until(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    const double end = *(const double *)ctx;
+    if ((double)t * end > end * end) return 1;
+    *f = R(exp(0.002 * (double)t)), *rate = R(0.002) * *f;
+    return 0;
+}
+
+static void test_asked_no_further(void)
+{
+    static const double ends[] = {40, -40};
+    int i, route;
+    for (i = 0; i < 2; i++)
+        for (route = 0; route <= VM_ROUTE_RK87; route++) {
+            vm_osc_problem o = problem(1.7, vm_law_user(known_until, (void *)&ends[i]), 1, 0), same = o;
+            vm_osc_motion m, n;
+            vm_osc_plan p;
+            if (i) o.stiffness = same.stiffness = vm_law_exponential(1, R(0.001));
+            same.mass = vm_law_exponential(1, R(0.002));
+            CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            CHECK(vm_osc_plan_by(&p, route, R(ends[i]), 0, &m) >= 0 && m.route == route);
+            CHECK(vm_osc_by(&same, route, R(ends[i]), 0, &n) >= 0);
+            check_error("user's law", "its closed form", "A", fabs((double)(m.x - n.x)), is_float ? 2e-3 : 2e-6,
+                        ends[i], route);
+        }
+}
+
+/* ---- The choice, and the calls by name ---- */
+
+/* alpha, tolerance -> the cheapest route that is good enough: cos is exact for alpha = 1, cn for 3; where no law is,
+   rk87 for odd alpha, whose force has all its derivatives, else the variation of constants */
+static void test_choice(void)
+{
+    static const struct {
+        double alpha, tolerance;
+        int route;
+    } rows[] = {{1, 1e-2, VM_ROUTE_TRIG},        {3, 1e-2, VM_ROUTE_JACOBI},       {0.1, 1e-2, VM_ROUTE_ATEB},
+                {1, 1e-4, VM_ROUTE_SECOND},      {3, 1e-4, VM_ROUTE_SECOND},       {2.3, 1e-4, VM_ROUTE_SECOND},
+                {1, 1e-10, VM_ROUTE_RK87},       {3, 1e-10, VM_ROUTE_RK87},        {5, 1e-10, VM_ROUTE_RK87},
+                {2, 1e-10, VM_ROUTE_VARIATION},  {2.3, 1e-10, VM_ROUTE_VARIATION}, {4, 1e-10, VM_ROUTE_VARIATION},
+                {0.5, 1e-10, VM_ROUTE_VARIATION}};
+    size_t i;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        vm_osc_problem o = problem(rows[i].alpha, vm_law_linear(1, R(1e-3)), 1, 0);
+        vm_osc_motion m;
+        if (is_float && rows[i].tolerance < 1e-3) continue;
+        CHECK(vm_osc_at(&o, 20, R(rows[i].tolerance), &m) >= 0 && m.route == rows[i].route);
+    }
+}
+
+/* Pulsing faster than the vibration, so that the tolerance sets the steps */
+static vm_real drag(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)x;
+    return -*(const vm_real *)ctx * R(1 + sin(3 * (double)t)) * v * v * v;
+}
+
+/* Each call by name is that by number; with a force the laws' equations are integrated to the default tolerance */
+static void test_calls(void)
+{
+    static int (*const by_law[])(const vm_osc_problem *, vm_real,
+                                 vm_osc_motion *) = {vm_osc_by_trig, vm_osc_by_jacobi, vm_osc_by_ateb};
+    vm_real strength = R(0.1);
+    vm_osc_problem o = problem(2.3, vm_law_linear(1, R(1e-3)), 1, 0);
+    int route;
+    o.force = drag, o.ctx = &strength;
+    for (route = 0; route <= VM_ROUTE_ATEB; route++) {
+        vm_osc_motion strict, m;
+        CHECK(vm_osc_by(&o, route, 30, is_float ? R(1e-4) : R(1e-9), &strict) >= 0);
+        CHECK(by_law[route](&o, 30, &m) == VM_OK && m.route == route && m.error <= (is_float ? R(1e-3) : R(1e-6)));
+        check_error("by name", "with a force", "tol", fabs((double)(m.x - strict.x)) / (is_float ? 1e-3 : 1e-6), 1,
+                    route, 0);
+    }
+}
+
+/* ---- Averages ---- */
+
+enum { LINEAR, CUBIC, DRY, PUMPED, SPRING };
+typedef struct loading {
+    int kind;
+    vm_real size;
+} loading;
+
+static vm_real load_at(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const loading *l = (const loading *)ctx;
+    (void)t;
+    switch (l->kind) {
+    case LINEAR: return -l->size * v;
+    case CUBIC: return -l->size * v * v * v;
+    case DRY: return v > 0 ? -l->size : l->size;
+    case PUMPED: return -l->size * x * x * v;
+    default: return -l->size * x * x * x;
+    }
+}
+
+/* The power of F over k A^alpha is A'; a further spring's energy U over a period makes psi' = Om (1 + U'/(k A^alpha)).
+   With V = vmax the means are those of |sa|^p |ca|^q, by beta functions. */
+static void test_averages(void)
+{
+    static const double alphas[] = {0.3, 1, 2, 3, 5.5, 11, 12, 16, 30};
+    int i, kind;
+    for (i = 0; i < 9; i++)
+        for (kind = LINEAR; kind <= SPRING; kind++) {
+            const vm_real alpha = R(alphas[i]), A = R(0.8), size = R(0.01), k = R(1.3), m = R(0.7);
+            const double V = sqrt(2 * (double)k / ((alphas[i] + 1) * (double)m)) *
+                             pow((double)A, (alphas[i] + 1) / 2);
+            const double slope = (double)k * pow((double)A, alphas[i]), Om = V * (alphas[i] + 1) / (2 * (double)A);
+            const double power[] = {V * V * (double)ateb_mean(alpha, 2, 0),
+                                    pow(V, 4) * (double)ateb_mean(alpha, 4, 0), V * (double)ateb_mean(alpha, 1, 0),
+                                    (double)(A * A) * V * V * (double)ateb_mean(alpha, 2, 2), 0};
+            const double push = pow((double)A, 3) * (double)ateb_mean(alpha, 0, 4) / slope;
+            vm_osc_problem o = problem(alphas[i], vm_law_linear(m, 0), 1, 0);
+            vm_osc_plan p;
+            loading l;
+            vm_real A_rate = 0, theta_rate = 0, psi_rate = 0;
+            l.kind = kind, l.size = size;
+            o.stiffness = vm_law_linear(k, 0), o.force = load_at, o.ctx = &l;
+            CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            CHECK(vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, A, &A_rate, &theta_rate, &psi_rate) == VM_OK);
+            if (kind == SPRING) {
+                check_error("averaged", "psi' of a spring", "",
+                            fabs((double)theta_rate / ((double)size * push * Om) - 1), is_float ? 2e-6 : 1e-10,
+                            alphas[i], kind);
+                check_error("averaged", "psi'", "", fabs((double)psi_rate / (Om * (1 + (double)size * push)) - 1),
+                            is_float ? 2e-6 : 1e-10, alphas[i], kind);
+            } else
+                check_error("averaged", "A' of a drag", "",
+                            fabs((double)A_rate * slope / ((double)-size * power[kind]) - 1),
+                            is_float ? 2e-6 : 1e-10, alphas[i], kind);
+        }
+}
+
+int main(void)
+{
+    test_tables();
+    test_first_order();
+    test_asked_no_further();
+    test_choice();
+    test_calls();
+    test_averages();
+    return check_finish("ladder");
+}
