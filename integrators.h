@@ -1468,8 +1468,8 @@ VM_API void vmi_look_for_stiffness(rk45 *s, int method)
     }
     if (dk > edge / h * dz * h) {
         s->stiff_misses = 0;
-        if (++s->stiff_hits == 15) s->stiff = 1;
-    } else if (++s->stiff_misses == 6) s->stiff_hits = 0;
+        if (s->stiff_hits < 15 && ++s->stiff_hits == 15) s->stiff = 1;
+    } else if (s->stiff_misses < 6 && ++s->stiff_misses == 6) s->stiff_hits = 0;
     s->stiff_wait = s->stiff_hits ? 1 : (int)VMI_STIFF_WAIT;
 }
 
