@@ -95,9 +95,9 @@ points: build/command
 	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
 	    done; done
 
-# a campaign of minutes: the same bits on every target that can be had, with emulators
+# a campaign of half an hour: the same bits and the tests on every target that can be had, with emulators
 test-cross:
-	sh tests/cross.sh build docs/cross.md
+	sh tests/cross.sh build docs/cross.md $(TESTS)
 
 # a bounded time of fuzzing, all targets together; then errors that are planted must be found
 SECONDS = 240
@@ -107,6 +107,7 @@ test-fuzz:
 
 # a campaign of minutes to hours: COUNT random evaluations of each special function, in both precisions
 COUNT = 10000000
+LINES = # first and last line of the table, none: all
 evaluations:
 	@mkdir -p build/tests
 	@{ printf '# Random evaluations\n\nPrinted by `make evaluations COUNT=%s SEED=%s`: random arguments from the whole domains' $(COUNT) $(SEED); \
@@ -115,7 +116,7 @@ evaluations:
 	} >build/evaluations.md; \
 	for precision in "" -DVM_USE_FLOAT; do \
 	    $(COMPILE) -fopenmp $$precision tests/evaluations.c -o build/tests/evaluations -lm && \
-	    ./build/tests/evaluations $(COUNT) $(SEED) >>build/evaluations.md || { cat build/evaluations.md; exit 1; }; done; \
+	    ./build/tests/evaluations $(COUNT) $(SEED) $(LINES) >>build/evaluations.md || { cat build/evaluations.md; exit 1; }; done; \
 	cat build/evaluations.md >docs/evaluations.md
 
 # everything from many threads at once, under ThreadSanitizer

@@ -584,10 +584,9 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q);
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m);
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca);
 
-/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4, less accurate and slower from 1e-4
-   to 1e5 (in float some such pairs give NaN, 1e-3 and 61381.77 for one), NaN beyond. The forms with both take and
-   return complements too, y = 1 - x and q = 1 - p, where these carry the information; ln x tells x where it
-   underflows. */
+/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4, the latter two less accurate and
+   slower from 1e-4 to 1e5, NaN beyond. The forms with both take and return complements too, y = 1 - x and q = 1 - p,
+   where these carry the information; ln x tells x where it underflows. */
 VM_API vm_real ateb_beta(vm_real a, vm_real b);
 VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b);
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q);
@@ -1291,7 +1290,7 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
     j = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
-    if (VM_FABS(rest) < near_zero * s && j > 0 && 8 * c->q.hi >= VM_SQRT(VM_EPSILON)) {
+    if (VM_FABS(rest) < near_zero * s && 8 * c->q.hi >= VM_SQRT(VM_EPSILON)) {
         const vmi_three q = vmi_ateb_finest_quarter(c->n);
         const vm_two high = vmi_two_product(j, q.hi), mid = vmi_two_product(j, q.mid);
         if (j * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + j * q.lo);
@@ -1708,10 +1707,10 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 
 /* ---- Beta functions -------------------------------------------------------------------------------------------
 
-   All in logarithms of two words. With A = a + i, B = b + j >= 10, S = A + B, by Stirling's formula
-     ln(x^a y^b/B(a, b)) = a (ln x + ln S/A) + b (ln y + ln S/B) + i ln S/A + j ln S/B + ln(A B/S)/2 - ln(2 pi)/2
-                           + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_(i+j))
-   in which nothing large cancels where the whole is not large. */
+   All in logarithms of two words. With A = a + i, B = b + j, S = a + b + k >= 10, by Stirling's formula
+     ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B + (k - i - j + 1/2) ln(A B/S)
+                           + (i + j - k) - ln(2 pi)/2 + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
+   in which nothing large cancels where the whole is not large, and no product leaves the range: i, j, k <= 10. */
 
 /* delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2, z >= 10 */
 VM_API vm_real vmi_stirling(vm_real z)
@@ -1742,24 +1741,22 @@ VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
 {
 #if VM_MANT_DIG > 24
-    const vm_two ln_2pi = {VM_C(-1.8378770664093455611), VM_C(7.7565883161344831645e-17)};
+    const vm_two half_ln_2pi = {VM_C(-0.91893853320467278056), VM_C(3.8782941580672414498e-17)};
 #else
-    const vm_two ln_2pi = {VM_C(-1.83787703514), VM_C(-3.12683542726e-8)};
+    const vm_two half_ln_2pi = {VM_C(-0.9189385175705), VM_C(-1.5634176619983e-8)};
 #endif
-    const vm_two one = {1, 0};
     vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, ln_SA, ln_SB, sum;
     int i, j, k;
     rise = vmi_beta_rise(&A, &i);
     rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
-    for (k = i + j; k > 0; k--) {
-        rise = vmi_two_over(rise, S);
-        S = vmi_two_plus(S, one);
-    }
+    rise = vmi_two_over(rise, vmi_beta_rise(&S, &k));
     ln_SA = vmi_two_log(vmi_two_over(S, A));
     ln_SB = vmi_two_log(vmi_two_over(S, B));
-    sum = vmi_two_plus(vmi_two_log(vmi_two_over(vmi_two_times(A, B), S)), ln_2pi);
-    sum = vmi_two_plus(vmi_two_scaled(sum, VM_C(0.5)), vmi_two_log(rise));
-    sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_scaled(ln_SA, (vm_real)i), vmi_two_scaled(ln_SB, (vm_real)j)));
+    sum = vmi_two_scaled(vmi_two_log(vmi_two_over(vmi_two_times(A, B), S)), (vm_real)(k - i - j) + VM_C(0.5));
+    sum = vmi_two_plus(sum, vmi_two_plus(half_ln_2pi, vmi_two((vm_real)(i + j - k), 0)));
+    sum = vmi_two_plus(sum, vmi_two_log(rise));
+    sum = vmi_two_plus(sum, vmi_two_scaled(ln_SA, (vm_real)(k - j)));
+    sum = vmi_two_plus(sum, vmi_two_scaled(ln_SB, (vm_real)(k - i)));
     sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_times(vmi_two_plus(ln_x, ln_SA), a),
                                          vmi_two_times(vmi_two_plus(ln_y, ln_SB), b)));
     return vmi_two_sum(sum.hi, sum.lo + (vmi_stirling(S.hi) - vmi_stirling(A.hi) - vmi_stirling(B.hi)));

@@ -648,8 +648,7 @@ VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longes
         if (c > d2) d2 = c;
     }
     if (d1 > d2) d2 = d1;
-    h1 = d2 <= VM_C(1e-15) ? (h0 > VM_C(1e-3) ? h0 * VM_C(1e-3) : VM_C(1e-6))
-                           : vmi_power(VM_C(0.01) / d2, 1 / order);
+    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_power(VM_C(0.01) / d2, 1 / order);
     if (h1 > 100 * h0) h1 = 100 * h0;
     if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
     s->h = direction * (h1 < longest ? h1 : longest);
@@ -1311,7 +1310,7 @@ VM_API vm_real vmi_locate(const rk45 *s, int method, ode_event *e, vm_real a, vm
     int count, kept = 0;
     e->slack = VM_FABS(gb);
     for (count = 1; gb != 0 && b - a > resolution; count++) {
-        vm_real x = count % 3 && ga != gb ? b - gb * ((b - a) / (gb - ga)) : a + (b - a) / 2, g;
+        vm_real x = count % 3 ? b - gb * ((b - a) / (gb - ga)) : a + (b - a) / 2, g;
         x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
         g = vmi_event_value(s, method, e, x);
         if (vmi_sign(g) == side) {
@@ -1411,7 +1410,7 @@ VM_API int vmi_events(rk45 *s, int method)
 {
     ode_event *events = s->options.events;
     int i, status = ODE_OK;
-    if (method == VMI_RK87 && !s->extended) status = vmi_rk87_extend(s);
+    if (method == VMI_RK87) status = vmi_rk87_extend(s);
     if (status == ODE_NOT_FINITE) return vmi_take_back(s);
     for (i = 0; i < s->options.n_events && status == ODE_OK; i++) status = vmi_next_event(s, method, events + i, 0);
     while (status == ODE_OK) {
@@ -1469,8 +1468,8 @@ VM_API void vmi_look_for_stiffness(rk45 *s, int method)
     }
     if (dk > edge / h * dz * h) {
         s->stiff_misses = 0;
-        if (++s->stiff_hits == 15) s->stiff = 1;
-    } else if (++s->stiff_misses == 6) s->stiff_hits = 0;
+        if (s->stiff_hits < 15 && ++s->stiff_hits == 15) s->stiff = 1;
+    } else if (s->stiff_misses < 6 && ++s->stiff_misses == 6) s->stiff_hits = 0;
     s->stiff_wait = s->stiff_hits ? 1 : (int)VMI_STIFF_WAIT;
 }
 
@@ -1482,14 +1481,14 @@ VMI_APART int vmi_after_step(rk45 *s, int method)
 
 VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
 {
-    const int was_stiff = s->stiff;
+    const int was_stiff = s->stiff, one = single || s->options.n_events; /* a step, then what it calls for */
     int status = ODE_OK;
     s->event = -1;
     while (status == ODE_OK && s->t != t_end) {
         status = vmi_prepare(s, method, t_end);
         if (status) break;
-        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, f, n, t_end, single || s->options.n_events);
-        else status = vmi_advance(s, method, f, n, t_end, single || s->options.n_events, s->work, n);
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, f, n, t_end, one);
+        else status = vmi_advance(s, method, f, n, t_end, one, s->work, n);
         if (status == ODE_OK) status = vmi_after_step(s, method);
         if (single && s->failure == VMI_NONE_FAILED) break;
     }

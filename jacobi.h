@@ -850,20 +850,21 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
-   x = (c/s)^2, which leaves a relative error of x eps/2 < 2^-84 (float 2^-40), an eighth of an eps of the phase
-   u pi/(2K). m1 > 0. */
+   x = (c/s)^2, which leaves a relative error of x eps/2 < 2^-84 (float 2^-40), and an eighth of an eps of sn, cn, dn/k',
+   whose slope in u is max(1, k'). m1 > 0. */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
     const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
     const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
     const vm_two kp = vmi_two(root.hi / lift, root.lo / lift);
+    const vm_real slope = kp.hi > 1 ? kp.hi : 1;
     vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
     a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
     for (;;) {
         const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
         const vm_two sum = vmi_two_sum(a.hi, b.hi), s = vmi_two(sum.hi / 2, (sum.lo + (a.lo + b.lo)) / 2);
-        const int enough = c * c * u < s.hi / 4 || VM_FABS(c) < VM_EPSILON * s.hi;
+        const int enough = c * c * (u * slope) < s.hi * s.hi / 4 || VM_FABS(c) < VM_EPSILON * s.hi;
         if (VM_FABS(c) < last * s.hi && enough) {
             const vm_real x = (c / s.hi) * (c / s.hi);
             return vmi_two_sum(s.hi, s.lo - s.hi * x * (VM_C(0.25) + x * VM_C(0.078125)));
@@ -1165,7 +1166,7 @@ VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
     const vm_two m1 = vmi_two_sum(1, -m);
     const vmi_thetas t = vmi_neville(u, m1.hi, m1.lo, &bound);
     const vm_real above = p == 's' ? t.s : p == 'c' ? t.c : p == 'd' ? t.d : t.n;
-    const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : q == 'd' ? t.d : t.n;
+    const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : t.d; /* sn, cn, dn go another way */
     return above == below ? 1 : above / below;
 }
 

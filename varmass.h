@@ -1201,12 +1201,13 @@ typedef struct VM_TAG(vm_pair) {
 } vm_pair;
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair);
 /* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
-   its first ripple, so that any initial velocities do. Averaged equations of the modes for any mass. */
+   its first ripple, so that any initial velocities do. VM_DOMAIN where the motion is smaller than this ripple, as
+   it is where m -> 0. Averaged equations of the modes for any mass. */
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes);
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y);
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair);
 /* y at t where it was y0 at t = 0, for the mass m.mass + m.rate t, closed: (528), (529) with p0 = y0 - x0. Error of
-   order m.rate over times of order 1/m.rate. y may be y0. */
+   order m.rate over times of order 1/m.rate; VM_DOMAIN as above, at either end. y may be y0. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y);
 
 /* -- Chapter 8: harmonic excitation -- */
@@ -2005,6 +2006,9 @@ VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
 }
+
+/* None given, which reads as the identity */
+VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* With 1 as the size of the largest part, so that squares neither over- nor underflow; the identity for all zero */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
@@ -4012,7 +4016,7 @@ VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real pow
     m->theta.re[0] = 1;
     m->lean[2] = 1;
     vmi_turn_prepare(m, b);
-    if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) q.w = 1;
+    if (vmi_quat_is_none(q)) q.w = 1;
     vmi_turn_at(m, vmi_two(0, 0), &omega, &turn);
     turn.x = -turn.x, turn.y = -turn.y, turn.z = -turn.z;
     m->start = vmi_quat_times(q, turn);
@@ -5005,7 +5009,8 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
     if (l > -1 && k1 > 0) l = -1;           /* by rounding */
-    w = k1 < 0 ? vm_lambert_w0_exp(l) : k1 < 1 ? vm_lambert_wm1_mexp(l) : vm_lambert_w0_mexp(l);
+    /* e tells the branch: k1 may round to 1 */
+    w = k1 < 0 ? vm_lambert_w0_exp(l) : e > 0 ? vm_lambert_wm1_mexp(l) : vm_lambert_w0_mexp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
 
@@ -6331,7 +6336,7 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
     y[0] = c->direct ? ca : 0, y[1] = c->direct ? -sa : p->psi;
     status = c->high ? rk87_init(&c->s, f, c, 2, 0, y, &options, c->work)
                      : rk45_init(&c->s, f, c, 2, 0, y, &options, c->work);
-    if (status < 0) return c->status ? c->status : VM_NOT_INTEGRATED;
+    if (status < 0) return VM_NOT_INTEGRATED;
     for (i = 0; i < VMI_OSC_CHECKS; i++) {
         status = vmi_osc_solve(c, vmi_osc_check(t, i));
         if (!status) status = vmi_osc_motion_now(c, motion + i);
@@ -6466,7 +6471,7 @@ VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (method = VM_ROUTE_TRIG; method <= VM_ROUTE_ATEB && first <= tolerance; method++) {
+    for (method = VM_ROUTE_TRIG; first <= tolerance; method++) { /* the Ateb functions' wave has no error */
         w = vmi_osc_wave_of(method, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
         if (first + vmi_osc_wave_error(p, &w) <= tolerance) return vmi_osc_first_order(p, &w, &mean, motion);
     }
@@ -6549,8 +6554,7 @@ VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_re
 {
     const vm_real growth = m.rate * t / m.mass;
     vm_real mean;
-    if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth) || !VM_IS_FINITE(t))
-        return 0;
+    if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth)) return 0;
     mean = vmi_log_ratio(growth); /* of m0/m */
     *ln_ratio = growth * mean, *integral = t / m.mass * mean;
     return 1;
@@ -6717,13 +6721,14 @@ VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, v
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_laval_state now;
     vm_complex turned, P, N;
+    vm_real found[5];
     const int status = vmi_laval_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    y[0] = P.re, y[1] = P.im, y[2] = N.re, y[3] = N.im, y[4] = phi;
-    return VM_OK;
+    found[0] = P.re, found[1] = P.im, found[2] = N.re, found[3] = N.im, found[4] = phi;
+    return vmi_deliver(5, found, y);
 }
 
 /* z and z' where phi is the angle of turn */
@@ -6739,11 +6744,12 @@ VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real
 {
     vmi_laval_state now;
     vm_complex z, v;
+    vm_real joined[4];
     const int status = vmi_laval_now(r, t, &now);
     if (status) return status;
     vmi_laval_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
-    motion[0] = z.re, motion[1] = z.im, motion[2] = v.re, motion[3] = v.im;
-    return VM_OK;
+    joined[0] = z.re, joined[1] = z.im, joined[2] = v.re, joined[3] = v.im;
+    return vmi_deliver(4, joined, motion);
 }
 
 /* P' and N' (470)-(473) at the fast phase phi:
@@ -6910,7 +6916,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
         there = vmi_laval_invariant(x + step, &o);
         while (there != there) { /* F_e' is no number there */
             step /= 2, bounded = 1;
-            if (VM_FABS(step) < VM_EPSILON) return VM_NAN;
+            if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(x))) return VM_NAN;
             there = vmi_laval_invariant(x + step, &o);
         }
         if (there == 0 || (there > 0) != (here > 0)) break;
@@ -6954,26 +6960,28 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
 
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
-    vm_real exact, A;
+    vm_real exact, A, found[4];
     int i;
-    for (i = 0; i < 4; i++)
-        if (!VM_IS_FINITE(y[i])) return VM_NOT_FINITE;
-    modes[3] = y[2] + y[3], modes[2] = y[0] + y[1];
-    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &modes[1]);
+    if (!vmi_all_finite(4, y)) return VM_NOT_FINITE;
+    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &found[1]);
     A = exact;
-    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, modes[1]);
-    modes[0] = A;
-    return VM_OK;
+    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, found[1]);
+    if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    found[0] = A, found[2] = y[0] + y[1], found[3] = y[2] + y[3];
+    return vmi_deliver(4, found, modes);
 }
 
-VM_API void vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
+VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
 {
-    const vm_real A = modes[0] > 0 ? modes[0] * vmi_pair_ripple(p, mass, rate, modes[0], modes[1]) : modes[0];
     const vm_real q = modes[2], dq = modes[3];
-    vm_real x, v;
+    vm_real A = modes[0], x, v, joined[4];
+    if (!vmi_all_finite(4, modes)) return VM_NOT_FINITE;
+    if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[1]);
+    if (!(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, modes[1], 2 * p->k, mass, p->alpha, &x, &v);
-    y[0] = (q - x) / 2, y[1] = (q + x) / 2;
-    y[2] = (dq - v) / 2, y[3] = (dq + v) / 2;
+    joined[0] = (q - x) / 2, joined[1] = (q + x) / 2;
+    joined[2] = (dq - v) / 2, joined[3] = (dq + v) / 2;
+    return vmi_deliver(4, joined, y);
 }
 
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
@@ -6989,8 +6997,7 @@ VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_re
     vm_real mass, rate;
     int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (!status) status = vmi_pair_check(p, mass, rate);
-    if (!status) vmi_pair_join(p, mass, rate, modes, y);
-    return status;
+    return status ? status : vmi_pair_join(p, mass, rate, modes, y);
 }
 
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
@@ -7022,8 +7029,7 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
     modes[0] *= vmi_exp(-drift * ln_ratio, 0);
     modes[2] += modes[3] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
     modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
-    vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
-    return VM_OK;
+    return vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
 }
 
 /* ---- Chapter 8: harmonic excitation ------------------------------------------------------------------------- */
@@ -7163,11 +7169,6 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-VM_API int vmi_forced_finite(const vm_real *y)
-{
-    return VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]) && VM_IS_FINITE(y[2]);
-}
-
 VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     const vm_forced_now n = vmi_forced_at(f, t);
@@ -7176,7 +7177,7 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
     vm_real exact, A, phi;
     int i;
     if (status) return status;
-    if (!vmi_forced_finite(motion)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
     phi *= VM_PI / f->pi, A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
@@ -7190,14 +7191,14 @@ VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_re
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = y[2], phi = y[1] + theta;
-    vm_real A;
+    vm_real A, r[3];
     if (status) return status;
-    if (!vmi_forced_finite(y)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(3, y)) return VM_NOT_FINITE;
     A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
-    vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &motion[0], &motion[1]);
-    motion[2] = theta;
-    return VM_OK;
+    vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
+    r[2] = theta;
+    return vmi_deliver(3, r, motion);
 }
 
 /* The resonance with all quantities frozen, p = q/(alpha+3) */
@@ -7241,7 +7242,7 @@ VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
     const vm_real half = (3 * alpha + 1) * z->nu + (square > 0 ? VM_SQRT(square) : 0);
     int n = 0;
-    if (!(square > 0) || alpha == 1) return 0;
+    if (!(square > 0)) return 0; /* so for alpha = 1 */
     x[n++] = vmi_log(2 * (alpha + 1) * (z->nu * z->nu + z->p * z->p) / (half * z->w1)).hi / z->exponent;
     if (alpha > 0) x[n++] = vmi_log(half / (4 * alpha * z->w1)).hi / z->exponent;
     if (n == 2 && x[0] > x[1]) x[2] = x[0], x[0] = x[1], x[1] = x[2];
@@ -7299,7 +7300,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady c
     z.nu = w - width;
     if (z.nu > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A);
     z.nu = w + width;
-    if (z.nu > 0 && (width > 0 || !found)) curve[found++] = vmi_forced_state(&z, f->alpha, A); /* NaN: overflow */
+    if (width > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A); /* NaN: overflow */
     return found;
 }
 
@@ -7640,10 +7641,10 @@ VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm
 {
     const vmi_mat3 turn = vmi_rotation(now->q);
     const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
-    const int none = now->q.w == 0 && now->q.x == 0 && now->q.y == 0 && now->q.z == 0;
     b->filled = vmi_free_filled(&now->inertia);
     vmi_point_put(b, now, angle, state);
-    state[3] = none ? 1 : now->q.w, state[4] = now->q.x, state[5] = now->q.y, state[6] = now->q.z;
+    state[3] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
+    state[4] = now->q.x, state[5] = now->q.y, state[6] = now->q.z;
     state[10] = omega.x, state[11] = omega.y, state[12] = omega.z;
 }
 
@@ -8915,12 +8916,11 @@ VM_API int vmi_jump_on_line(const vm_event *e, const vm_body *body, vm_body *oth
 VM_API void vmi_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
-    const int as_body = part->q.w == 0 && part->q.x == 0 && part->q.y == 0 && part->q.z == 0;
     const vm_vec3 d = vmi_times(&turn, part->r);
     part->r = vmi_add(body->r, d);
     part->v = vmi_add(vmi_times(&turn, part->v), vmi_add(body->v, vmi_cross(body->omega, d)));
     part->omega = vmi_add(vmi_times(&turn, part->omega), body->omega);
-    part->q = as_body ? body->q : vmi_quat_times(body->q, part->q);
+    part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
 }
 
 VM_API vm_body2 vmi_scene_flat(const vm_body *b)
@@ -9122,10 +9122,9 @@ VM_API int vmi_scene_settle(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *
 {
     const long most = 10000; /* at one instant */
     const vm_real resolved = 256 * VM_EPSILON * span;
-    long before = -1;
     int status = VM_OK;
-    for (pace->happened = 0, pace->gap = VM_MAX; pace->happened != before && status == VM_OK;) {
-        before = pace->happened;
+    for (pace->happened = 0, pace->gap = VM_MAX; status == VM_OK;) {
+        const long before = pace->happened;
         status = vmi_scene_happen(s, r->t, r->y, pace);
         if (pace->happened == before) break;
         if (rk45_restart(r, r->t, r->y) < 0 && status >= 0) status = VM_NOT_FINITE;

@@ -1,21 +1,27 @@
 #!/bin/sh
 # The same bits everywhere: build and run tests/golden.c on every target that can be had, and compare what it prints with
-# the first. usage: cross.sh BUILD_FOLDER [REPORT], from the top of the project
-build=$1/cross report=${2:-/dev/null}
+# the first; then the tests on those that have a console. Each TEST is tests/test_TEST.c.
+# usage: cross.sh BUILD_FOLDER REPORT TEST..., from the top of the project
+build=$1/cross report=$2
+shift 2
+every=$* # those but the four that last longest, for emulators; those that emulators of soft double take
+most=$(echo " $every " | sed 's/ streams / /; s/ slow / /; s/ oscillator / /; s/ routes / /')
+few=$(for test in $every; do case $test in integrators | events | varmass | dissertation | scenes | drum | lagrange) echo $test ;; esac; done)
 passed=0 failed=0 skipped=0
 rm -rf "$build" && mkdir -p "$build" || exit 1
 c99="-std=c99 -ffp-contract=off"
-cortex="-nostartfiles -T tests/cross/cortex_m.ld -ffunction-sections -Wl,--gc-sections -DGOLDEN_PUTS=golden_line tests/cross/cortex_m.c"
+cortex="-nostartfiles -T tests/cross/cortex_m.ld -ffunction-sections -Wl,--gc-sections tests/cross/cortex_m.c"
 large="-Wl,--defsym=FLASH_SIZE=0x400000,--defsym=RAM_SIZE=0x400000"
 small="-Wl,--defsym=FLASH_SIZE=0x40000,--defsym=RAM_SIZE=0x4000"
-riscv="-mcmodel=medany -nostartfiles -T tests/cross/riscv.ld -Wl,--no-warn-rwx-segments -DGOLDEN_PUTS=golden_line tests/cross/riscv.c"
+riscv="-mcmodel=medany -nostartfiles -T tests/cross/riscv.ld -Wl,--no-warn-rwx-segments tests/cross/riscv.c"
+line=-DGOLDEN_PUTS=golden_line # the golden program's way without stdio
 semihosting="-nographic -monitor none -serial none -semihosting-config enable=on,target=native"
 
-# target NAME PACKAGES PRECISIONS COMPILE RUN: COMPILE makes $out of golden.c, with $flags; RUN prints its lines
+# target NAME PACKAGES PRECISIONS COMPILE RUN: COMPILE makes $out of $source, with $flags; RUN prints its lines
 target() {
     name=$1 packages=$2 precisions=$3 compile=$4 run=$5
     for precision in $precisions; do
-        out=$build/golden flags=
+        out=$build/golden source=tests/golden.c flags=
         [ $precision = float ] && flags=-DVM_USE_FLOAT
         rm -f "$out"
         command -v "${compile%% *}" >/dev/null && command -v "${run%% *}" >/dev/null || sh tests/install.sh \
@@ -37,19 +43,71 @@ target() {
     done
 }
 
+# tests NAME PRECISION COMPILE RUN TEST...: the same of the tests, the number of checks that passed in all
+tests() {
+    name=$1 precision=$2 compile=$3 run=$4 checks=0 bad= flags=
+    shift 4
+    out=$build/test.$precision
+    [ $precision = float ] && flags=-DVM_USE_FLOAT
+    for test in "$@"; do
+        source=tests/test_$test.c
+        if ! eval "$compile" >"$out.log" 2>&1; then
+            bad="$bad; $test does not compile: $(grep -m 1 -i -E 'error|overflowed' "$out.log")"
+            continue
+        fi
+        eval "timeout 300 $run" 2>&1 </dev/null | tr -d '\r' >"$out.log"
+        last=$(grep -E ': [0-9]+ passed, 0 failed, [0-9]+ skipped$' "$out.log" | tail -n 1)
+        if [ -n "$last" ]; then
+            checks=$((checks + $(echo "$last" | sed 's/.*: \([0-9]*\) passed.*/\1/')))
+        else
+            bad="$bad; $test: $(grep -m 1 FAILED "$out.log" || tail -n 1 "$out.log")"
+        fi
+    done
+    if [ -z "$bad" ]; then echo "tests pass: $name, $precision: $# programs, $checks checks"
+    else echo "tests FAILED: $name, $precision$bad"; fi
+}
+# tested NAME COMPILE RUN "TESTS OF DOUBLE" "TESTS OF FLOAT": both at once; those of a target that is not there are skipped
+tested() {
+    out=$build/empty source=$build/empty.c flags=
+    echo 'int main(void) { return 0; }' >"$source"
+    if ! eval "$2" >"$build/log" 2>&1; then
+        skipped=$((skipped + 1))
+        echo "skipped: tests on $1: $(tail -n 1 "$build/log")"
+        return
+    fi
+    tests "$1" double "$2" "$3" $4 >"$build/tests.double" &
+    [ -z "$5" ] || tests "$1" float "$2" "$3" $5 >"$build/tests.float"
+    wait
+    for precision in double ${5:+float}; do
+        cat "$build/tests.$precision"
+        if grep -q '^tests pass' "$build/tests.$precision"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+    done
+}
+
 both="double float"
-host() { target "$1" "$2" "$both" "$3 tests/golden.c \$flags -o \$out -lm" "\$out"; }
+host() { # host NAME PACKAGES COMPILER [TESTS]
+    target "$1" "$2" "$both" "$3 \$flags \$source -o \$out -lm" "\$out"
+    [ -z "$4" ] || tested "$1" "$3 \$flags \$source -o \$out -lm" "\$out" "$4" "$4"
+}
 arm() { # arm NAME FLAGS MEMORIES BOARD
     target "$1" "gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm" "$both" \
-        "arm-none-eabi-gcc $2 $c99 -Os $3 $cortex tests/golden.c \$flags -o \$out -lm" "qemu-system-arm -M $4 $semihosting -kernel \$out"
+        "arm-none-eabi-gcc $2 $c99 -Os $line $3 $cortex \$flags \$source -o \$out -lm" \
+        "qemu-system-arm -M $4 $semihosting -kernel \$out"
 }
-risc() { # risc NAME FLAGS QEMU
-    target "$1" "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc" "$both" \
-        "riscv64-unknown-elf-gcc $2 $c99 -Os --specs=picolibc.specs $riscv tests/golden.c \$flags -o \$out -lm" \
-        "$3 -M virt -bios none $semihosting -kernel \$out"
+arm_tests() { # arm_tests NAME FLAGS BOARD "TESTS OF DOUBLE": newlib's console by semihosting
+    tested "$1" "arm-none-eabi-gcc $2 $c99 -O1 -DNEWLIB_CONSOLE --specs=rdimon.specs $large $cortex \$flags \$source -o \$out -lm" \
+        "qemu-system-arm -M $3 $semihosting -kernel \$out" "$4" "$most"
+}
+risc() { # risc NAME FLAGS QEMU "TESTS OF DOUBLE"
+    board="riscv64-unknown-elf-gcc $2 $c99 --specs=picolibc.specs $riscv \$flags \$source -o \$out -lm"
+    emulator="$3 -M virt -bios none $semihosting -kernel \$out"
+    target "$1" "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc" "$both" "$board -Os $line" "$emulator"
+    tested "$1" "$board -O1 --oslib=semihost" "$emulator" "$4" "$most"
 }
 user() { # user NAME PACKAGES COMPILER FLAGS QEMU
-    target "$1" "$2 qemu-user" "$both" "$3 -static $c99 $4 tests/golden.c \$flags -o \$out -lm" "$5 \$out"
+    board="$3 -static $c99 $4 \$flags \$source -o \$out -lm"
+    target "$1" "$2 qemu-user" "$both" "$board" "$5 \$out"
+    tested "$1" "$board" "$5 \$out" "$most" "$most"
 }
 {
     for level in -O0 -O1 -O2 -O3 -Os; do
@@ -58,18 +116,24 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     done
     host "x86-64 gcc -O3 -march=native" gcc "gcc $c99 -O3 -march=native"
     host "x86-64 g++ -std=c++11" g++ "g++ -x c++ -std=c++11 -ffp-contract=off -O2"
-    target "x86-64 tcc" tcc double "tcc tests/golden.c \$flags -o \$out -lm" "\$out" # float: 0.9.27 passes structs of three floats wrongly
-    host "x86-64 musl" musl-tools "musl-gcc -static $c99 -O2"
-    host "i386 SSE2" gcc-12-multilib "gcc -m32 -msse2 -mfpmath=sse $c99 -O2"
+    # tcc 0.9.27 passes structs of three floats wrongly
+    target "x86-64 tcc" tcc double "tcc \$flags \$source -o \$out -lm" "\$out"
+    tested "x86-64 tcc" "tcc \$flags \$source -o \$out -lm" "\$out" "$every" ""
+    host "x86-64 musl" musl-tools "musl-gcc -static $c99 -O2" "$every"
+    host "i386 SSE2" gcc-12-multilib "gcc -m32 -msse2 -mfpmath=sse $c99 -O2" "$every"
     arm "Cortex-M0, newlib" "-mcpu=cortex-m0 -mthumb" "$small" microbit
     arm "Cortex-M3, newlib" "-mcpu=cortex-m3 -mthumb" "$large" mps2-an385
     arm "Cortex-M4F, newlib" "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16" "$large" mps2-an386
     arm "Cortex-M7, newlib" "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16" "$large" mps2-an500
     sh tests/install.sh "test -d /usr/lib/picolibc/arm-none-eabi" picolibc-arm-none-eabi >/dev/null 2>&1
     arm "Cortex-M4F, picolibc" "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 --specs=picolibc.specs" "$large" mps2-an386
-    risc "RISC-V 32 imac" "-march=rv32imac -mabi=ilp32" qemu-system-riscv32
-    risc "RISC-V 32 imafdc" "-march=rv32imafdc -mabi=ilp32d" qemu-system-riscv32
-    risc "RISC-V 64 imafdc" "-march=rv64imafdc -mabi=lp64d" qemu-system-riscv64
+    arm_tests "Cortex-M0 code on an M3" "-mcpu=cortex-m0 -mthumb" mps2-an385 "$few" # the M0's board has too little memory
+    arm_tests "Cortex-M3" "-mcpu=cortex-m3 -mthumb" mps2-an385 "$few"
+    arm_tests "Cortex-M4F" "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16" mps2-an386 "$few"
+    arm_tests "Cortex-M7" "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16" mps2-an500 "$most"
+    risc "RISC-V 32 imac" "-march=rv32imac -mabi=ilp32" qemu-system-riscv32 "$few"
+    risc "RISC-V 32 imafdc" "-march=rv32imafdc -mabi=ilp32d" qemu-system-riscv32 "$most"
+    risc "RISC-V 64 imafdc" "-march=rv64imafdc -mabi=lp64d" qemu-system-riscv64 "$most"
     user "s390x, big-endian" "gcc-s390x-linux-gnu libc6-dev-s390x-cross" s390x-linux-gnu-gcc "-fexcess-precision=fast -O2" qemu-s390x
     user "MIPS 32, big-endian" "gcc-mips-linux-gnu libc6-dev-mips-cross" mips-linux-gnu-gcc -O2 qemu-mips
     user "AArch64" "gcc-aarch64-linux-gnu libc6-dev-arm64-cross" aarch64-linux-gnu-gcc -O2 qemu-aarch64
@@ -78,19 +142,20 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
         -DGOLDEN_PUTS=golden_line -DGOLDEN_SECTION=\$i -DVM_USE_FLOAT -c tests/golden.c -o \$out.o && \
         $avr -Wl,--gc-sections tests/cross/avr.c \$out.o -o \$out\$i -lm || break; done" \
         "sh -c 'for i in 1 2 3 4 5 6 7 8; do simavr -m atmega1284p -f 16000000 \$0\$i; done' \$out"
-    target "WebAssembly" "clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs" "$both" \
-        "clang --target=wasm32-wasi --sysroot=/usr $c99 -O2 tests/golden.c \$flags -o \$out -lm" "node --no-warnings tests/cross/wasm.mjs \$out"
-    if command -v wine64 >/dev/null; then
-        target "Windows, mingw" "gcc-mingw-w64-x86-64-win32" "$both" \
-            "x86_64-w64-mingw32-gcc $c99 -O2 tests/golden.c \$flags -o \$out.exe -lm" "wine64 \$out.exe"
-    else
-        echo "skipped: Windows, mingw: no wine64"
-        skipped=$((skipped + 1))
-    fi
+    wasm="clang --target=wasm32-wasi --sysroot=/usr $c99 -O2 \$flags \$source -o \$out -lm"
+    target "WebAssembly" "clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs" "$both" "$wasm" "node --no-warnings tests/cross/wasm.mjs \$out"
+    tested "WebAssembly" "$wasm" "node --no-warnings tests/cross/wasm.mjs \$out" "$every" "$every"
+    PATH=$PATH:/usr/lib/wine # where Debian keeps wine64
+    windows="x86_64-w64-mingw32-gcc $c99 -O2 \$flags \$source -o \$out.exe -lm"
+    wine="env WINEDEBUG=-all WINEPREFIX=$PWD/$build/wine wine64 \$out.exe"
+    sh tests/install.sh "command -v x86_64-w64-mingw32-gcc && command -v wine64" gcc-mingw-w64-x86-64-win32 wine64 >/dev/null 2>&1
+    target "Windows, mingw" "gcc-mingw-w64-x86-64-win32 wine64" "$both" "command -v wine64 && $windows" "$wine"
+    tested "Windows, mingw" "command -v wine64 && $windows" "$wine" "$every" "$every"
+    rm -rf "$build/wine" # 700 MB
     echo "cross: $passed passed, $failed failed, $skipped skipped"
 } | tee "$build/report"
 {
-    printf '# The same bits everywhere\n\nWritten by `make test-cross`: tests/golden.c on each target; the numbers are those of the first.\n\n```\n'
+    printf '# The same bits everywhere\n\nWritten by `make test-cross`: tests/golden.c on each target, the numbers are those of the first; and the tests.\n\n```\n'
     cat "$build/double" "$build/float" "$build/report"
     printf '```\n'
 } >"$report"

@@ -1,23 +1,52 @@
-/* For Frama-C's EVA: jacobi.h with any numbers at all, NaN and infinities among them. */
-#include "../jacobi.h"
+/* For Frama-C's EVA (tests/eva.sh): every public function of jacobi.h with any numbers, NaN and infinities among them. */
+#define EVA_HEADER "../jacobi.h"
+#include "eva_words.h"
 
-volatile vm_real any;
-volatile int any_int;
-vm_real sink[16];
-
-int main(void)
+void eva_K_E(void)
 {
-    jacobi_plan plan;
-    sink[0] = jacobi_K(any), sink[1] = jacobi_E(any), sink[2] = jacobi_K_m1(any), sink[3] = jacobi_E_m1(any);
-    jacobi_sncndn(any, any, sink, sink + 1, sink + 2);
-    jacobi_sncndn_m1(any, any, sink, sink + 1, sink + 2);
-    sink[4] = jacobi_am(any, any), sink[5] = jacobi_cd(any, any);
-    sink[6] = jacobi_kpK(any), sink[7] = jacobi_solve_kpK(any), sink[8] = jacobi_solve_kpK_m1(any);
-    sink[9] = jacobi_solve_K(any), sink[10] = jacobi_solve_K_m1(any);
-    jacobi_cn_means(any, sink, sink + 1, sink + 2);
-    jacobi_agm_sncndn(any, any, any_int, sink, sink + 1, sink + 2);
-    sink[11] = jacobi_agm_K(any);
-    if (jacobi_plan_init(&plan, any) == 0) jacobi_plan_sncndn(&plan, any, sink, sink + 1, sink + 2);
-    if (jacobi_plan_init_m1(&plan, any) == 0) jacobi_plan_sncndn(&plan, any, sink, sink + 1, sink + 2);
-    return 0;
+    sink[0] = jacobi_K(any), sink[1] = jacobi_K_m1(any), sink[2] = jacobi_E(any), sink[3] = jacobi_E_m1(any);
+    sink[4] = jacobi_kpK(any), sink[5] = jacobi_agm_K(any);
+}
+
+void eva_sncndn(void)
+{
+    jacobi_sncndn(any, any, sink, sink + 1, sink + 2), jacobi_sncndn_m1(any, any, sink, sink + 1, sink + 2);
+    sink[3] = jacobi_sn(any, any), sink[4] = jacobi_cn(any, any), sink[5] = jacobi_dn(any, any);
+}
+
+void eva_quotients(void)
+{
+    sink[0] = jacobi_cd(any, any), sink[1] = jacobi_sd(any, any), sink[2] = jacobi_nd(any, any);
+    sink[3] = jacobi_sc(any, any), sink[4] = jacobi_dc(any, any), sink[5] = jacobi_nc(any, any);
+    sink[6] = jacobi_cs(any, any), sink[7] = jacobi_ds(any, any), sink[0] = jacobi_ns(any, any);
+}
+
+void eva_am(void) { sink[0] = jacobi_am(any, any); }
+void eva_solve(void)
+{
+    sink[0] = jacobi_solve_kpK(any), sink[1] = jacobi_solve_kpK_m1(any);
+    sink[2] = jacobi_solve_K(any), sink[3] = jacobi_solve_K_m1(any);
+}
+void eva_cn_means(void) { jacobi_cn_means(any, sink, sink + 1, sink + 2); }
+void eva_agm_sncndn(void) { jacobi_agm_sncndn(any, any, any_int, sink, sink + 1, sink + 2); }
+
+void eva_plan(void)
+{
+    jacobi_plan p;
+    if (jacobi_plan_init(&p, any) == 0) jacobi_plan_sncndn(&p, any, sink, sink + 1, sink + 2);
+}
+
+void eva_plan_m1(void)
+{
+    jacobi_plan p;
+    if (jacobi_plan_init_m1(&p, any) == 0) jacobi_plan_sncndn(&p, any, sink, sink + 1, sink + 2);
+}
+
+void eva_plan_array(void)
+{
+    vm_real u[5], sn[5], cn[5], dn[5];
+    int i, n = any_int;
+    jacobi_plan p;
+    for (i = 0; i < 5; i++) u[i] = any;
+    if (jacobi_plan_init(&p, any) == 0) jacobi_plan_sncndn_array(&p, n > 5 ? 5 : n, u, sn, cn, dn);
 }

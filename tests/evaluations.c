@@ -1,7 +1,8 @@
 /* Random evaluations of every special function, by the thousand million: ranges, symmetries, identities within the
    promised bounds, neighbours in order, inverses. Prints a table, a line a
    function (docs/evaluations.md), and to stderr the first violations with inputs.
-     evaluations COUNT [SEED]     on all cores with -fopenmp; of slow functions COUNT/100 */
+     evaluations COUNT [SEED [FIRST LAST]]     on all cores with -fopenmp; of slow functions COUNT/10 or /100; lines
+                                               FIRST to LAST of the table, counted from 1 */
 #include "../varmass.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 
 #define EPS VM_EPSILON
 #define R(x) ((vm_real)(x))
-enum { IS_FLOAT = VM_MANT_DIG == 24, BLOCK = 1 << 14 };
+enum { IS_FLOAT = VM_MANT_DIG == 24, BLOCK = 1 << 11, PHASES = 8 }; /* so many arguments of each parameter drawn */
 
 typedef struct random_bits {
     uint64_t state;
@@ -98,47 +99,67 @@ static int on_curve(vm_real sn, vm_real cn, vm_real dn, vm_real m1)
 
 static trial try_sncndn(random_bits *g)
 {
-    const vm_real m = random_m(g), u = random_phase(g, jacobi_K(m));
-    vm_real sn, cn, dn, s, c, d;
-    jacobi_sncndn(u, m, &sn, &cn, &dn);
-    jacobi_sncndn(-u, m, &s, &c, &d);
-    return result(u, m, 0, on_curve(sn, cn, dn, 1 - m) && s == -sn && c == cn && d == dn);
+    const vm_real m = random_m(g), K = jacobi_K(m);
+    vm_real sn, cn, dn, s, c, d, u = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        u = random_phase(g, K);
+        jacobi_sncndn(u, m, &sn, &cn, &dn);
+        jacobi_sncndn(-u, m, &s, &c, &d);
+        good = on_curve(sn, cn, dn, 1 - m) && s == -sn && c == cn && d == dn;
+    }
+    return result(u, m, 0, good);
 }
 
 static trial try_sncndn_m1(random_bits *g)
 {
-    const vm_real m1 = of_size(g, IS_FLOAT ? -100 : -1000, 1), u = uniform(g, -3, 3) * jacobi_K_m1(m1);
-    vm_real sn, cn, dn;
-    jacobi_sncndn_m1(u, m1, &sn, &cn, &dn);
-    return result(u, m1, 0, on_curve(sn, cn, dn, m1));
+    const vm_real m1 = of_size(g, IS_FLOAT ? -100 : -1000, 1), K = jacobi_K_m1(m1);
+    vm_real sn, cn, dn, u = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        u = uniform(g, -3, 3) * K;
+        jacobi_sncndn_m1(u, m1, &sn, &cn, &dn);
+        good = on_curve(sn, cn, dn, m1);
+    }
+    return result(u, m1, 0, good);
 }
 
 /* sn rises between neighbours up to K, but for 8 ulp on either side */
 static trial try_sn_rises(random_bits *g)
 {
-    const vm_real m = random_m(g), K = jacobi_K(m), u = uniform(g, 0, 0.999) * (VM_IS_FINITE(K) ? K : 10);
-    const vm_real a = jacobi_sn(u, m), b = jacobi_sn(next_up(u), m);
-    return result(u, m, 0, u == 0 || (b >= a * (1 - 16 * EPS) && a >= 0 && b <= 1));
+    const vm_real m = random_m(g), K = jacobi_K(m), top = VM_IS_FINITE(K) ? K : 10;
+    vm_real a, b, u = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        u = uniform(g, 0, 0.999) * top;
+        a = jacobi_sn(u, m), b = jacobi_sn(next_up(u), m);
+        good = u == 0 || (b >= a * (1 - 16 * EPS) && a >= 0 && b <= 1);
+    }
+    return result(u, m, 0, good);
 }
 
 static trial try_quotients(random_bits *g)
 {
-    const vm_real m = random_m(g), u = uniform(g, -8, 8) * jacobi_K(m);
-    vm_real sn, cn, dn;
-    jacobi_sncndn(u, m, &sn, &cn, &dn);
-    return result(u, m, 0,
-                  u != u || (same_size(jacobi_cd(u, m) * dn, cn, 24) && same_size(jacobi_sd(u, m) * dn, sn, 24) &&
-                             same_size(jacobi_sc(u, m) * cn, sn, 24)));
+    const vm_real m = random_m(g), K = jacobi_K(m);
+    vm_real sn, cn, dn, u = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        u = uniform(g, -8, 8) * K;
+        jacobi_sncndn(u, m, &sn, &cn, &dn);
+        good = u != u || (same_size(jacobi_cd(u, m) * dn, cn, 24) && same_size(jacobi_sd(u, m) * dn, sn, 24) &&
+                          same_size(jacobi_sc(u, m) * cn, sn, 24));
+    }
+    return result(u, m, 0, good);
 }
 
 static trial try_jacobi_plan(random_bits *g)
 {
-    const vm_real m = random_m(g), top = m < 0 ? VM_SQRT(1 - m) : 1;
+    const vm_real m = random_m(g), K = jacobi_K(m), top = m < 0 ? VM_SQRT(1 - m) : 1;
     vm_real sn, cn, dn, s, c, d, u = 0;
     jacobi_plan p;
     int i, good = jacobi_plan_init(&p, m) == 0;
     for (i = 0; i < 64 && good; i++) {
-        u = random_phase(g, jacobi_K(m));
+        u = random_phase(g, K);
         jacobi_plan_sncndn(&p, u, &sn, &cn, &dn), jacobi_sncndn(u, m, &s, &c, &d);
         good = on_curve(sn, cn, dn, 1 - m) && VM_FABS(sn - s) <= 8 * EPS && VM_FABS(cn - c) <= 8 * EPS &&
                VM_FABS(dn - d) <= 8 * EPS * top;
@@ -148,9 +169,14 @@ static trial try_jacobi_plan(random_bits *g)
 
 static trial try_am(random_bits *g)
 {
-    const vm_real m = random_m(g), K = jacobi_K(m), u = uniform(g, 0, 8) * (VM_IS_FINITE(K) ? K : 10);
-    const vm_real am = jacobi_am(u, m), next = jacobi_am(next_up(u), m);
-    return result(u, m, 0, u == 0 || (next >= am * (1 - 4 * EPS) && jacobi_am(-u, m) == -am));
+    const vm_real m = random_m(g), K = jacobi_K(m), top = 8 * (VM_IS_FINITE(K) ? K : 10);
+    vm_real u = 0, am;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        u = uniform(g, 0, 1) * top, am = jacobi_am(u, m);
+        good = u == 0 || (jacobi_am(next_up(u), m) >= am * (1 - 4 * EPS) && jacobi_am(-u, m) == -am);
+    }
+    return result(u, m, 0, good);
 }
 
 static trial try_K(random_bits *g)
@@ -200,32 +226,41 @@ static trial try_cn_means(random_bits *g)
 
 static trial try_saca(random_bits *g)
 {
-    const vm_real alpha = random_alpha(g), s = random_phase(g, ateb_pi(alpha) / 2), n = alpha + 1;
-    vm_real sa, ca, sa2, ca2, x;
-    ateb_saca(s, alpha, &sa, &ca), ateb_saca(-s, alpha, &sa2, &ca2);
-    x = vmi_raised(VM_FABS(ca), n);
-    return result(s, alpha, 0,
-                  VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 && sa2 == -sa && ca2 == ca &&
-                      (n * EPS > R(1e-3) ||
-                       VM_FABS(sa * sa + x - 1) <= EPS * (4 + 4 * (2 * sa * sa + n * x) + (alpha + 1 - n != 0))));
+    const vm_real alpha = random_alpha(g), quarter = ateb_pi(alpha) / 2, n = alpha + 1;
+    vm_real sa, ca, sa2, ca2, x, s = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        s = random_phase(g, quarter);
+        ateb_saca(s, alpha, &sa, &ca), ateb_saca(-s, alpha, &sa2, &ca2);
+        x = vmi_raised(VM_FABS(ca), n);
+        good = VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 && sa2 == -sa && ca2 == ca &&
+               (n * EPS > R(1e-3) ||
+                VM_FABS(sa * sa + x - 1) <= EPS * (4 + 4 * (2 * sa * sa + n * x) + (alpha + 1 - n != 0)));
+    }
+    return result(s, alpha, 0, good);
 }
 
 static trial try_saca_rises(random_bits *g)
 {
-    const vm_real alpha = random_alpha(g), s = uniform(g, 0, 0.499) * ateb_pi(alpha);
-    const vm_real a = ateb_sa(s, alpha), b = ateb_sa(next_up(s), alpha), c = ateb_ca(s, alpha),
-                  d = ateb_ca(next_up(s), alpha);
-    return result(s, alpha, 0, s == 0 || (b >= a * (1 - 4 * EPS) && d <= c * (1 + 4 * EPS)));
+    const vm_real alpha = random_alpha(g), pi = ateb_pi(alpha);
+    vm_real s = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        s = uniform(g, 0, 0.499) * pi;
+        good = s == 0 || (ateb_sa(next_up(s), alpha) >= ateb_sa(s, alpha) * (1 - 4 * EPS) &&
+                          ateb_ca(next_up(s), alpha) <= ateb_ca(s, alpha) * (1 + 4 * EPS));
+    }
+    return result(s, alpha, 0, good);
 }
 
 static trial try_ateb_plan(random_bits *g)
 {
-    const vm_real alpha = random_alpha(g);
+    const vm_real alpha = random_alpha(g), quarter = ateb_pi(alpha) / 2;
     vm_real sa, ca, a, c, s = 0;
     ateb_plan p;
     int i, good = ateb_plan_init(&p, alpha) == 0;
     for (i = 0; i < 256 && good; i++) {
-        s = random_phase(g, ateb_pi(alpha) / 2);
+        s = random_phase(g, quarter);
         ateb_plan_saca(&p, s, &sa, &ca), ateb_saca(s, alpha, &a, &c);
         good = VM_FABS(sa - a) <= 6 * EPS && VM_FABS(ca - c) <= 6 * EPS && VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1;
     }
@@ -242,20 +277,30 @@ static trial try_pi(random_bits *g)
 
 static trial try_phase(random_bits *g)
 {
-    const vm_real alpha = random_alpha(g), s = uniform(g, -0.999, 0.999) * ateb_pi(alpha);
-    vm_real sa, ca;
-    ateb_saca(s, alpha, &sa, &ca); /* 4 ulp, and what 4 ulp of sa and ca move */
-    return result(s, alpha, 0,
-                  VM_FABS(ateb_phase(sa, ca, alpha) - s) <=
-                          EPS * (8 * VM_FABS(s) + 4 * VM_FABS(sa * ca) * (1 + (alpha + 1) / 2)) ||
-                      VM_FABS(ca) < R(1e-3));
+    const vm_real alpha = random_alpha(g), pi = ateb_pi(alpha);
+    vm_real sa, ca, s = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        s = uniform(g, -0.999, 0.999) * pi;
+        ateb_saca(s, alpha, &sa, &ca); /* 4 ulp, and what 4 ulp of sa and ca move */
+        good = VM_FABS(ateb_phase(sa, ca, alpha) - s) <=
+                   EPS * (8 * VM_FABS(s) + 4 * VM_FABS(sa * ca) * (1 + (alpha + 1) / 2)) ||
+               VM_FABS(ca) < R(1e-3);
+    }
+    return result(s, alpha, 0, good);
 }
 
 static trial try_integrals(random_bits *g)
 {
-    const vm_real alpha = random_alpha(g), s = uniform(g, 0, 2) * ateb_pi(alpha);
-    const vm_real a = ateb_integral_sa2(s, alpha), b = ateb_integral_ca(s, alpha);
-    return result(s, alpha, 0, a >= 0 && b >= 0 && VM_FABS(a + b - s) <= 32 * EPS * s);
+    const vm_real alpha = random_alpha(g), pi = ateb_pi(alpha);
+    vm_real a, b, s = 0;
+    int i, good = 1;
+    for (i = 0; i < PHASES && good; i++) {
+        s = uniform(g, 0, 2) * pi;
+        a = ateb_integral_sa2(s, alpha), b = ateb_integral_ca(s, alpha);
+        good = a >= 0 && b >= 0 && VM_FABS(a + b - s) <= 32 * EPS * s;
+    }
+    return result(s, alpha, 0, good);
 }
 
 static trial try_beta(random_bits *g)
@@ -318,25 +363,25 @@ typedef struct job {
     int evaluations, slower; /* of the function in a trial; fewer by so much */
 } job;
 
-static const job jobs[] = {{"sn, cn, dn", try_sncndn, 2, 1},
-                           {"sn, cn, dn, m1", try_sncndn_m1, 1, 1},
-                           {"sn rises", try_sn_rises, 2, 1},
-                           {"cd, sd, sc", try_quotients, 3, 1},
+static const job jobs[] = {{"sn, cn, dn", try_sncndn, 2 * PHASES, 1},
+                           {"sn, cn, dn, m1", try_sncndn_m1, PHASES, 1},
+                           {"sn rises", try_sn_rises, 2 * PHASES, 1},
+                           {"cd, sd, sc", try_quotients, 3 * PHASES, 1},
                            {"jacobi_plan", try_jacobi_plan, 64, 1},
-                           {"am", try_am, 3, 1},
+                           {"am", try_am, 3 * PHASES, 1},
                            {"K, k'K", try_K, 2, 1},
                            {"E", try_E, 2, 1},
                            {"K, E, Legendre", try_legendre, 4, 1},
                            {"solve k'K", try_solve_kpK, 1, 1},
                            {"solve K", try_solve_K, 1, 1},
                            {"cn means", try_cn_means, 1, 1},
-                           {"sa, ca", try_saca, 2, 1},
-                           {"sa, ca monotone", try_saca_rises, 4, 1},
+                           {"sa, ca", try_saca, 2 * PHASES, 1},
+                           {"sa, ca monotone", try_saca_rises, 4 * PHASES, 1},
                            {"ateb_plan", try_ateb_plan, 256, 1},
                            {"Pi_alpha", try_pi, 2, 1},
-                           {"ateb_phase", try_phase, 1, 1},
-                           {"ateb integrals", try_integrals, 2, 1},
-                           {"beta", try_beta, 2, 10},
+                           {"ateb_phase", try_phase, PHASES, 1},
+                           {"ateb integrals", try_integrals, 2 * PHASES, 1},
+                           {"beta", try_beta, 2, 1},
                            {"beta_inc", try_beta_inc, 2, 10},
                            {"beta_inc_inv", try_beta_inverse, 2, 100},
                            {"sa, ca (n, m)", try_saca_nm, 1, 100},
@@ -385,11 +430,13 @@ int main(int argc, char **argv)
 {
     const double count = argc > 1 ? strtod(argv[1], NULL) : 1e6;
     const uint64_t seed = argc > 2 ? (uint64_t)strtol(argv[2], NULL, 10) : 1;
+    const int all = (int)(sizeof jobs / sizeof *jobs), first = argc > 3 ? atoi(argv[3]) : 1;
+    const int last = argc > 4 && atoi(argv[4]) < all ? atoi(argv[4]) : all;
     long violations = 0;
     int i;
     printf("## %s\n\n| what is checked | evaluations | ns each | violations |\n|---|---:|---:|---:|\n",
            IS_FLOAT ? "float" : "double");
-    for (i = 0; i < (int)(sizeof jobs / sizeof *jobs); i++) violations += run(jobs + i, i, count, seed);
+    for (i = first - 1; i < last; i++) violations += run(jobs + i, i, count, seed);
     printf("\n%ld violations\n\n", violations);
     return violations != 0;
 }

@@ -121,6 +121,8 @@ static void test_elementary(void)
     CHECK(vmi_exp(VM_INFINITY, 0) == VM_INFINITY && vmi_exp(VM_MAX, 0) == VM_INFINITY);
     CHECK(vmi_exp(-VM_INFINITY, 0) == 0 && vmi_exp(-VM_MAX, 0) == 0 && vmi_exp(0, 0) == 1);
     CHECK(vmi_exp(VM_NAN, 0) != vmi_exp(VM_NAN, 0));
+    CHECK(vmi_ldexp(1, 30000) == VM_INFINITY && vmi_ldexp(1, -30000) == 0);
+    CHECK(vmi_copysign(2, VM_C(-0.0)) == -2 && vmi_copysign(-2, 0) == 2 && vmi_copysign(-2, -3) == -2);
     CHECK(vmi_log(1).hi == 0 && vmi_log(1).lo == 0);
 }
 
@@ -478,6 +480,23 @@ static void test_beta(void)
     }
 }
 
+/* One index small, the other large: (a)_i (b)_j/(a+b)_(i+j) underflowed in float. a, b, B(a, b); and the mean of
+   |sa|^16384 |ca|^32768, whose second index is 32769/(alpha + 1). */
+static void test_beta_corners(void)
+{
+    static const double beta[3][4] = {{0.0009765625, 61381.75, 1012.4641975062358, -2.7380625848528827e-14},
+                                      {99999, 0.015625, 52.993758709500966, -7.648226022558271e-16},
+                                      {0.001953125, 0.0078125, 639.9840501070859, 4.554551895558147e-14}};
+    const double alpha = 1125899906842624, mean = 3.051664682233022e-05, mean_low = 1.4440926060013984e-21;
+    int i;
+    for (i = 0; i < 3; i++)
+        check_error("beta", "corners", "ulp",
+                    ERROR_ULP(ateb_beta((vm_real)beta[i][0], (vm_real)beta[i][1]), beta[i][2], beta[i][3]), 1,
+                    beta[i][0], beta[i][1]);
+    check_error("mean", "corner", "ulp", ERROR_ULP(ateb_mean((vm_real)alpha, 16384, 32768), mean, mean_low), 2,
+                alpha, 16384);
+}
+
 static void test_beta_domain(void)
 {
     const vm_real half = (vm_real)0.5, below = -half, above = 1 + half;
@@ -607,6 +626,25 @@ static void test_monotone(void)
     check_error("against monotony", "neighbours", "ulp", steps, 2, 0, 0);
 }
 
+/* Where quarters take all digits of s, and beyond: in range, and of one phase */
+static void test_last_digits(void)
+{
+    static const double alphas[] = {0, 0.3, 1, 2, 3, 17, 1000};
+    int i, k, in_range = 1;
+    for (i = 0; i < (int)(sizeof alphas / sizeof *alphas); i++)
+        for (k = 0; k < 2000; k++) {
+            const vm_real alpha = (vm_real)alphas[i];
+            const vm_real s = ateb_pi(alpha) * (vm_real)ldexp(uniform(1, 2), VM_MANT_DIG - 6 + k % 8);
+            vm_real sa, ca;
+            ateb_saca(s, alpha, &sa, &ca);
+            in_range = in_range && VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1;
+            check_error("sa^2+|ca|^(a+1)", "s to 4 Pi/eps", "eps (a+1)",
+                        ERROR_EPS(sa * sa + VM_LIBM(pow)(VM_FABS(ca), alpha + 1), 1, 0, alphas[i] + 1), 4,
+                        (double)s, alphas[i]);
+        }
+    CHECK(in_range);
+}
+
 int main(void)
 {
     test_elementary();
@@ -623,9 +661,11 @@ int main(void)
     test_plan_large();
     test_phase();
     test_beta();
+    test_beta_corners();
     test_beta_domain();
     test_two_indices();
     test_means_and_integrals();
     test_monotone();
+    test_last_digits();
     return check_finish("ateb.h");
 }

@@ -318,6 +318,78 @@ static void test_bad_events(void)
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
 }
 
+/* What a run that goes on meets: a function that is no number where the run begins; an event that has been, from
+   elsewhere; one exactly where the run ends, with room for states alone; two at one instant, of which one restarts
+   without a change and the other stops; a function that is no number before another's */
+static void test_corners(void)
+{
+    vm_real y0[1] = {0}, work[RK87_WORK(1)], one = 1, two = 2, states[2];
+    ode_event e[2];
+    rk45_options o;
+    rk45 s;
+    e[0] = event(not_a_number, NULL, 0, ODE_STOP);
+    o = with_events(1e-6, e, 1);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 2, y0, &o, work) == ODE_OK && m->solve(&s, 5) == ODE_NOT_FINITE);
+    CHECK(s.t == 2 && s.y[0] == 0 && s.steps == 0);
+    e[0] = event(level, &one, 0, ODE_STOP);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 5) == ODE_EVENT);
+    y0[0] = R(0.5);
+    CHECK(m->restart(&s, s.t, y0) == ODE_OK && m->solve(&s, 5) == ODE_EVENT && e[0].count == 2);
+    check_error(m->name, "event again", "eps", fabs((double)s.t - 1.5) / eps, 8, 0, 0);
+    y0[0] = 0, e[0] = event(clock_at, &two, 0, ODE_RECORD);
+    e[0].room = 2, e[0].states = states;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 2) == ODE_OK);
+    CHECK(s.t == 2 && e[0].count == 1 && e[0].t == 2 && states[0] == s.y[0]);
+    e[0] = event(clock_at, &one, 0, ODE_RESTART), e[1] = event(clock_at, &one, 0, ODE_STOP);
+    o = with_events(1e-6, e, 2);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 2) == ODE_EVENT);
+    CHECK(s.event == 1 && e[0].count == 1 && e[1].count == 1 && fabs((double)s.t - 1) < 8 * eps);
+    CHECK(fabs((double)(s.y[0] - s.t)) < 8 * eps);
+    CHECK(m->solve(&s, 2) == ODE_OK && s.t == 2 && e[0].count == 1 && e[1].count == 1);
+    e[0] = event(not_a_number, NULL, 0, ODE_RECORD), e[1] = event(level, &two, 0, ODE_RECORD);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 5) == ODE_NOT_FINITE);
+    CHECK(e[1].count == 0 && s.t <= 5);
+    CHECK(m->init(NULL, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, VM_MAX, y0, NULL, work) == ODE_OK &&
+          m->step(&s) == ODE_STEP_TOO_SMALL && s.t == VM_MAX);
+}
+
+/* The right-hand side fails at one evaluation: stops the run, or is once no number, which a shorter step passes
+   over; also among those that rk87 makes to look inside of a step. Until then the state is good. */
+static long countdown;
+static int fails_once(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    circle(t, y, dydt, NULL);
+    if (--countdown) return 0;
+    if (!ctx) return 9;
+    dydt[0] = VM_NAN;
+    return 0;
+}
+
+static void test_one_failure(void)
+{
+    const vm_real y0[2] = {1, 0};
+    int kind, when;
+    for (kind = 0; kind < 3; kind++) /* stops, is no number, is none where the step must not be shorter */
+        for (when = 1; when < 80; when++) {
+            vm_real work[RK87_WORK(2)];
+            ode_event e = event(level, NULL, 0, ODE_RECORD);
+            rk45_options o = with_events(1e-6, &e, 1);
+            int status;
+            rk45 s;
+            o.h0 = R(0.25), o.h_max = R(0.25), o.h_min = kind == 2 ? R(0.125) : 0;
+            CHECK(m->init(&s, fails_once, kind ? &kind : NULL, 2, 0, y0, &o, work) == ODE_OK);
+            countdown = when;
+            status = m->solve(&s, 2);
+            CHECK(status == ODE_OK || status == (kind ? ODE_NOT_FINITE : ODE_RHS_STOPPED) ||
+                  (kind == 2 && status == ODE_STEP_TOO_SMALL));
+            CHECK((status == ODE_OK) == (s.t == 2) && (kind || countdown > 0 || s.rhs_status == 9));
+            CHECK(kind != 1 || when == 1 || status == ODE_OK); /* at the first state there is nothing to shorten */
+            CHECK(fabs((double)s.y[0] - cos((double)s.t)) < (is_float ? 1e-3 : 1e-5));
+            CHECK(status != ODE_OK || (e.count == 1 && fabs((double)e.t - pi / 2) < (is_float ? 1e-3 : 1e-5)));
+        }
+}
+
 int main(void)
 {
     int k;
@@ -334,6 +406,8 @@ int main(void)
         if (noise == 1) test_zeno();
         test_restart_at_a_jump();
         test_bad_events();
+        test_corners();
+        test_one_failure();
     }
     return check_finish("events");
 }

@@ -365,6 +365,40 @@ static void test_plans(void)
     CHECK(memcmp(&plan, &kept, sizeof plan) == 0);
 }
 
+/* ---- Far out: k' multiplies what the reduction leaves of u's phase. True values (mpmath), and the plan's ---- */
+
+static void check_far(double u, double m1, double sn, double cn)
+{
+    const vm_real kp = VM_SQRT((vm_real)m1);
+    const double top = kp > 1 ? (double)kp : 1;
+    vm_real s, c, d, p_s, p_c, p_d;
+    jacobi_plan plan;
+    jacobi_plan_init_m1(&plan, (vm_real)m1);
+    jacobi_sncndn_m1((vm_real)u, (vm_real)m1, &s, &c, &d);
+    jacobi_plan_sncndn(&plan, (vm_real)u, &p_s, &p_c, &p_d);
+    check_error("sn, far out", "by plan", "eps", ERROR_EPS(s, (double)p_s, 0, 1), 8, u, m1);
+    check_error("cn, far out", "by plan", "eps", ERROR_EPS(c, (double)p_c, 0, 1), 8, u, m1);
+    check_error("dn, far out", "by plan", "eps", ERROR_EPS(d, (double)p_d, 0, top), 8, u, m1);
+    if (sn == 0) return;
+    check_error("sn, far out", "m < -1e85", "eps", ERROR_EPS(s, sn, 0, 1), 4, u, m1);
+    check_error("cn, far out", "m < -1e85", "eps", ERROR_EPS(c, cn, 0, 1), 4, u, m1);
+}
+
+static void test_far(void)
+{
+    const double longest = VM_MANT_DIG > 24 ? 1e9 : 1e4, most = VM_MANT_DIG > 24 ? 1e9 : 131072;
+    const double size = VM_MANT_DIG > 24 ? 1e290 : 1e30;
+    int i;
+    if (representable(1.1259643796341058e+87)) {
+        check_far(1.4871823851220019e-33, 1.1259643796341058e+87, 0.99996063659091773, 0.0088727261135774705);
+        check_far(-2.6311726271857379e-34, 2.6911810008058163e+88, -0.97006289508605531, -0.24285382347671787);
+    }
+    for (i = 0; i < 20000; i++) {
+        const vm_real m1 = (vm_real)pow(size, uniform(-1, 1)), K = jacobi_K_m1(m1);
+        check_far(uniform(-1, 1) * fmin(longest, most * (double)K), (double)m1, 0, 0);
+    }
+}
+
 /* ---- The route by the AGM: every step more brings it nearer, until the type's digits are reached ---- */
 
 static void test_agm(void)
@@ -542,6 +576,71 @@ static void test_domain(void)
     CHECK(VM_FABS(sn) <= 1 && VM_FABS(cn) <= 1 && dn >= 1);
 }
 
+/* The kernels that ateb.h has, too, and what only varmass.h asks for, where this header stands alone; libm's double is
+   the judge of float, and of double to an ulp of its own */
+static void test_kernels(void)
+{
+    const vm_real values[4] = {0, VM_C(-0.0), VM_C(1.5), VM_C(-2.5)};
+    const double least = log(ldexp(1, is_float ? FLT_MIN_EXP : DBL_MIN_EXP));
+    const vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0));
+    const vm_two rest = vmi_two_plus(vmi_two_times(third, vmi_two(3, 0)), vmi_two(-1, 0));
+    int i, k;
+    for (i = 0; i < 4; i++)
+        for (k = 0; k < 4; k++) {
+            const double wanted = copysign((double)values[i], (double)values[k]);
+            const double got = (double)vmi_copysign(values[i], values[k]);
+            CHECK(got == wanted && !signbit(got) == !signbit(wanted));
+        }
+    CHECK(vmi_ldexp(1, 30000) == VM_INFINITY && vmi_ldexp(1, -30000) == 0);
+    for (i = 0; i < 200; i++) { /* down to subnormal results */
+        const vm_real x = (vm_real)(i ? uniform(least - 2, least + 1) : least), base = (vm_real)uniform(0.1, 10);
+        const vm_real y = (vm_real)uniform(-30, 30);
+        check_error("exp", "towards 0", "ulp", ERROR_ULP(vmi_exp(x, 0), exp((double)x), 0), 1.1, (double)x, 0);
+        check_error("pow", "", "ulp",
+                    ERROR_ULP(vmi_pow(vmi_two(base, 0), vmi_two(y, 0)), pow((double)base, (double)y), 0), 1.2,
+                    (double)base, (double)y);
+    }
+    CHECK(isnan((double)vmi_exp(VM_NAN, 0)));
+    CHECK(fabs((double)(rest.hi + rest.lo)) < 32 * (double)VM_EPSILON * (double)VM_EPSILON);
+    CHECK(vmi_nearest(VM_C(2.6)) == 3 && vmi_nearest(VM_C(-2.6)) == -3 && vmi_nearest(VM_NAN) == 0);
+}
+
+/* R_F does not depend on the order of its arguments: R_F(0, 1, 2) [1, 19.20.2], and where one of three is apart by as
+   much as the series takes */
+static void test_carlson(void)
+{
+    const vm_real apart = VM_C(2.25) * VM_SQRT(VM_SQRT(VM_EPSILON));
+    const vm_real arguments[2][3] = {{0, 1, 2}, {1, 1, 1 + apart}};
+    const double d = (double)arguments[1][2] - 1;
+    const double wanted[2] = {1.31102877714605990523, 1 - d / 6 + d * d * 3 / 40 - d * d * d * 5 / 112};
+    int i, k;
+    for (i = 0; i < 2; i++)
+        for (k = 0; k < 6; k++) {
+            const vm_real *a = arguments[i];
+            const vm_two x = vmi_two(a[k % 3], 0), y = vmi_two(a[(k % 3 + 1 + k / 3) % 3], 0),
+                         z = vmi_two(a[(k % 3 + 2 - k / 3) % 3], 0);
+            check_error("R_F", "any order", "eps", ERROR_EPS(vmi_carlson_rf(x, y, z).hi, wanted[i], 0, 1), 2, i, k);
+        }
+}
+
+/* Where the count of quarters takes all digits: no phase is promised there, but the functions stay in range, and of
+   one phase but for what a count that is off by one costs */
+static void test_last_digits(void)
+{
+    int i, in_range = 1;
+    for (i = 0; i < 16000; i++) {
+        const vm_real m = (vm_real)uniform(-3, 1);
+        const vm_real u = jacobi_K(m) * (vm_real)ldexp(uniform(1, 2), VM_MANT_DIG - 8 + i % 8);
+        vm_real sn, cn, dn;
+        jacobi_sncndn(i % 16 < 8 ? u : -u, m, &sn, &cn, &dn);
+        in_range = in_range && VM_FABS(sn) <= 1 && VM_FABS(cn) <= 1;
+        check_error("sn^2+cn^2-1", i % 8 < 4 ? "u to K/(16 eps)" : "u to 2 K/eps", "",
+                    fabs((double)(sn * sn + cn * cn - 1)),
+                    i % 8 < 4 || is_float ? 8 * (double)VM_EPSILON : 4e-9, (double)u, (double)m);
+    }
+    CHECK(in_range);
+}
+
 int main(void)
 {
     check_least_powers();
@@ -555,10 +654,14 @@ int main(void)
     test_amplitude();
     test_quotients();
     test_plans();
+    test_far();
     test_agm();
     test_closed_forms();
     test_solver();
     test_solver_table();
     test_domain();
+    test_kernels();
+    test_carlson();
+    test_last_digits();
     return check_finish("jacobi.h");
 }

@@ -9,6 +9,7 @@ enum { NUMBERS = 64, OUTPUT = 8192 };
 typedef struct trial {
     vm_real x[NUMBERS];           /* what the function is given */
     int taken, null;              /* how many of them; which pointer is null, -1 for none */
+    int is_value;                 /* what it writes is a value, which may be infinite */
     unsigned char output[OUTPUT]; /* what it writes */
 } trial;
 
@@ -26,6 +27,7 @@ static vm_real next(trial *a) { return a->x[a->taken++]; }
 static int value(trial *a, vm_real y)
 {
     if (y == y) memcpy(a->output, &y, sizeof y);
+    a->is_value = 1;
     return y == y ? 0 : -1;
 }
 
@@ -65,10 +67,51 @@ static void refuses(const char *name, int (*call)(trial *), const vm_real *good,
         }
     }
 }
+/* Numbers of all sizes: what is given back is finite, or it is refused, and then nothing is written */
+static int rounds = 400;
+static int all_finite(const unsigned char *output, const unsigned char *before)
+{
+    vm_real x;
+    int i;
+    for (i = 0; i < OUTPUT; i += (int)sizeof x) {
+        if (memcmp(output + i, before + i, sizeof x) == 0) continue;
+        memcpy(&x, output + i, sizeof x);
+        if (!(x - x == 0)) return 0;
+    }
+    return 1;
+}
+static void meets_all_sizes(const char *name, int (*call)(trial *), const vm_real *good, int numbers)
+{
+    static trial a;
+    static unsigned char before[OUTPUT];
+    int round, k;
+    memset(before, 0x55, sizeof before);
+    for (round = 0; round < rounds; round++) {
+        int worked;
+        memset(&a, 0, sizeof a);
+        memcpy(a.x, good, (size_t)numbers * sizeof *good);
+        memcpy(a.output, before, sizeof before);
+        a.null = -1;
+        for (k = 0; k < 1 + round % 3; k++)
+            a.x[(int)uniform(0, numbers)] =
+                (vm_real)(uniform(-1, 1) < 0 ? -1 : 1) *
+                (vm_real)ldexp(1, (int)uniform(VM_MANT_DIG > 24 ? DBL_MIN_EXP : FLT_MIN_EXP,
+                                               VM_MANT_DIG > 24 ? DBL_MAX_EXP : FLT_MAX_EXP));
+        worked = call(&a) >= 0 ? a.is_value || all_finite(a.output, before) : memcmp(a.output, before, sizeof before) == 0;
+        if (!worked) {
+            printf("%s:", name);
+            for (k = 0; k < numbers; k++) printf(" %g", (double)a.x[k]);
+            printf("\n");
+        }
+        CHECK(worked);
+    }
+}
+
 #define REFUSES(call, pointers, ...)                                             \
     do {                                                                         \
         const vm_real good[] = {__VA_ARGS__};                                    \
         refuses(#call, call, good, (int)(sizeof good / sizeof *good), pointers); \
+        meets_all_sizes(#call, call, good, (int)(sizeof good / sizeof *good));   \
     } while (0)
 
 #define REFUSES_NULL(call, pointers) refuses(#call, call, &nothing, 0, pointers)
@@ -779,9 +822,11 @@ static void test_oscillators(void)
     REFUSES(law_power, 3, R(0.5), 3, R(0.1), 2);
     REFUSES(law_exponential, 3, R(0.5), 3, R(0.1));
     REFUSES(law_integral, 2, R(0.5), 3, R(0.1), R(0.01));
+    rounds = 0; /* these may integrate for long */
     REFUSES(osc_plan, 2, PROBLEM);
     REFUSES(osc_by, 2, PROBLEM, R(0.3), R(0.01));
     REFUSES(osc_at, 2, PROBLEM, R(0.3), R(0.1));
+    rounds = 400;
     REFUSES(osc_averaged, 4, R(0.3), R(0.1));
     memset(&a, 0, sizeof a), memcpy(a.x, now, sizeof now);
     o = osc_problem(&a);
@@ -1245,6 +1290,224 @@ static void test_runs(void)
     CHECK(vm_force_stream(2, 3, R(0.5), 4) == 2 && vm_force_stream(-1, 2, 1, 7) == -2);
 }
 
+/* What the check refuses of links, bands, bodies that grow and jumps between motions */
+static void fixed_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
+{
+    (void)t, (void)ctx;
+    *r = *v = *a = vmi_vec3(0, 0, 0);
+}
+static void test_scene_refusals(void)
+{
+    int k;
+    for (k = -1; k < 7; k++) {
+        vm_scene_body bodies[3];
+        vm_effect effects[2];
+        vm_event event;
+        ode_event located;
+        vm_band band;
+        vm_scene s;
+        vm_body part;
+        memset(&s, 0, sizeof s), memset(&part, 0, sizeof part), memset(&band, 0, sizeof band);
+        band.radius = R(0.5), band.thickness = R(0.01), band.width = R(0.1), band.density = 7;
+        part.mass = 1;
+        bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0);
+        bodies[1] = vm_scene_absent(vm_scene_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
+        bodies[2] = vm_scene_axle(1, 0, 0);
+        effects[0] = vm_effect_link(0, VM_GROUND, fixed_point, NULL, 1, 0, 10);
+        effects[1] = vm_effect_band(2, &band);
+        event = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
+        s.bodies = bodies, s.n_bodies = 3, s.effects = effects, s.n_effects = 2;
+        s.events = &event, s.located = &located, s.n_events = 1;
+        switch (k) {
+        case 0: effects[0] = vm_effect_link(0, 0, NULL, NULL, 1, 0, 10); break;
+        case 1:
+            bodies[1] = vm_scene_growing_plane(bodies[0]), s.n_events = 0;
+            effects[0] = vm_effect_link(0, 1, NULL, NULL, 1, 0, 10);
+            break;
+        case 2: band.width = -1, effects[1] = vm_effect_band(2, &band); break;
+        case 3: band.density = -1, effects[1] = vm_effect_band(2, &band); break;
+        case 4: bodies[0] = vm_scene_growing_free(bodies[0]), s.n_effects = 0; break;
+        case 5: bodies[0] = vm_scene_line(2, 0, 0), s.n_effects = 0; break; /* a point from a line */
+        case 6: event = vm_then_switch(vm_event_at(1), 2, 1); break;
+        default: break;
+        }
+        CHECK((vm_scene_check(&s, NULL) == VM_OK) == (k < 0));
+    }
+}
+
+/* Runs that begin where or when nothing is to come: from before 0, after all times of output, with fewer of them than
+   there are steps; t that is no number */
+static void test_run_times(void)
+{
+    const vm_real times[2] = {R(-1.5), R(-0.5)};
+    vm_scene_body body = vm_scene_line(2, 0, 1);
+    vm_real seen[4], y[8], work[VM_SCENE_WORK(8)], t = -2;
+    vm_scene s;
+    memset(&s, 0, sizeof s);
+    s.bodies = &body, s.n_bodies = 1, s.output = remember, s.output_ctx = seen, s.times = times, s.n_times = 2;
+    outputs = 0;
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 1, y, work, NULL) == VM_OK);
+    CHECK(outputs == 2 && seen[0] == R(-1.5) && seen[1] == R(-0.5) && t == 1);
+    check_error("run from before 0", "", "eps", fabs((double)y[0] - 3) / (double)VM_EPSILON, 8, 0, 0);
+    CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_OK && outputs == 2 && t == 2); /* no more of them */
+    t = -VM_INFINITY, CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_NOT_FINITE && t == -VM_INFINITY);
+}
+
+/* Jumps that fail leave the state before them, and those into a body that grows put its mass centre where it is */
+static void test_scene_jumps(void)
+{
+    int k;
+    for (k = 0; k < 5; k++) {
+        vm_scene_body bodies[2];
+        vm_event event;
+        ode_event located;
+        vm_real y[64], work[VM_SCENE_WORK(64)], t = 0;
+        vm_book book;
+        vm_scene s;
+        vm_body part, now;
+        int status;
+        memset(&s, 0, sizeof s), memset(&part, 0, sizeof part);
+        part.mass = R(0.5), part.inertia.zz = R(0.02), part.r.x = R(0.25);
+        bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 1);
+        bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0));
+        s.bodies = bodies, s.n_bodies = 2, s.events = &event, s.located = &located, s.n_events = 1;
+        event = vm_then_separate_in_plane(vm_event_at(1), 0, 1, &part, 1);
+        if (k == 1) event.part.mass = 3;                               /* more than there is */
+        if (k == 2) event = vm_then_attach(vm_event_at(1), 1, 0);      /* to what is not there */
+        if (k == 3) bodies[1].absent = 0, bodies[1].start.r.x = VM_MAX / 4,
+                    event = vm_then_attach(vm_event_at(1), 0, 1);      /* the inertia overflows */
+        if (k == 4) bodies[1] = vm_scene_growing_plane(bodies[1]);
+        vm_scene_keep_book(&s, k == 4 ? &book : NULL);
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+        status = vm_scene_run(&s, &t, 2, y, work, NULL);
+        CHECK(status == (k == 1 ? VM_BAD_MASS : k == 2 ? VM_NO_SUCH_BODY : k == 3 ? VM_NOT_FINITE : VM_OK));
+        CHECK(t == (k % 4 ? 1 : 2));
+        vm_scene_body_at(&s, 0, y, &now);
+        CHECK(k % 4 == 0 || now.mass == 2);
+        if (k % 4) continue;
+        CHECK(now.mass == R(1.5));
+        vm_scene_body_at(&s, 1, y, &part); /* at rest in the body at 0.25: from there on uniformly, at the spin 1 */
+        check_error("part after a jump", "r", "eps",
+                    hypot((double)part.r.x - 0.25 * (cos(1) - sin(1)), (double)part.r.y - 0.25 * (sin(1) + cos(1))) /
+                        (double)VM_EPSILON,
+                    64, k, 0);
+        CHECK(fabs((double)(part.mass * part.r.x + now.mass * now.r.x)) < 64 * (double)VM_EPSILON);
+    }
+}
+
+/* Two bodies whose masses run out at once; inertia that streams take away; a point as a free body */
+static void test_scene_losses(void)
+{
+    vm_scene_body bodies[2];
+    vm_effect effects[4];
+    vm_real y[64], work[VM_SCENE_WORK(64)], t = 0;
+    vm_stream stream;
+    vm_body body;
+    vm_scene s;
+    int free;
+    memset(&s, 0, sizeof s), memset(&stream, 0, sizeof stream), memset(&body, 0, sizeof body);
+    bodies[0] = bodies[1] = vm_scene_line(2, 0, 1);
+    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1), effects[1] = vm_effect_mass(1, VM_MASS_OF_T, -1, 0, 1);
+    s.bodies = bodies, s.n_bodies = 2, s.effects = effects, s.n_effects = 2;
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+    CHECK(vm_scene_run(&s, &t, 3, y, work, NULL) == VM_BAD_MASS && t <= 2 && t > R(1.9));
+    body.mass = 2, body.v.x = 1, body.omega.z = 1, body.inertia.xx = body.inertia.yy = body.inertia.zz = 1;
+    stream.rate = -1, stream.at.x = 2, stream.motion = VM_RELATIVE; /* from outside of it: the inertia ends first */
+    for (free = 0; free < 2; free++) {
+        vm_scene_body made = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 1);
+        bodies[0] = free ? vm_scene_growing_free(vm_scene_free(&body)) : vm_scene_growing_plane(made);
+        effects[0] = vm_effect_stream_mass(0, &stream);
+        s.n_bodies = s.n_effects = 1, t = 0;
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+        CHECK(vm_scene_run(&s, &t, 3, y, work, NULL) < 0 && t < 2 && t > 0);
+    }
+    body.inertia.xx = body.inertia.yy = body.inertia.zz = 0, body.omega.z = 0;
+    bodies[0] = vm_scene_free(&body), effects[0] = vm_effect_gravity(0, 2, -2), t = 0;
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK);
+    vm_scene_body_at(&s, 0, y, &body);
+    check_error("point as free body", "r", "eps", hypot((double)body.r.x - 3, (double)body.r.z + 9) / (double)VM_EPSILON,
+                2000, 0, 0); /* of 9, the roundings of all steps */
+    bodies[0] = vm_scene_growing_free(bodies[0]), t = 0;
+    CHECK(vm_scene_start(&s, t, y, NULL) != VM_OK || vm_scene_run(&s, &t, 3, y, work, NULL) == VM_BAD_INERTIA);
+}
+
+/* What an event makes of the state: no number, with a status of its own or without, or more events than can be */
+static long happenings;
+static int break_state(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t;
+    y[1] = VM_NAN;
+    return *(const int *)ctx;
+}
+static int nothing_more(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t, (void)y, (void)ctx;
+    happenings++;
+    return VM_OK;
+}
+
+/* An event that has always just not happened yet, until 10000 are enough; a ball that comes to rest */
+static int wake(vm_real t, vm_real *y, void *ctx)
+{
+    vm_event *e = (vm_event *)ctx;
+    (void)y;
+    e->time = t, e->count = 0, e->most = 0;
+    return ++happenings > 10000 ? -77 : VM_OK;
+}
+static int bounce(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t;
+    y[0] = 0, y[1] = -y[1] / 2;
+    return ++happenings == *(const long *)ctx ? VM_STOPPED : VM_OK;
+}
+
+static void test_too_many_events(void)
+{
+    vm_scene_body body = vm_scene_line(1, 1, 0);
+    vm_effect effect = vm_effect_gravity(0, 0, R(-9.81));
+    vm_event event = vm_then_user(vm_event_at(1), wake, &event);
+    ode_event located;
+    vm_real y[8], work[VM_SCENE_WORK(8)], t = 0;
+    long last = 0;
+    vm_scene s;
+    memset(&s, 0, sizeof s);
+    s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1;
+    s.events = &event, s.located = &located, s.n_events = 1, happenings = 0;
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 2, y, work, NULL) == -77 && t == 1);
+    event = vm_then_user(vm_event_position(0, 0, 0, -1), bounce, &last), t = 0, happenings = 0;
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+    CHECK(vm_scene_run(&s, &t, 10, y, work, NULL) == VM_TOO_MANY_EVENTS);
+    last = happenings, t = 0, happenings = 0; /* the last contact also ends the run: that is what it says */
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+    CHECK(vm_scene_run(&s, &t, 10, y, work, NULL) == VM_STOPPED && happenings == last);
+}
+
+static void test_events_that_break(void)
+{
+    const int statuses[2] = {VM_OK, -77};
+    vm_scene_body body;
+    vm_effect effect = vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1, 0);
+    vm_event events[2];
+    ode_event located[2];
+    vm_real y[8], work[VM_SCENE_WORK(8)], t;
+    vm_scene s;
+    int k;
+    memset(&s, 0, sizeof s);
+    s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1;
+    s.events = events, s.located = located;
+    for (k = 0; k < 2; k++) {
+        int status = statuses[k];
+        body = vm_scene_line(1, 1, 0), s.n_events = 1, t = 0;
+        events[0] = vm_then_user(vm_event_at(1), break_state, &status);
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+        CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == (k ? -77 : VM_NOT_FINITE) && t == 1);
+    }
+    body = vm_scene_line(1, 1, 0), s.n_events = 2, t = 0, happenings = 0; /* two at the same instants, twice */
+    for (k = 0; k < 2; k++) events[k] = vm_then_user(vm_event_position(0, 0, 0, 0), nothing_more, NULL);
+    CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+    CHECK(vm_scene_run(&s, &t, 6, y, work, NULL) == VM_OK && t == 6 && happenings == 4);
+}
+
 int main(void)
 {
     test_special_functions();
@@ -1258,5 +1521,11 @@ int main(void)
     test_broken_right_hand_sides();
     test_scenes();
     test_runs();
+    test_scene_refusals();
+    test_run_times();
+    test_scene_jumps();
+    test_scene_losses();
+    test_events_that_break();
+    test_too_many_events();
     return check_finish("refusals");
 }

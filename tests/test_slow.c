@@ -916,6 +916,21 @@ static void test_pair_modes(void)
     }
 }
 
+/* A motion that is smaller than its ripple, (2r - 1) m'/(2 m Om) > 2: refused at either end, y left as it was */
+static void test_pair_below_ripple(void)
+{
+    vm_linear_mass m = linear(1, -0.5), heavy = linear(1000, -500), steady = linear(1000, R(-1e-4));
+    vm_pair p = make_pair(1, 1, 0, &m);
+    const vm_real fast[4] = {0, R(0.75), 0, 100}, slow[4] = {0, R(0.75), 0, R(3e-5)}, weak[4] = {1, 2, 0, 0};
+    vm_real modes[4] = {7, 7, 7, 7}, back[4] = {7, 7, 7, 7};
+    CHECK(vm_pair_split(&p, R(1.9999), fast, modes) == VM_DOMAIN && modes[0] == 7 && modes[3] == 7);
+    CHECK(vm_pair_join(&p, R(1.9999), weak, back) == VM_DOMAIN && back[0] == 7 && back[3] == 7);
+    CHECK(vm_pair_split(&p, 0, fast, modes) == VM_OK && vm_pair_join(&p, 0, weak, back) == VM_OK);
+    p.k = R(1e-6), back[0] = 7;
+    CHECK(vm_pair_at(&p, 1, slow, heavy, back) == VM_DOMAIN && back[0] == 7);
+    CHECK(vm_pair_at(&p, 1, slow, steady, back) == VM_OK && back[0] - back[0] == 0);
+}
+
 /* (523), (528)-(536), E2 of R7 */
 static void test_pair_example(void)
 {
@@ -1722,6 +1737,7 @@ int main(void)
     test_rotor_law();
     test_rotor_gyro();
     test_pair_modes();
+    test_pair_below_ripple();
     test_pair_example();
     test_pair_waveform();
     test_fourier();

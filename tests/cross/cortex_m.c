@@ -5,6 +5,7 @@
 extern uint32_t data_load[], data_start[], data_end[], bss_start[], bss_end[], stack_top[];
 int main(void);
 void golden_line(const char *line);
+void initialise_monitor_handles(void);
 void reset(void);
 
 static int semihosting(int operation, const void *argument)
@@ -39,6 +40,9 @@ void reset(void)
 #ifdef __ARM_FP
     *(volatile uint32_t *)0xE000ED88u |= 0xFu << 20; /* CPACR: full access to the floating-point unit */
     __asm__ volatile("dsb\n\tisb" ::: "memory");
+#endif
+#ifdef NEWLIB_CONSOLE
+    initialise_monitor_handles();
 #endif
     leave((uint32_t)main());
 }

@@ -142,7 +142,7 @@ static void check_phase(void)
 
 static void check_beta(void)
 {
-    const vm_real a = MOSTLY(draw_log(1e-3, 1e4)), b = MOSTLY(draw_log(1e-3, 1e4)), x = MOSTLY(draw_in(0, 1));
+    const vm_real a = MOSTLY(draw_log(1e-4, 1e5)), b = MOSTLY(draw_log(1e-4, 1e5)), x = MOSTLY(draw_in(0, 1));
     vm_real p, q, p2, q2, B;
     B = ateb_beta(a, b);
     if (!(a >= R(1e-4) && a <= R(1e5) && b >= R(1e-4) && b <= R(1e5))) {
@@ -153,12 +153,14 @@ static void check_beta(void)
         HOLDS(is_nan(ateb_beta_inc(x, a, b)) && is_nan(ateb_beta_inc_inv(x, a, b)));
         return;
     }
+    HOLDS(B >= 0 && close_to(B, ateb_beta(b, a), 4));
+    if (B > VM_MIN / VM_EPSILON && B < VM_MAX / 4) /* B(a + 1, b) = B(a, b) a/(a + b) */
+        HOLDS(close_to(ateb_beta(a + 1, b), B * (a / (a + b)), 8 + ((double)(a + b))) || a + 1 > R(1e5));
     if (!(a >= R(1e-3) && a <= R(1e4) && b >= R(1e-3) && b <= R(1e4))) { /* less accurate */
         p = ateb_beta_inc(x, a, b), q = ateb_beta_inc_inv(x, a, b);
-        HOLDS(B >= 0 && p >= 0 && p <= 1 && q >= 0 && q <= 1);
+        HOLDS(p >= 0 && p <= 1 && q >= 0 && q <= 1);
         return;
     }
-    HOLDS(B >= 0 && close_to(B, ateb_beta(b, a), 4));
     ateb_beta_inc_both(x, 1 - x, a, b, &p, &q);
     HOLDS(p >= 0 && p <= 1 && q >= 0 && q <= 1);
     HOLDS(within(p + q, 1, 64 * EPS));
@@ -166,8 +168,6 @@ static void check_beta(void)
     ateb_beta_inc_both(1 - x, x, b, a, &p2, &q2);
     HOLDS(close_to(p, q2, 64) && close_to(q, p2, 64));
     if (x < 1) HOLDS(ateb_beta_inc(neighbour(x, 1), a, b) >= ateb_beta_inc(x, a, b) * (1 - 64 * VM_EPSILON));
-    if (B > VM_MIN / VM_EPSILON && B < VM_MAX / 4) /* B(a + 1, b) = B(a, b) a/(a + b) */
-        HOLDS(close_to(ateb_beta(a + 1, b), B * (a / (a + b)), 8 + ((double)(a + b))));
 }
 
 static void check_beta_inverse(void)
@@ -195,6 +195,12 @@ static void check_means(void)
     mean = ateb_mean(alpha, p, q);
     if (!alpha_valid(alpha) || !(p > -1 && p <= R(1e6)) || !(q > -1 && q <= R(1e6))) HOLDS(is_nan(mean));
     else if (alpha_promised(alpha)) HOLDS(mean >= 0 && (p < 0 || q < 0 || mean <= 1 + 4 * VM_EPSILON));
+    if (alpha_promised(alpha) && p > -1 && p + 2 <= R(1e6) && q > -1 && q <= R(1e6) && mean > VM_MIN / VM_EPSILON) {
+        /* B(a + 1, b) = B(a, b) a/(a + b); an eps of p + 2 moves ln B by a eps (1/a + ln(1 + b/a)) <= (1 + b) eps */
+        const double a = ((double)p + 1) / 2, b = ((double)q + 1) / ((double)alpha + 1);
+        HOLDS(
+            within(ateb_mean(alpha, p + 2, q), R((double)mean * (a / (a + b))), (8 + 2 * b) * EPS * (double)mean));
+    }
     if (!(alpha_promised(alpha) && alpha < R(1e6))) return;
     HOLDS(within(ateb_mean(alpha, 2, 0) + ateb_mean(alpha, 0, alpha + 1), 1, 8 * EPS));
 }

@@ -95,6 +95,54 @@ static int tame_body(const vm_body *b)
            tame(b->inertia.yy) && tame(b->inertia.zz);
 }
 
+/* Inertias in double, by nothing of the headers: xx, yy, zz, xy, xz, yz of a point's */
+static void add_point_inertia(double *sum, double mass, double x, double y, double z)
+{
+    sum[0] += mass * (y * y + z * z), sum[1] += mass * (z * z + x * x), sum[2] += mass * (x * x + y * y);
+    sum[3] -= mass * x * y, sum[4] -= mass * x * z, sum[5] -= mass * y * z;
+}
+
+static void add_inertia(double *sum, double factor, const vm_inertia *i)
+{
+    sum[0] += factor * (double)i->xx, sum[1] += factor * (double)i->yy, sum[2] += factor * (double)i->zz;
+    sum[3] += factor * (double)i->xy, sum[4] += factor * (double)i->xz, sum[5] += factor * (double)i->yz;
+}
+
+static double trace_of(const vm_inertia *i) { return (double)i->xx + (double)i->yy + (double)i->zz; }
+
+/* q v q* for |q| = 1, of which all zero is the identity */
+static void turn3(vm_quat q, const double *v, double *turned)
+{
+    const double n = sqrt((double)q.w * (double)q.w + (double)q.x * (double)q.x + (double)q.y * (double)q.y +
+                          (double)q.z * (double)q.z);
+    const double f = n > 0 ? 1 / n : 0, w = n > 0 ? (double)q.w * f : 1, x = (double)q.x * f, y = (double)q.y * f,
+                 z = (double)q.z * f;
+    const double a = y * v[2] - z * v[1], b = z * v[0] - x * v[2], c = x * v[1] - y * v[0];
+    turned[0] = v[0] + 2 * (w * a + y * c - z * b), turned[1] = v[1] + 2 * (w * b + z * a - x * c),
+    turned[2] = v[2] + 2 * (w * c + x * b - y * a);
+}
+
+/* Of a body, about a point, in inertial axes, with its sign; returns what goes with its roundings: the trace, m d^2,
+   and m d |r|, which an eps of r moves */
+static double add_body_inertia(double *sum, double sign, const vm_body *b, vm_vec3 about)
+{
+    const vm_vec3 d = vmi_sub(b->r, about);
+    double own[6] = {0, 0, 0, 0, 0, 0}, axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, m[3][3];
+    int i, j, k, l;
+    add_inertia(own, 1, &b->inertia);
+    m[0][0] = own[0], m[1][1] = own[1], m[2][2] = own[2];
+    m[0][1] = m[1][0] = own[3], m[0][2] = m[2][0] = own[4], m[1][2] = m[2][1] = own[5];
+    for (i = 0; i < 3; i++) turn3(b->q, axes[i], axes[i]);
+    for (k = 0; k < 6; k++) /* sum of m_ij a_i a_j */
+        for (i = 0; i < 3; i++)
+            for (j = 0; j < 3; j++) {
+                l = k < 3 ? k : k == 5 ? 1 : 0;
+                sum[k] += sign * m[i][j] * axes[i][l] * axes[j][k < 3 ? k : k == 3 ? 1 : 2];
+            }
+    add_point_inertia(sum, sign * (double)b->mass, (double)d.x, (double)d.y, (double)d.z);
+    return trace_of(&b->inertia) + (double)b->mass * size3(d) * (size3(d) + size3(b->r) + size3(about));
+}
+
 static int same_body(const vm_body *a, const vm_body *b) { return memcmp(a, b, sizeof *a) == 0; }
 static int finite_body(const vm_body *b)
 {

@@ -22,6 +22,17 @@ static void check_balance(int n, const vm_body *before, int m, const vm_body *af
     if (!null_axis) HOLDS(size3(b.angular_momentum) <= 64 * EPS * (double)b.angular_momentum_scale);
 }
 
+/* Inertias about one point and in one set of axes add up: what is before is what is after. A moment that is lost in
+   some 8 eps of what was added and subtracted counts as none, in a separation of the reduced mass m M/(M - m) at d. */
+static void check_parts(int n, const vm_body *before, int m, const vm_body *after, double growth)
+{
+    double sum[6] = {0, 0, 0, 0, 0, 0}, scale = 0;
+    int i;
+    for (i = 0; i < n; i++) scale += add_body_inertia(sum, 1, before + i, before->r);
+    for (i = 0; i < m; i++) scale += add_body_inertia(sum, -1, after + i, before->r);
+    for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 64 * EPS * growth * scale);
+}
+
 /* what errors of positions make of energies: moments of momenta times the angular velocity; and what an eps of the
    inertia does, which counts where it is nearly that of a rod and a small angular momentum about it spins it */
 static double sway(const vm_body *b)
@@ -54,6 +65,28 @@ static vm_body draw_part(const vm_body *whole)
     return part;
 }
 
+/* A part that moves on as it did: the rest does so too, and no energy comes or goes, whatever the inertias are. The
+   roundings of the part's velocity count for the reduced mass m M/(M - m) at d; what they make of the energy beside
+   the angular momentum times omega, and what they make of omega times its error, is of second order. */
+static void check_quiet(const vm_body *whole, vm_body part)
+{
+    const vm_vec3 d = vmi_sub(part.r, whole->r);
+    const double turning = size3(whole->omega), speed = size3(whole->v) + turning * (size3(d) + size3(part.r));
+    double share, noise, T;
+    vm_body rest, change;
+    part.omega = whole->omega, part.v = vmi_add(whole->v, vmi_cross(whole->omega, d));
+    if (vm_separate(whole, &part, NULL, &rest) < 0 || !tame_body(&rest) || !tame_body(&part)) return;
+    share = (double)(part.mass / rest.mass), change = rest, change.omega = vmi_sub(rest.omega, whole->omega);
+    noise = share * (double)whole->mass * size3(d) * speed + trace_of(&rest.inertia) * turning;
+    HOLDS(size3(vm_angular_momentum(&change, change.r)) <= 16 * EPS * noise);
+    HOLDS(within3(rest.v, vmi_add(whole->v, vmi_cross(whole->omega, vmi_sub(rest.r, whole->r))),
+                  16 * EPS * (1 + share) * (speed + turning * size3(rest.r))));
+    T = (double)vm_kinetic_energy(&rest) + (double)vm_kinetic_energy(&part) - (double)vm_kinetic_energy(whole);
+    HOLDS(fabs(T) <= 64 * EPS * (sway(whole) + sway(&part) + sway(&rest)));
+    HOLDS(fabs((double)vm_energy_gain(whole, 1, &part, NULL, &rest)) <=
+          64 * EPS * (sway(whole) + sway(&part) + sway(&rest)));
+}
+
 static void check_separate(void)
 {
     const vm_body whole = draw_body(1), part = draw_part(&whole);
@@ -76,6 +109,8 @@ static void check_separate(void)
     if (!tame_all) return;
     both[0] = rest, both[1] = part;
     check_balance(1, &whole, 2, both, external, status == VM_NULL_AXIS);
+    check_parts(1, &whole, 2, both, (double)(whole.mass / rest.mass));
+    check_quiet(&whole, part);
     if (status == VM_OK && !external) {
         const double gain = (double)vm_energy_gain(&whole, 1, &part, NULL, &rest);
         const double T = (double)vm_kinetic_energy(&rest) + (double)vm_kinetic_energy(&part);
@@ -109,6 +144,7 @@ static void check_attach(void)
     if (!tame_all || !tame_body(&whole)) return;
     HOLDS(vm_inertia_possible(&whole.inertia));
     check_balance(n + 1, before, 1, &whole, external, status == VM_NULL_AXIS);
+    check_parts(n + 1, before, 1, &whole, 1);
     if (!external && status == VM_OK) { /* Carnot's loss */
         const double loss = (double)vm_energy_loss(&body, n, added, NULL, &whole);
         double T = (double)vm_kinetic_energy(&body);
@@ -122,6 +158,12 @@ static void check_attach(void)
     }
 }
 
+static void check_tensors(const vm_inertia *a, const vm_inertia *b, double tolerance)
+{
+    HOLDS(within(a->xx, b->xx, tolerance) && within(a->yy, b->yy, tolerance) && within(a->zz, b->zz, tolerance));
+    HOLDS(within(a->xy, b->xy, tolerance) && within(a->xz, b->xz, tolerance) && within(a->yz, b->yz, tolerance));
+}
+
 static void check_inertia(void)
 {
     const vm_real ma = MOSTLY(draw_log(1e-3, 1e3)), mb = MOSTLY(draw_log(1e-3, 1e3));
@@ -129,6 +171,8 @@ static void check_inertia(void)
     const vm_vec3 d = draw_vector(2);
     vm_inertia whole, part, moved = vm_parallel_axes(&a, ma, d), back = vm_parallel_axes(&moved, -ma, d);
     vm_vec3 centre, centre2;
+    double sum[6] = {0, 0, 0, 0, 0, 0}, scale, reduced;
+    int i;
     STAIN(whole), STAIN(centre);
     if (vm_combine_inertia(ma, &a, mb, &b, d, &whole, &centre) < 0) {
         HOLDS(UNTOUCHED(whole) && UNTOUCHED(centre));
@@ -137,11 +181,18 @@ static void check_inertia(void)
     HOLDS(ma > 0 && mb > 0 && vm_inertia_possible(&a) && vm_inertia_possible(&b));
     if (!tame(ma) || !tame(mb) || !tame3(d)) return;
     HOLDS(vm_inertia_possible(&whole) && size3(centre) <= size3(d) * (1 + 4 * EPS));
-    HOLDS(within(back.xx, a.xx, 8 * EPS * (double)(moved.xx + moved.yy + moved.zz)));
+    scale = trace_of(&moved);
+    check_tensors(&back, &a, 8 * EPS * scale);
+    add_inertia(sum, 1, &a), add_point_inertia(sum, (double)ma, (double)d.x, (double)d.y, (double)d.z);
+    add_inertia(sum, -1, &moved);
+    for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 8 * EPS * scale);
+    reduced = (double)ma * (double)mb / ((double)ma + (double)mb), memset(sum, 0, sizeof sum);
+    add_inertia(sum, 1, &a), add_inertia(sum, 1, &b), add_inertia(sum, -1, &whole);
+    add_point_inertia(sum, reduced, (double)d.x, (double)d.y, (double)d.z); /* Steiner's share of both */
+    for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 64 * EPS * trace_of(&whole)); /* as check_parts */
     STAIN(part), STAIN(centre2);
     if (vm_split_inertia(ma + mb, &whole, mb, &b, vmi_sub(d, centre), &part, &centre2) < 0) HOLDS(UNTOUCHED(part));
-    else
-        HOLDS(within(part.xx, a.xx, 64 * EPS * (double)(whole.xx + whole.yy + whole.zz) * (1 + (double)(mb / ma))));
+    else check_tensors(&part, &a, 64 * EPS * trace_of(&whole) * (1 + (double)(mb / ma)));
 }
 
 static void check_relative(void)
