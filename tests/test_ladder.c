@@ -28,7 +28,7 @@ static void test_tables(void)
     int a, i, k;
     for (i = 0; i < N; i++) times[i] = R(160 * (i - 5)), values[i] = R(1.2 + 0.2 * (i % 2) + 0.02 * (i - 5));
     for (a = 0; a < 4 && !is_float; a++)
-        for (i = -4; i < 4; i++)
+        for (i = -4; i < 4; i += i == -4 || i == 1 ? 2 : 1) /* the ends, and both sides of 0 */
             for (k = 0; k < 4; k++) {
                 const vm_law table = vm_law_table(N, times, values);
                 const vm_real t = R(160 * (i + 0.5));
@@ -56,7 +56,7 @@ static void test_first_order(void)
         const double vmax = sqrt(2 / (alphas[a] + 1));
         double least = 10;
         for (k = 0; k < 24; k++)
-            for (i = 1; i < 40; i++) {
+            for (i = 2; i < 40; i += 3) {
                 vm_osc_problem o = problem(alphas[a], vm_law_linear(1, R(0.01)), 1, 0);
                 vm_osc_motion truth, m;
                 double error;
