@@ -128,8 +128,8 @@ test-threads:
 	    ./build/tests/threads 8 20 || exit 1; done
 
 # campaigns of minutes: what the tests execute, whether they notice wrong headers, what tools find in the headers
-MUTANTS = 100
-MUTATED = # a header's name, none: all four
+MUTANTS = 25 # of each header
+MUTATED = # headers' names, none: all four
 coverage:
 	@sh tests/install.sh "command -v clang && (command -v llvm-cov || command -v llvm-cov-14)" clang llvm
 	@mkdir -p build && $(IN_BUILD) && python3 tests/coverage.py build $(TESTS)

@@ -3,17 +3,17 @@
 
 A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
-the map that coverage.py leaves (lines that have moved since are found by their text), each with the same chance, so
-that a header counts by its length. The programs that execute the line are built and run one by one, those in double
-first, then those in float, the header's own and the quickest first, and last those that take SLOW seconds, until one
-fails, ends with a signal or needs four times its time. Where all pass, MANY of each precision, the mutant has
-survived and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with
-its reason to tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes
-this a matter of seconds.
+the map that coverage.py leaves (lines that have moved since are found by their text), each of a header with the same
+chance. The programs that execute the line are built and run one by one, those in double first, then those in float,
+the header's own and the quickest first, and last those that take SLOW seconds, until one fails, ends with a signal or
+needs four times its time. Where all pass, MANY of each precision, the mutant has survived and is printed, to be
+judged: a test is missing, or it is equivalent (the results are as good) and goes with its reason to
+tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of
+seconds.
 
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
-usage: mutate.py BUILD SEED COUNT [HEADER] from the top of the project, after coverage.py
+usage: mutate.py BUILD SEED COUNT [HEADER...] from the top of the project, after coverage.py; COUNT of each header
 """
 import difflib
 import glob
@@ -170,8 +170,8 @@ def in_copy(folders, work, *arguments):
         folders.put(folder)
 
 
-def controls(folders, sources, seconds):
-    for header in HEADERS:
+def controls(folders, chosen, sources, seconds):
+    for header in chosen:
         text = '\n'.join(sources[header])
         end = text.index('/* ---- End of the shared block')
         wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
@@ -197,13 +197,13 @@ def main():
         now = moved(known['sources'][header], sources[header])
         executed[header] = {now[int(line)]: names for line, names in known['programs'][header].items()
                             if int(line) in now}
-    places = [(header, line) for header in chosen for line in sorted(executed[header])
-              if codes[header][line - 1].strip()]
     rng = random.Random(seed)
-    mutants = [draw(rng, codes, places) for _ in range(count)]
+    places = {header: [(header, line) for line in sorted(executed[header]) if codes[header][line - 1].strip()]
+              for header in chosen}
+    mutants = [draw(rng, codes, places[header]) for _ in range(count) for header in chosen]
     folders, equivalent = prepared(build), known_equivalent()
     with ThreadPoolExecutor(WORKERS) as pool:
-        controls(folders, sources, known['seconds'])
+        controls(folders, chosen, sources, known['seconds'])
 
         def verdict_of(mutant):
             header, line, kind, start, end, new = mutant
@@ -219,7 +219,7 @@ def main():
         verdicts = {header: Counter() for header in chosen}
         for k, (verdict, (header, line, kind, *_), text) in enumerate(pool.map(verdict_of, mutants), 1):
             verdicts[header][verdict] += 1
-            print(f'{k} of {count}', end='\r', file=sys.stderr, flush=True)
+            print(f'{k} of {len(mutants)}: {header}.h:{line} {verdict}', file=sys.stderr, flush=True)
             if verdict == 'survived':
                 print(f'{header}.h:{line}: {kind}', sources[header][line - 1].strip(), text.strip(), sep='\n    ',
                       flush=True)
