@@ -595,7 +595,7 @@ static void test_far_on_separatrix(void)
         check_error("separatrix", "tanh", "eps", fabs((double)omega.y - w * tanh(w * t / 3)) / eps, 4, x, 0);
     }
     CHECK(vm_free_attitude(&m, R(1e6), &q, &omega) == VM_OK);
-    CHECK(omega.x < 1e4 * VM_MIN && omega.x >= 0 && omega.z < 1e4 * VM_MIN && omega.z >= 0);
+    CHECK(omega.x >= 0 && omega.x < R(1e4) * VM_MIN && omega.z >= 0 && omega.z < R(1e4) * VM_MIN);
 }
 
 /* Omega that would shrink below the smallest number, far ends of the separatrix, axes almost met: finite, and it
