@@ -43,7 +43,7 @@ static void check_pi_two_words(const ateb_row *row)
    also at the cells' edges. */
 static void check_cells(const ateb_row *row, vm_real sa, vm_real ca)
 {
-    const double unit = PRECISION[0] == 'f' ? 1.5e-11 : 1.4e-20; /* 2^-36, 2^-66 */
+    const double unit = PRECISION[0] == 'f' ? 6e-12 : 1.4e-20; /* 2^-37, enough for float, and 2^-66 */
     vmi_ateb c;
     vmi_ateb_constants(&c, (vm_real)row->alpha);
     check_error("Pi, short", row->region, "2^-66",
