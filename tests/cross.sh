@@ -78,7 +78,7 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     target "AVR" "gcc-avr avr-libc simavr" float "for i in $sections; do $avr -ffunction-sections -Dmain=golden_main \
         -DGOLDEN_PUTS=golden_line -DGOLDEN_SECTION=\$i -DVM_USE_FLOAT -c tests/golden.c -o \$out.o && \
         $avr -Wl,--gc-sections tests/cross/avr.c \$out.o -o \$out\$i -lm || break; done" \
-        "for i in $sections; do simavr -m atmega1284p -f 16000000 \$out\$i; done"
+        "sh -c 'for i in $sections; do simavr -m atmega1284p -f 16000000 \$0\$i; done' \$out"
     target "WebAssembly" "clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs" "$both" \
         "clang --target=wasm32-wasi --sysroot=/usr $c99 -O2 tests/golden.c \$flags -o \$out -lm" "node --no-warnings tests/cross/wasm.mjs \$out"
     if command -v wine64 >/dev/null; then

@@ -7,7 +7,7 @@ static void free_coordinates(vm_vec3 *dr, vm_vec3 *turn)
     dr[0].x = dr[1].y = dr[2].z = turn[3].x = turn[4].y = turn[5].z = 1;
 }
 
-static void golden_lagrange_jumps(void)
+static void try_lagrange_jumps(void)
 {
     vm_real before[36], after[36], part[6], blow[6], rates[6], result[6], work[VM_LAGRANGE_WORK(6)];
     vm_vec3 dr[6], turn[6];
@@ -31,13 +31,14 @@ static void golden_lagrange_jumps(void)
     }
 }
 
-static void golden_pendulum(void)
+static void try_pendulum(void)
 {
     int i;
     for (i = 0; i < COUNT / 8; i++) {
         vm_pendulum p;
         vm_pendulum_cut c;
         vm_real u[3];
+        CLEAR(c);
         p.mass = uniform(1, 3), p.length = uniform(1, 2), p.angle = uniform(-3, 3), p.rate = uniform(-4, 4);
         p.axes = i % 2;
         draw_all(3, -2, 2, u);
@@ -73,16 +74,17 @@ static int forces_on_two(vm_real t, const vm_real *q, const vm_real *rates, cons
     return 0;
 }
 
-static void golden_mechanism(void)
+static void try_mechanism(void)
 {
     const vm_real q[2] = {VM_C(0.5), VM_C(0.25)}, rates[2] = {-1, 2};
-    vm_real y[4], back[2], inside[VM_LAGRANGE_RHS_WORK(2, 2)], work[RK45_WORK(4)];
+    vm_real y[4], back[2] = {1, 2}, work[VM_LAGRANGE_RHS_WORK(2, 2)];
     vm_lagrange l;
-    rk45 s;
     memset(&l, 0, sizeof l);
-    l.n = 2, l.n_masses = 2, l.masses = leaking, l.energy = energy_of_two, l.forces = forces_on_two, l.work = inside;
+    l.n = 2, l.n_masses = 2, l.masses = leaking, l.energy = energy_of_two, l.forces = forces_on_two, l.work = work;
     fold_int(vm_lagrange_start(&l, 0, q, rates, y)), fold_all(4, y);
     fold(vm_frozen_derivative(&l, 0, q, rates, 1));
-    fold_int(rk45_init(&s, vm_lagrange_rhs, &l, 4, 0, y, NULL, work)), fold_int(rk45_solve(&s, 3)), fold_run(&s);
-    fold_int(vm_lagrange_rates(&l, s.t, s.y, back)), fold_all(2, back);
+    integrate(vm_lagrange_rhs, &l, 4, 3, y);
+    fold_int(vm_lagrange_rates(&l, 3, y, back)), fold_all(2, back);
 }
+
+static void golden_lagrange(void) { try_lagrange_jumps(), try_pendulum(), try_mechanism(); }

@@ -1,6 +1,6 @@
 /* varmass.h, chapters 7.2 to 7.4: exact motions and their approximations, laws of mass, routes to x(t), plans */
 
-static void golden_oscillators(void)
+static void try_oscillators(void)
 {
     int i;
     for (i = 0; i < COUNT / 8; i++) {
@@ -18,7 +18,7 @@ static void golden_oscillators(void)
     }
 }
 
-static void golden_comparison(void)
+static void try_comparison(void)
 {
     static const vm_real alphas[3] = {VM_C(0.5), 2, 5};
     int i;
@@ -51,7 +51,7 @@ static vm_law some_law(int kind)
     }
 }
 
-static void golden_laws(void)
+static void try_laws(void)
 {
     int i;
     for (i = 0; i < 24; i++) {
@@ -84,7 +84,7 @@ static vm_real small_force(vm_real t, vm_real x, vm_real v, void *ctx)
     return VM_C(0.01) * v * (1 - x * x) - VM_C(0.001) * t;
 }
 
-static void golden_routes(void)
+static void try_routes(void)
 {
     int i;
     for (i = 0; i < 8; i++) {
@@ -99,7 +99,7 @@ static void golden_routes(void)
     for (i = -1; i < 8; i++) fold_text(vm_osc_route_name(i));
 }
 
-static void golden_integrated_routes(void)
+static void try_integrated_routes(void)
 {
     const vm_osc_problem p = some_problem(0, 5);
     const vm_real tolerance = VM_C(0.001);
@@ -110,7 +110,7 @@ static void golden_integrated_routes(void)
     fold_int(vm_osc_by_rk87(&p, 2, tolerance, &m)), fold_motion(&m);
 }
 
-static void golden_osc_plans(void)
+static void try_osc_plans(void)
 {
     int i;
     for (i = 0; i < 4; i++) {
@@ -127,3 +127,6 @@ static void golden_osc_plans(void)
         fold_int(vm_osc_averaged(&plan, i % 3, 1, uniform(1, 2), rates, rates + 1, rates + 2)), fold_all(3, rates);
     }
 }
+
+static void golden_oscillators(void) { try_oscillators(), try_comparison(), try_laws(); }
+static void golden_routes(void) { try_routes(), try_integrated_routes(), try_osc_plans(); }

@@ -1,6 +1,6 @@
 /* varmass.h: exact free rotation, also after many turns, and Euler's angles */
 
-static void golden_rotation(void)
+static void try_rotation(void)
 {
     int i;
     for (i = 0; i < COUNT / 8; i++) {
@@ -19,7 +19,7 @@ static void golden_rotation(void)
 }
 
 /* triaxial, symmetric, spherical, a rod, and next to the separatrix */
-static void golden_principal_rotation(void)
+static void try_principal_rotation(void)
 {
     static const vm_real kinds[5][6] = {{3, 2, 1, 1, 1, 1},
                                     {2, 2, 1, 1, -1, 2},
@@ -40,7 +40,7 @@ static void golden_principal_rotation(void)
     }
 }
 
-static void golden_euler(void)
+static void try_euler(void)
 {
     int i, k;
     for (i = 0; i < COUNT / 4; i++) {
@@ -61,3 +61,5 @@ static void golden_euler(void)
         fold_int(vm_euler_313_rates(1, 0, omega, rates)), fold_all(3, rates); /* refused: sin theta = 0 */
     }
 }
+
+static void golden_rotation(void) { try_rotation(), try_principal_rotation(), try_euler(); }

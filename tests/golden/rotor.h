@@ -8,7 +8,7 @@ static vm_rotor some_rotor(vm_real s)
     return r;
 }
 
-static void golden_rotor(void)
+static void try_rotor(void)
 {
     int i;
     for (i = 0; i < COUNT / 8; i++) {
@@ -19,7 +19,7 @@ static void golden_rotor(void)
         vm_real y[6], z[6], im[6];
         piece.mass = whole.mass / 8, piece.inertia = uniform(0, VM_C(0.1)), piece.distance = VM_C(0.25);
         piece.alpha = uniform(-1, 1), piece.radius = 1, piece.contact = uniform(-3, 3);
-        draw_all(6, -1, 1, y);
+        draw_all(6, -1, 1, y), CLEAR(z), CLEAR(im);
         fold_int(vm_rotor_free(t, &whole, y, z)), fold_all(6, z);
         fold_int(vm_rotor_orbit(&whole, y, z)), fold_all(4, z);
         fold_int(vm_rotor_linear(t / 4, &rest, y, z)), fold_all(6, z);
@@ -31,7 +31,7 @@ static void golden_rotor(void)
         fold(vm_rotor_steady(&rest, Omega)), fold_int(vm_rotor_stable(&rest, Omega));
         fold(vm_rotor_growth(10 * t, &rest, Omega + 7));
         fold_int(vm_rotor_free(t, &rest, y, z)), fold_all(6, z); /* refused: s != 0 */
-        memset(&broken, 0, sizeof broken);
+        CLEAR(broken);
         fold_int(vm_rotor_break_off(&whole, y, &piece, &broken));
         fold_all(6, broken.state), fold_all(6, broken.piece), fold(broken.rest.inertia), fold(broken.stop_inertia);
         fold(broken.dragging), fold(broken.gamma), fold(broken.beta), fold(broken.normal), fold(broken.tangential);
@@ -39,12 +39,13 @@ static void golden_rotor(void)
     }
 }
 
-static void golden_rotor_runs(void)
+static void try_rotor_runs(void)
 {
     vm_rotor r = some_rotor(VM_C(0.125));
-    vm_real y[6] = {VM_C(0.25), 0, 0, 0, VM_C(0.5), 3}, polar[6], work[RK45_WORK(6)];
-    rk45 s;
+    vm_real y[6] = {VM_C(0.25), 0, 0, 0, VM_C(0.5), 3}, polar[6];
     fold_int(vm_rotor_to_polar(y, polar));
-    fold_int(rk45_init(&s, vm_rotor_rhs, &r, 6, 0, y, NULL, work)), fold_int(rk45_solve(&s, 4)), fold_run(&s);
-    fold_int(rk45_init(&s, vm_rotor_polar_rhs, &r, 6, 0, polar, NULL, work)), fold_int(rk45_solve(&s, 2)), fold_run(&s);
+    integrate(vm_rotor_rhs, &r, 6, 4, y);
+    integrate(vm_rotor_polar_rhs, &r, 6, 2, polar);
 }
+
+static void golden_rotor(void) { try_rotor(), try_rotor_runs(); }

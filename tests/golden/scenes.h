@@ -1,7 +1,7 @@
 /* varmass.h, scenes: every kind of body, effect and event, with and without a book. A scene of the plane or of space
    may have three bodies: a Cortex-M0 has 16 KB for all of it. */
 
-static void golden_forces(void)
+static void try_forces(void)
 {
     int i;
     for (i = 0; i < COUNT / 4; i++) {
@@ -54,7 +54,7 @@ static void run_scene(golden_scene *g, vm_real t_end)
     vm_body now;
     vm_real t = 0;
     int i, size = vm_scene_size(scene);
-    culprit.index = 99;
+    culprit.index = 99, CLEAR(book);
     fold_int(size), fold_int(vm_scene_check(scene, &culprit)), fold_int(culprit.index);
     fold_int(vm_scene_start(scene, 0, g->y, &culprit)), fold_all(size, g->y);
     fold_int(vm_scene_rhs(0, g->y, g->work, scene)), fold_all(size, g->work);
@@ -95,7 +95,7 @@ static int recorded(vm_real t, const vm_real *y, vm_scene *scene, void *ctx)
 }
 
 /* A body sheds mass on a spring and kicks itself off, another is driven, a third one falls and is stopped. */
-static void golden_scene_on_a_line(void)
+static void try_scene_on_a_line(void)
 {
     static const vm_real times[3] = {VM_C(0.5), 1, VM_C(1.75)};
     vm_real friction = VM_C(0.25);
@@ -123,7 +123,7 @@ static void golden_scene_on_a_line(void)
 }
 
 /* A part separates on a line at a speed, and is caught again. */
-static void golden_scene_of_parts_on_a_line(void)
+static void try_scene_of_parts_on_a_line(void)
 {
     vm_body part;
     golden_scene g;
@@ -152,7 +152,7 @@ static vm_mass_now swelling(vm_real t, vm_real x, vm_real v, void *ctx)
     return now;
 }
 
-static void golden_scene_of_axles(void)
+static void try_scene_of_axles(void)
 {
     static const vm_band band = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, VM_C(0.25), 0};
     static const vm_band layers = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, 1, 1};
@@ -187,7 +187,7 @@ static void varying(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
     stream->at.x += t / 8, stream->rate += t / 32, stream->velocity.y = y[3];
 }
 
-static void golden_scene_in_the_plane(void)
+static void try_scene_in_the_plane(void)
 {
     const vm_vec3 at = {1, VM_C(0.25), 0}, still = {0, 0, 0};
     vm_book book;
@@ -217,7 +217,7 @@ static void moving_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ct
     r->y = 1 + t * t / 16, v->y = t / 8, a->y = VM_C(0.125);
 }
 
-static void golden_scene_of_parts_in_the_plane(void)
+static void try_scene_of_parts_in_the_plane(void)
 {
     const vm_vec3 still = {0, 0, 0}, v = {1, 0, 0};
     vm_body part;
@@ -244,7 +244,7 @@ static vm_body some_free_body(void)
     return b;
 }
 
-static void golden_scene_in_space(void)
+static void try_scene_in_space(void)
 {
     const vm_body body = some_free_body();
     vm_stream stream;
@@ -269,7 +269,7 @@ static void pulled(const vm_effect *effect, vm_real t, const vm_real *y, vm_scen
 }
 
 /* A free body throws off a part; points hang on a cord. */
-static void golden_scene_of_parts_in_space(void)
+static void try_scene_of_parts_in_space(void)
 {
     const vm_body body = some_free_body();
     const vm_vec3 at = {1, 0, 0}, v = {0, 1, VM_C(0.5)};
@@ -293,7 +293,7 @@ static void golden_scene_of_parts_in_space(void)
 
 /* ---- refused ---- */
 
-static void golden_refused_scenes(void)
+static void try_refused_scenes(void)
 {
     golden_scene g;
     clear_scene(&g);
@@ -310,3 +310,10 @@ static void golden_refused_scenes(void)
     add_event(&g, vm_then_switch(vm_event_at(1), 7, 1));
     fold_int(vm_scene_check(&g.scene, NULL));
 }
+
+static void golden_scenes_on_a_line(void)
+{
+    try_forces(), try_scene_on_a_line(), try_scene_of_parts_on_a_line(), try_scene_of_axles(), try_refused_scenes();
+}
+static void golden_scenes_in_the_plane(void) { try_scene_in_the_plane(), try_scene_of_parts_in_the_plane(); }
+static void golden_scenes_in_space(void) { try_scene_in_space(), try_scene_of_parts_in_space(); }

@@ -7,14 +7,14 @@ static vm_linear_mass some_mass(void)
     return m;
 }
 
-static void slow_run(ode_rhs rhs, void *ctx, int n, const vm_real *y, vm_real end)
+/* y stays */
+static void integrate_from(const vm_real *y, ode_rhs rhs, void *ctx, int n, vm_real end)
 {
-    vm_real work[RK45_WORK(5)];
-    rk45 s;
-    fold_int(rk45_init(&s, rhs, ctx, n, 0, y, NULL, work)), fold_int(rk45_solve(&s, end)), fold_run(&s);
+    vm_real state[5];
+    memcpy(state, y, (size_t)n * sizeof *y), integrate(rhs, ctx, n, end, state);
 }
 
-static void golden_van_der_pol(void)
+static void try_van_der_pol(void)
 {
     int i;
     for (i = 0; i < 12; i++) {
@@ -30,7 +30,7 @@ static void golden_van_der_pol(void)
         fold(vm_vdp_amplitude(&v, 5, 1, m)), fold(vm_vdp_steady(&v, m.rate, &stable)), fold_int(stable);
         fold(vm_slow_mass_linear(3, &rate, &m)), fold(rate);
         if (i % 4) continue;
-        slow_run(vm_vdp_rhs, &v, 2, start, 5), slow_run(vm_vdp_averaged_rhs, &v, 2, start, 5);
+        integrate_from(start, vm_vdp_rhs, &v, 2, 5), integrate_from(start, vm_vdp_averaged_rhs, &v, 2, 5);
     }
 }
 
@@ -42,7 +42,7 @@ static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
     return f;
 }
 
-static void golden_laval(void)
+static void try_laval(void)
 {
     int i;
     for (i = 0; i < 4; i++) {
@@ -58,20 +58,20 @@ static void golden_laval(void)
         draw_all(4, -1, 1, y);
         z.re = y[0], z.im = y[1], v.re = y[2], v.im = y[3];
         vm_laval_polar(z, &rho, &phi), fold(rho), fold(phi), fold(vm_laval_power(rho, &slope, &spring)), fold(slope);
-        fold(vm_laval_momentum(&r, m.mass, z, v)), slow_run(vm_laval_rhs, &r, 4, y, 2);
+        fold(vm_laval_momentum(&r, m.mass, z, v)), integrate_from(y, vm_laval_rhs, &r, 4, 2);
         fold(vm_laval_frequency(&r, rho, m.mass, 1)), fold(vm_laval_frequency(&r, rho, m.mass, -1));
         back[0] = rho, back[1] = phi;
-        slow_run(vm_laval_forward_rhs, &r, 2, back, 2), slow_run(vm_laval_backward_rhs, &r, 2, back, 2);
+        integrate_from(back, vm_laval_forward_rhs, &r, 2, 2), integrate_from(back, vm_laval_backward_rhs, &r, 2, 2);
         if (i % 2) {
             fold_int(vm_laval_split(&r, 0, y, 1, state)), fold_all(5, state);
             fold_int(vm_laval_join(&r, 0, state, back)), fold_all(4, back);
-            slow_run(vm_laval_exact_rhs, &r, 5, state, 1), slow_run(vm_laval_averaged_rhs, &r, 5, state, 1);
+            integrate_from(state, vm_laval_exact_rhs, &r, 5, 1), integrate_from(state, vm_laval_averaged_rhs, &r, 5, 1);
         }
         r.reactive = 1, fold(vm_laval_amplitude(&r, rho, m.mass, m.mass / 2));
     }
 }
 
-static void golden_pair(void)
+static void try_pair(void)
 {
     int i;
     for (i = 0; i < 6; i++) {
@@ -85,7 +85,7 @@ static void golden_pair(void)
         fold_int(vm_pair_split(&p, 1, y, modes)), fold_all(4, modes);
         fold_int(vm_pair_join(&p, 1, modes, back)), fold_all(4, back);
         fold_int(vm_pair_at(&p, 4, y, m, back)), fold_all(4, back);
-        if (i % 2) slow_run(vm_pair_rhs, &p, 4, y, 3), slow_run(vm_pair_averaged_rhs, &p, 4, modes, 3);
+        if (i % 2) integrate_from(y, vm_pair_rhs, &p, 4, 3), integrate_from(modes, vm_pair_averaged_rhs, &p, 4, 3);
     }
 }
 
@@ -109,10 +109,10 @@ static void fold_steady(const vm_steady *s)
     fold(s->nu), fold(s->A), fold(s->delta), fold(s->trace), fold(s->det), fold_int(s->stable);
 }
 
-static void golden_forced(void)
+static void try_forced(void)
 {
     vm_real drift = VM_C(0.01);
-    int i, k, n;
+    int i;
     for (i = 0; i < 6; i++) {
         const vm_real motion[3] = {1, VM_C(0.5), VM_C(0.25)};
         vm_forced f = some_forced();
@@ -121,14 +121,13 @@ static void golden_forced(void)
         if (i % 2) f.drift = drifting, f.drift_ctx = &drift;
         fold_int(vm_forced_split(&f, 1, motion, y)), fold_all(3, y);
         fold_int(vm_forced_join(&f, 1, y, back)), fold_all(3, back);
-        slow_run(vm_forced_rhs, &f, 3, motion, 3);
-        for (k = 0; k < 3; k++) back[k] = motion[k];
-        slow_run(vm_forced_exact_rhs, &f, 3, back, 2), slow_run(vm_forced_averaged_rhs, &f, 3, y, 3);
-        f.alpha = -1, n = vm_forced_init(&f), fold_int(n); /* refused */
+        integrate_from(motion, vm_forced_rhs, &f, 3, 3);
+        integrate_from(motion, vm_forced_exact_rhs, &f, 3, 2), integrate_from(y, vm_forced_averaged_rhs, &f, 3, 3);
+        f.alpha = -1, fold_int(vm_forced_init(&f)), fold(f.G); /* refused */
     }
 }
 
-static void golden_steady(void)
+static void try_steady(void)
 {
     int i, k, n;
     for (i = 0; i < 6; i++) {
@@ -164,7 +163,7 @@ static void fold_points(long n, const vm_point *points)
     for (i = 0; i < n && i < 8; i++) fold(points[i].t), fold(points[i].x), fold(points[i].v);
 }
 
-static void golden_diagnostics(void)
+static void try_diagnostics(void)
 {
     const vm_real y0[2] = {1, 0};
     vm_real omega0 = 2, work[RK45_WORK(2)], buffer[2];
@@ -186,3 +185,6 @@ static void golden_diagnostics(void)
         fold(vm_adiabaticity(A, 2, VM_C(0.01), 3, VM_C(-0.02), VM_C(0.05), 1, alpha));
     }
 }
+
+static void golden_slow(void) { try_van_der_pol(), try_laval(), try_pair(); }
+static void golden_resonance(void) { try_forced(), try_steady(), try_diagnostics(); }
