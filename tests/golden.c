@@ -5,7 +5,7 @@
    Arguments are drawn one after the other, since the order in which those of a call are evaluated is open.
 
    -DGOLDEN_SECTION=jacobi   only that section, where flash is small
-   -DGOLDEN_SHOW             before that each value that is folded, so that a diff shows what differs first */
+   -DGOLDEN_SHOW             before that the bits of each value that is folded: a diff shows what differs first */
 #include "../varmass.h"
 
 #ifdef GOLDEN_PUTS
@@ -14,10 +14,9 @@ void GOLDEN_PUTS(const char *line);
 #include <stdio.h>
 #define GOLDEN_PUTS puts
 #endif
-#ifdef GOLDEN_SHOW
-#define SHOW(x) printf("%.17g\n", (double)(x))
-#else
-#define SHOW(x) ((void)0)
+
+#ifndef GOLDEN_SHOW
+#define GOLDEN_SHOW 0
 #endif
 
 enum { COUNT = 200 }; /* random arguments of a quick function */
@@ -26,12 +25,27 @@ enum { COUNT = 200 }; /* random arguments of a quick function */
 
 static uint32_t hash, random_state;
 
+static char *write_hex(char *p, vmi_bits bits, int digits)
+{
+    static const char digit[] = "0123456789abcdef";
+    while (digits-- > 0) *p++ = digit[bits >> 4 * digits & 15];
+    *p = 0;
+    return p;
+}
+
+static void show(vmi_bits bits)
+{
+    char line[20];
+    write_hex(line, bits, 2 * (int)sizeof bits);
+    GOLDEN_PUTS(line);
+}
+
 /* FNV-1a over the bits, most significant byte first, so that byte order does not matter; every NaN is one */
 static void fold(vm_real x)
 {
     const vmi_bits bits = x == x ? vmi_to_bits(x) : 0;
     int shift;
-    SHOW(x);
+    if (GOLDEN_SHOW) show(bits);
     for (shift = 8 * (int)sizeof bits - 8; shift >= 0; shift -= 8)
         hash = (hash ^ (uint32_t)((bits >> shift) & 255)) * 16777619u;
 }
@@ -107,7 +121,6 @@ static void begin(void) { hash = 2166136261u, random_state = 1; }
 
 static void end(const char *section)
 {
-    static const char digits[] = "0123456789abcdef";
     char line[64], *p = line;
     const char *words[2];
     int i;
@@ -115,8 +128,7 @@ static void end(const char *section)
     for (i = 0; i < 2; i++)
         while (*words[i]) *p++ = *words[i]++;
     *p++ = ' ';
-    for (i = 28; i >= 0; i -= 4) *p++ = digits[hash >> i & 15];
-    *p = 0;
+    write_hex(p, hash, 8);
     GOLDEN_PUTS(line);
 }
 

@@ -35,16 +35,15 @@ static void try_ateb(void)
 
 static void try_ateb_plans(void)
 {
-    vm_real s[5], sa[5], ca[5];
+    vm_real s[16], sa[16], ca[16];
     ateb_plan p;
     int i;
-    for (i = 0; i < COUNT / 10; i++) {
-        const vm_real alpha = some_alpha(i);
-        int k;
-        for (k = 0; k < 5; k++) s[k] = uniform(-100, 100);
+    for (i = 0; i < 30; i++) { /* 0, 1/2, ... 7 have powers of their own */
+        const vm_real alpha = i % 2 ? some_alpha(i) : (vm_real)i / 4;
+        draw_all(16, -30, 30, s);
         fold_int(ateb_plan_init(&p, alpha));
         ateb_plan_saca(&p, s[0], sa, ca), fold(sa[0]), fold(ca[0]);
-        ateb_plan_saca_array(&p, 5, s, sa, ca), fold_all(5, sa), fold_all(5, ca);
+        ateb_plan_saca_array(&p, 16, s, sa, ca), fold_all(16, sa), fold_all(16, ca);
         fold_int(ateb_plan_init(&p, -1)); /* refused: the plan stays */
         ateb_plan_saca(&p, s[1], sa, ca), fold(sa[0]), fold(ca[0]);
         fold_int(ateb_plan_init_to(&p, alpha, VM_C(1e-4)));
