@@ -11,7 +11,7 @@ And tests/data/rotation_turns.h: attitudes of bodies after 1, 10 ... 1e6 turns, 
 """
 import random
 from hard_reference import jacobi, single
-from mpmath import mp, mpf, agm, cos, diag, eigsy, elliprf, exp, fabs, matrix, mpc, pi, sin, sqrt
+from mpmath import mp, mpf, agm, cos, diag, eigsy, elliprf, exp, matrix, mpc, pi, sin, sqrt
 
 random.seed(6)
 mp.dps = 60
