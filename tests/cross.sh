@@ -62,9 +62,9 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     host "x86-64 musl" musl-tools "musl-gcc -static $c99 -O2"
     host "i386 SSE2" gcc-12-multilib "gcc -m32 -msse2 -mfpmath=sse $c99 -O2"
     # flash holds one section at a time, on this one and on AVR
-    sections=$(awk '$2 == "float" {print $3}' tests/data/golden.txt)
+    sections=$(awk '$2 == "float" {print $3}' tests/data/golden.txt | tr '\n' ' ')
     target "Cortex-M0, newlib" "gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm" "$both" \
-        "for i in $sections; do arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb $c99 -Os $small $cortex -DGOLDEN_SECTION=\$i tests/golden.c \
+        "arm-none-eabi-gcc --version && for i in $sections; do arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb $c99 -Os $small $cortex -DGOLDEN_SECTION=\$i tests/golden.c \
         \$flags -o \$out\$i -lm || break; done" \
         "sh -c 'for i in $sections; do qemu-system-arm -M microbit $semihosting -kernel \$0\$i; done' \$out"
     arm "Cortex-M3, newlib" "-mcpu=cortex-m3 -mthumb" "$large" mps2-an385
@@ -79,7 +79,7 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     user "MIPS 32, big-endian" "gcc-mips-linux-gnu libc6-dev-mips-cross" mips-linux-gnu-gcc -O2 qemu-mips
     user "AArch64" "gcc-aarch64-linux-gnu libc6-dev-arm64-cross" aarch64-linux-gnu-gcc -O2 qemu-aarch64
     avr="avr-gcc -mmcu=atmega1284p -DF_CPU=16000000UL -std=c99 -Os"
-    target "AVR" "gcc-avr avr-libc simavr" float "for i in $sections; do $avr -ffunction-sections -Dmain=golden_main \
+    target "AVR" "gcc-avr avr-libc simavr" float "avr-gcc --version && for i in $sections; do $avr -ffunction-sections -Dmain=golden_main \
         -DGOLDEN_PUTS=golden_line -DGOLDEN_SECTION=\$i -DVM_USE_FLOAT -c tests/golden.c -o \$out.o && \
         $avr -Wl,--gc-sections tests/cross/avr.c \$out.o -o \$out\$i -lm || break; done" \
         "sh -c 'for i in $sections; do simavr -m atmega1284p -f 16000000 \$0\$i; done' \$out"

@@ -18,7 +18,7 @@ static void try_forces(void)
 
 /* ---- what they share ---- */
 
-enum { SCENE_BODIES = 3, SCENE_EFFECTS = 8, SCENE_EVENTS = 5, SCENE_STATE = 42 };
+enum { SCENE_BODIES = 3, SCENE_EFFECTS = 8, SCENE_EVENTS = 4, SCENE_STATE = 38 };
 typedef struct golden_scene {
     vm_scene scene;
     vm_scene_body bodies[SCENE_BODIES];
