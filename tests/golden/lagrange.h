@@ -63,7 +63,8 @@ static vm_real energy_of_two(vm_real t, const vm_real *q, const vm_real *rates, 
     return masses[0] * rates[0] * rates[0] / 2 + masses[1] * (v * v + w * w) / 2;
 }
 
-static int forces_on_two(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx)
+static int forces_on_two(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q,
+                         void *ctx)
 {
     vm_vec3 weight = {0, 0, 0}, none = {0, 0, 0}, dr[2];
     (void)t, (void)rates, (void)ctx;

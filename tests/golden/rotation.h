@@ -28,7 +28,8 @@ static void try_principal_rotation(void)
                                     {3, 2, 1, VM_C(0.0001), 2, 0}};
     int i, k;
     for (i = 0; i < 5; i++) {
-        const vm_vec3 moments = {kinds[i][0], kinds[i][1], kinds[i][2]}, spin = {kinds[i][3], kinds[i][4], kinds[i][5]};
+        const vm_vec3 moments = {kinds[i][0], kinds[i][1], kinds[i][2]};
+        const vm_vec3 spin = {kinds[i][3], kinds[i][4], kinds[i][5]};
         const vm_quat straight = {1, 0, 0, 0};
         vm_free_motion motion;
         fold_int(vm_free_init_principal(&motion, moments, straight, spin, 0));

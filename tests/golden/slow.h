@@ -57,7 +57,8 @@ static void try_laval(void)
         r.force = turning_load, r.gyro = uniform(-1, 1) / 8, r.reactive = uniform(0, 1), r.samples = 8;
         draw_all(4, -1, 1, y);
         z.re = y[0], z.im = y[1], v.re = y[2], v.im = y[3];
-        vm_laval_polar(z, &rho, &phi), fold(rho), fold(phi), fold(vm_laval_power(rho, &slope, &spring)), fold(slope);
+        vm_laval_polar(z, &rho, &phi), fold(rho), fold(phi);
+        fold(vm_laval_power(rho, &slope, &spring)), fold(slope);
         fold(vm_laval_momentum(&r, m.mass, z, v)), integrate_from(y, vm_laval_rhs, &r, 4, 2);
         fold(vm_laval_frequency(&r, rho, m.mass, 1)), fold(vm_laval_frequency(&r, rho, m.mass, -1));
         back[0] = rho, back[1] = phi;

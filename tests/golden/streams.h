@@ -121,7 +121,8 @@ static void try_closed_flows(void)
 {
     int i;
     for (i = 0; i < COUNT / 4; i++) {
-        const vm_real v0 = uniform(-3, 3), m0 = uniform(1, 3), m = uniform(1, 3), u = uniform(-3, 3), t = uniform(0, 4);
+        const vm_real v0 = uniform(-3, 3), m0 = uniform(1, 3), m = uniform(1, 3), u = uniform(-3, 3);
+        const vm_real t = uniform(0, 4);
         const vm_vec3 omega0 = vector(3);
         vm_stream1 stream;
         vm_jet jet;
