@@ -1385,14 +1385,15 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real d2 = d * d;
-    vm_real power = p->twice_alpha & 1 ? VM_SQRT(d) : 1;
-    if (p->twice_alpha & 2) power *= d;
-    if (p->twice_alpha & 4) power *= d2;
-    if (p->twice_alpha & 8) power *= d2 * d2;
+    vm_real low = p->twice_alpha & 1 ? VM_SQRT(d) : 1, high = 1, power;
+    if (p->twice_alpha & 2) low *= d;
+    if (p->twice_alpha & 4) high = d2;
+    if (p->twice_alpha & 8) high *= d2 * d2;
+    power = low * high;
     return power * d + power * (p->n * d_lo);
 }
 
-/* The same without branches */
+/* The same without branches, with the same roundings */
 VM_INLINE vm_real vmi_ateb_product_wide(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
     const vm_real half = (vm_real)(p->twice_alpha & 1), one = (vm_real)(p->twice_alpha >> 1 & 1);

@@ -1,6 +1,6 @@
 # What the test scripts share; to be sourced once $build is set: checks are counted, what they print goes to $build/log
 passed=0 failed=0
-rm -rf "$build" && mkdir -p "$build" || exit 1
+rm -rf "$build" && mkdir -p "$build" && echo '*' >"${build%/*}/.gitignore" || exit 1
 
 check() { # check NAME COMMAND...
     name=$1

@@ -12,6 +12,7 @@ golden() { # golden COMPILER... : what tests/golden.c prints in both precisions
 }
 same() { golden "$@" >"$build/lines" && diff tests/data/golden.txt "$build/lines"; }
 
+check "every public function is called" sh tests/fuzz/called.sh tests/golden.c tests/golden/*.h
 [ "$2" = write ] && golden $cc >tests/data/golden.txt
 for level in -O0 -O3; do
     check "the same bits: $cc $level" same $cc $level

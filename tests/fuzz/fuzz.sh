@@ -7,7 +7,7 @@ shift 2
 [ $# -gt 0 ] || set -- $(ls tests/fuzz/*.c | sed 's|.*/||; s|\.c$||; /^replay$/d')
 each=$((seconds / (2 * $#))) failed=0
 [ $each -gt 0 ] || each=1
-sh tests/fuzz/called.sh || exit 1
+sh tests/fuzz/called.sh tests/fuzz/*.c tests/fuzz/*.h || exit 1
 if ! command -v clang >/dev/null; then
     echo "fuzz: clang is not there: 0 passed, 0 failed, 1 skipped"
     exit 0

@@ -10,15 +10,11 @@ equations and q' = q omega/2 by differences, and to start where it must.
 And tests/data/rotation_turns.h: attitudes of bodies after 1, 10 ... 1e6 turns, which bench/bench_rotation.c compares with.
 """
 import random
-import struct
-from mpmath import mp, mpf, agm, cos, diag, eigsy, elliprf, exp, fabs, matrix, mpc, pi, sin, sqrt
+from hard_reference import jacobi, single
+from mpmath import mp, mpf, agm, cos, diag, eigsy, elliprf, exp, matrix, mpc, pi, sin, sqrt
 
 random.seed(6)
 mp.dps = 60
-
-
-def single(x):
-    return struct.unpack("f", struct.pack("f", x))[0]
 
 
 def times(p, q):
@@ -29,20 +25,6 @@ def times(p, q):
 def turned(q, v):
     n = sum(x * x for x in q)
     return [x / n for x in times(times(q, (0, *v)), (q[0], -q[1], -q[2], -q[3]))[1:]]
-
-
-def sncndn(u, m1):
-    """By the descending ladder, so that m1 keeps its digits"""
-    a, b, ladder = mpf(1), sqrt(m1), []
-    while fabs(a - b) > mpf(10) ** -(mp.dps // 2 + 5):
-        ladder.append((a, b))
-        a, b = (a + b) / 2, sqrt(a * b)
-    s, c, d, q = sin(a * u), cos(a * u), mpf(1), mpf(1)
-    for n in range(len(ladder) - 1, -1, -1):
-        upper = ladder[n + 1][0] if n + 1 < len(ladder) else a
-        ra, rb = ladder[n][0] / upper, ladder[n][1] / upper
-        s, c, d, q = ra * s * q, c * d, c * c + rb * s * s, c * c + ra * s * s
-    return s / q, c / q, d / q
 
 
 class Motion:
@@ -99,7 +81,7 @@ class Motion:
 
     def at(self, t):
         u = self.u0 + self.wp * t
-        sn, cn, dn = sncndn(u - 4 * self.K * mp.nint(u / (4 * self.K)), self.m1)
+        sn, cn, dn = jacobi(u - 4 * self.K * mp.nint(u / (4 * self.K)), self.m1)
         w = (self.a1 * cn, -self.sigma * self.s * self.a2 * sn, self.s * self.a3 * dn)
         E = exp(mpc(0, self.kappa * t))
         f = self.unit(u) * mp.conj(self.U0)
