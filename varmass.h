@@ -4356,8 +4356,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     straight = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
     turning = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, moment));
+    turning = vmi_times(&turn, turning);
     if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
-    *acceleration = straight, *angular_acceleration = vmi_times(&turn, turning);
+    *acceleration = straight, *angular_acceleration = turning;
     return VM_OK;
 }
 
