@@ -2948,7 +2948,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     int i;
     if (!whole || !one_more || n < 0 || (n > 0 && !bodies)) return VM_NAN;
     for (i = 0; i <= n; i++) {
-        vm_to_relative(whole, i < n ? bodies + i : one_more, &b);
+        b = i < n ? bodies[i] : *one_more;
+        vm_to_relative(whole, &b, &b);
         sum += vm_kinetic_energy(&b);
     }
     *work = 0;
