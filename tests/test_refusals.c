@@ -337,6 +337,59 @@ static void test_jumps(void)
     REFUSES(separate_for_spin2, 3, BODY2(3, 2, 0.1), RESTING2(1, 0.1, 0.3), BLOW2, R(0.1), R(0.5));
 }
 
+/* Lists with something bad in them, attitudes that differ in one number, sums that overflow, energies of nothing */
+static void test_lists_of_bodies(void)
+{
+    const vm_real omega = 1;
+    vm_body list[3], whole, result;
+    vm_body2 flat[2], moving;
+    vm_inertia i = {1, -1, 0, 0, 0, 0};
+    vm_balance left;
+    int k, j;
+    memset(list, 0, sizeof list), memset(flat, 0, sizeof flat), memset(&left, 0, sizeof left);
+    for (k = 0; k < 3; k++) list[k].mass = 1, list[k].v.x = (vm_real)k;
+    whole = list[2], flat[0].mass = flat[1].mass = 1;
+    for (k = 0; k < 3; k++) { /* each of them in turn without a mass; the first sum with all of the largest masses */
+        for (j = 0; j < 3; j++) list[j].mass = j == k ? -1 : 1;
+        result.mass = 7;
+        CHECK(vm_attach_all(&whole, 3, list, NULL, &result) == VM_BAD_MASS && result.mass == 7);
+        for (j = 0; j < 3; j++) list[j].mass = VM_MAX / 4 * 3;
+        CHECK(vm_attach_all(&whole, k + 1, list, NULL, &result) == (k ? VM_NOT_FINITE : VM_OK));
+        CHECK(result.mass == (k ? 7 : VM_MAX / 4 * 3));
+    }
+    flat[0].mass = -1, moving.mass = 7;
+    CHECK(vm_attach_all2(&flat[1], 2, flat, NULL, &moving) == VM_BAD_MASS && moving.mass == 7);
+    for (k = 0; k < 3; k++) { /* half turns about x, y, z: q.w is the whole's, one other number is not */
+        vm_body part;
+        memset(&part, 0, sizeof part), memset(&whole, 0, sizeof whole);
+        whole.mass = 3, whole.inertia.xx = 2, whole.inertia.yy = 2, whole.inertia.zz = 3, whole.omega.y = 1;
+        part.mass = 1, part.inertia.xx = R(0.1), part.inertia.yy = R(0.2), part.inertia.zz = R(0.3);
+        whole.q.x = k ? 1 : 0, whole.q.y = k ? 0 : 1, part.q.x = k == 1, part.q.y = k == 0, part.q.z = k == 2;
+        if (k == 1) part.q.z = 1;
+        part.r.x = R(0.25), part.v.z = 2, part.omega.y = 2;
+        CHECK(vm_attach(&whole, &part, NULL, &result) == VM_OK);
+        list[0] = whole, list[1] = part;
+        CHECK(vm_balance_between(2, list, 1, &result, NULL, vmi_vec3(1, 2, 3), &left) == VM_OK);
+        check_error("attach", "attitudes", "eps", (double)(vmi_size(left.momentum) + vmi_size(left.angular_momentum)) /
+                    (double)VM_EPSILON, 64, k, 0);
+    }
+    CHECK(!vm_inertia_possible(&i)), i.xx = 0, i.yy = 1, i.zz = -1, CHECK(!vm_inertia_possible(&i));
+    CHECK(vm_energy_gain(list, 0, list, NULL, list) == 0 && vm_energy_loss(list, 0, list, NULL, list) == 0);
+    for (k = 0; k < 4; k++) /* no whole, no rest, no number of parts, no parts */
+        CHECK(isnan((double)vm_energy_gain(k == 0 ? NULL : list, k == 2 ? -1 : k == 3, k == 3 ? NULL : list, NULL,
+                                           k == 1 ? NULL : list)));
+    flat[0].mass = 2, flat[0].inertia = 3, flat[1].inertia = 1; /* a part above the mass centre; one at it */
+    for (k = 0; k < 2; k++) {
+        flat[1].y = k ? 0 : R(0.5), moving.mass = 7;
+        CHECK(vm_separate_for_spin2(&flat[0], &flat[1], NULL, omega, &moving) == (k ? VM_SINGULAR : VM_OK));
+        if (k) CHECK(moving.mass == 7);
+        else CHECK(vm_separate2(&flat[0], &moving, NULL, &moving) == VM_OK && moving.omega == omega);
+    }
+    flat[0].x = VM_MAX, flat[1].x = VM_MAX, flat[0].vx = VM_MAX / 2; /* positions and velocities at the end of numbers */
+    flat[1].vx = -VM_MAX, flat[0].mass = 2, flat[1].mass = 1;
+    CHECK(vm_separate2(&flat[0], &flat[1], NULL, &moving) == VM_NOT_FINITE);
+}
+
 /* -- The broken rotor, the pendulum -- */
 
 #define ROTOR 10, R(0.5), 4000, R(0.3), R(0.2), R(0.01)
@@ -439,6 +492,39 @@ static void test_rotor(void)
     CHECK(vm_pendulum_separate(&swing, R(0.3), 1, 0, 0, &cut) == VM_NOT_FINITE);
     swing.rate = 1, swing.mass = VM_MAX / 4, swing.length = 4;
     CHECK(vm_pendulum_separate(&swing, R(0.3), 1, 0, 0, &cut) == VM_NOT_FINITE);
+}
+
+/* The pendulum's velocities, momentum and energy overflow one without the other */
+static void test_pendulum_limits(void)
+{
+    const struct {
+        vm_real part, Omega, uy, mass, length, angle, rate;
+    } cases[3] = {{1, 0, 0, 1, VM_MAX / 2, 1, 4},
+                  {VM_EPSILON, 0, VM_MAX / 8 * 7, 1, R(0.3), 0, VM_MAX / 8 * 7},
+                  {1, 0, 0, VM_SQRT(VM_MAX), 2, 0, 0}};
+    int k;
+    for (k = 0; k < 3; k++) {
+        vm_pendulum p = {0, 0, 0, 0, VM_AXES_COS_SIN};
+        vm_pendulum_cut cut;
+        p.mass = cases[k].mass, p.length = cases[k].length, p.angle = cases[k].angle, p.rate = cases[k].rate;
+        cut.mass = 7;
+        CHECK(vm_pendulum_separate(&p, cases[k].part, k < 2 ? 0 : 8 * VM_SQRT(VM_MAX), 0, cases[k].uy, &cut) ==
+                  VM_NOT_FINITE &&
+              cut.mass == 7);
+    }
+}
+
+/* Forces without places, moments without turns; rates that are no numbers */
+static void test_lagrange_limits(void)
+{
+    const vm_vec3 turn[2] = {{1, 0, 0}, {0, 2, 0}};
+    const vm_real mass[4] = {2, 0, 0, 1}, blow[2] = {2, 1}, rates[2] = {VM_NAN, 0};
+    vm_real Q[2] = {1, 1}, after[2] = {7, 7}, work[VM_LAGRANGE_WORK(2)];
+    vm_add_force(2, vmi_vec3(5, 5, 5), NULL, vmi_vec3(3, 4, 5), turn, Q);
+    CHECK(Q[0] == 4 && Q[1] == 9);
+    vm_add_force(2, vmi_vec3(5, 6, 7), turn, vmi_vec3(3, 4, 5), NULL, Q);
+    CHECK(Q[0] == 9 && Q[1] == 21);
+    CHECK(vm_lagrange_hit(2, mass, rates, blow, after, work) == VM_NOT_FINITE && after[0] == 7 && after[1] == 7);
 }
 
 /* -- Free rotation, streams -- */
@@ -594,6 +680,49 @@ static void test_streams(void)
         s.velocity.x = 0, s.rate = VM_MAX / 8, s.at.y = 64;
         CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_NOT_FINITE);
     }
+}
+
+static int force_1(vm_real t, const vm_real *y, vm_flow1 *flow) { return (void)y, flow->force = t, 0; }
+static int force_3(vm_real t, const vm_real *y, vm_flow *flow) { return (void)y, flow->force.x = t, 0; }
+
+/* Flows that are updated, without streams; on the separatrix in all octants; positions and loads that overflow */
+static void test_stream_limits(void)
+{
+    const vm_body heavy = {VM_MIN, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    vm_flow1 flow1 = {0, NULL, 0, force_1, NULL, 0};
+    vm_flow2 flow2 = {0, NULL, 3, 4, 5, NULL, NULL, 0};
+    vm_flow flow;
+    vm_real y[VM_RHS] = {0, 6, 2}, rates[VM_RHS];
+    vm_free_motion motion;
+    vm_stream stream;
+    vm_reactive loads;
+    vm_body b, later;
+    int k;
+    memset(&flow, 0, sizeof flow), flow.update = force_3;
+    CHECK(vm_rhs1(5, y, rates, &flow1) == 0 && rates[0] == 3 && rates[1] == 5 && rates[2] == 0);
+    y[3] = 8, y[6] = 2;
+    CHECK(vm_rhs_translation(5, y, rates, &flow) == 0 && rates[0] == 4 && rates[3] == 5 && rates[6] == 0);
+    y[2] = 1, y[3] = 2, y[4] = 4, y[5] = 6, y[6] = 2, y[7] = y[8] = 0, y[9] = 3;
+    CHECK(vm_rhs2(0, y, rates, &flow2) == 0 && rates[0] == 1 && rates[1] == 2 && rates[2] == 2);
+    CHECK(rates[3] == 3 && rates[4] == 4 && rates[5] == 5 && rates[6] == 0 && rates[9] == 0);
+    memset(&b, 0, sizeof b);
+    b.mass = 1, b.inertia.xx = 6, b.inertia.yy = 4, b.inertia.zz = 3;
+    for (k = 0; k < 8; k++) { /* 3 (4 - 3) w_z^2 = 6 (6 - 4) w_x^2: omega tends to the middle axis */
+        vm_vec3 h, h_later;
+        b.omega = vmi_vec3(k & 1 ? R(-0.5) : R(0.5), k & 2 ? R(-0.75) : R(0.75), k & 4 ? -1 : 1);
+        CHECK(vm_free_rotation(&b, 3, &later) == VM_OK);
+        h = vm_angular_momentum(&b, b.r), h_later = vm_angular_momentum(&later, b.r);
+        check_error("free rotation", "separatrix", "eps", (double)vmi_size(vmi_sub(h, h_later)) / (double)VM_EPSILON,
+                    100, k, 0);
+        check_error("free rotation", "separatrix", "eps",
+                    fabs((double)(vm_kinetic_energy(&b) - vm_kinetic_energy(&later))) / (double)VM_EPSILON, 100, k, 0);
+    }
+    b.q.y = 1, CHECK(vm_free_init(&motion, &b, 0) == VM_OK), b.q.y = 0, b.q.z = 1;
+    b.v.x = VM_MAX / 4, later.mass = 7;
+    CHECK(vm_free_init(&motion, &b, 0) == VM_OK && vm_free_at(&motion, 64, &later) == VM_NOT_FINITE);
+    CHECK(later.mass == 7 && vm_free_at(&motion, 1, &later) == VM_OK && later.r.x == VM_MAX / 4);
+    memset(&stream, 0, sizeof stream), stream.rate = -64, stream.at.x = 64, loads.mass_rate = 7;
+    CHECK(vm_reactive_loads(&heavy, vmi_vec3(0, 0, 0), 1, &stream, &loads) == VM_NOT_FINITE && loads.mass_rate == 7);
 }
 
 /* -- The drum, Lagrange's equations -- */
@@ -869,6 +998,134 @@ static void test_oscillators(void)
         }
         calls = 0, CHECK(vm_osc_at(&o, 1, 0, &m) < 0 || fails_after >= calls);
     }
+}
+
+/* Laws by tables and functions: two points, values out of range far off, backward, beside closed forms */
+static int even_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    *f = 2 + t * t / 8, *rate = t / 4;
+    return 0;
+}
+
+static void test_laws(void)
+{
+    const vm_real steps[2] = {1, 3}, two[2] = {2, 6};
+    vm_real times[9], values[9], f = 7, rate = 7;
+    vm_osc_problem o;
+    vm_osc_motion forward, back, m;
+    vm_law law = vm_law_table(2, steps, two);
+    int i;
+    CHECK(vm_law_at(&law, R(1.5), &f, &rate) == VM_OK && f == 3 && rate == 2);
+    law = vm_law_quadratic(1, 0, VM_MAX);
+    CHECK(vm_law_at(&law, 0, &f, &rate) == VM_NOT_FINITE && f == 3 && rate == 2);
+    for (i = 0; i < 9; i++) times[i] = (vm_real)(i - 4), even_law(times[i], values + i, &f, NULL);
+    for (i = 0; i < 2; i++) { /* where nothing asks for them yet */
+        (i ? values : times)[8] = i ? VM_NAN : VM_INFINITY;
+        law = vm_law_table(9, times, values), f = 7;
+        CHECK(vm_law_inverse_integral(&law, R(0.5), &f) == VM_NOT_FINITE && f == 7);
+        times[8] = 4, values[8] = 4;
+    }
+    memset(&o, 0, sizeof o);
+    o.alpha = 3, o.reactive = 1, o.x = R(0.5), o.mass = law, o.stiffness = vm_law_linear(30, 0);
+    for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) { /* even laws: t backward with v forward is v backward */
+        o.v = R(0.25), CHECK(vm_osc_by(&o, i, R(-3.5), 0, &back) >= 0);
+        o.v = R(-0.25), CHECK(vm_osc_by(&o, i, R(3.5), 0, &forward) >= 0);
+        check_error("backward", vm_osc_route_name(i), "eps", ERROR_EPS(back.x, forward.x, 0, 1), 200, i, 0);
+    }
+    for (i = 0; i < 9; i++) values[i] = 3 + times[i] / 4; /* nothing jumps at the points of a straight line */
+    o.mass = vm_law_linear(3, R(0.25)), CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &m) == VM_OK);
+    o.mass = vm_law_table(9, times, values), CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &back) == VM_OK);
+    check_error("table", "straight line", "", fabs((double)(back.x - m.x)), VM_MANT_DIG > 24 ? 1e-9 : 1e-4, 0, 0);
+}
+
+/* Laws of mass and stiffness that fail at one evaluation, late ones too: the call says so, or did without it */
+static void test_failing_laws(void)
+{
+    const vm_real times[5] = {-1, 0, 1, 2, 3}, values[5] = {2, R(2.2), R(2.1), R(2.4), R(2.5)};
+    unsigned char untouched[sizeof(vm_osc_motion)];
+    vm_osc_problem o;
+    vm_osc_motion m;
+    int kind, i;
+    memset(untouched, 0x55, sizeof untouched), memset(&o, 0, sizeof o);
+    o.alpha = 3, o.reactive = R(0.5), o.x = R(0.5), o.v = R(0.25);
+    for (kind = 0; kind < 2; kind++)
+        for (fails_after = 0; fails_after < 30000; fails_after += 1 + fails_after / 8)
+            for (i = VM_ROUTE_SECOND; i <= VM_ROUTE_RK87; i++) {
+                int status;
+                o.mass = kind ? vm_law_table(5, times, values) : vm_law_user(failing_law, NULL);
+                o.stiffness = kind ? vm_law_user(failing_law, NULL) : vm_law_linear(3, R(0.1));
+                memset(&m, 0x55, sizeof m), calls = 0;
+                status = vm_osc_by(&o, i, R(2.5), R(1e-3), &m);
+                CHECK(calls > fails_after ? status < 0 : status >= 0);
+                CHECK(status >= 0 ? VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v)
+                                  : memcmp(&m, untouched, sizeof m) == 0);
+            }
+}
+
+static vm_real drag(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)t, (void)x;
+    return -*(const vm_real *)ctx * v;
+}
+
+/* Motions that end at the limits of their laws: at rest, too fast a change, amplitudes that overflow; large alpha */
+static void test_oscillator_limits(void)
+{
+    vm_real x, v, b = R(0.01), by_force[3], by_damping[3];
+    vm_osc_problem o;
+    vm_osc_plan p;
+    vm_osc_motion m, other;
+    int i;
+    vm_osc_exact(1, 0, VM_NAN, 3, &x, &v), CHECK(isnan((double)x) && isnan((double)v));
+    vm_osc_trig(1, 0, VM_NAN, 3, &x, &v), CHECK(isnan((double)x) && isnan((double)v));
+    vm_osc_exact(1, 0, 2, R(0.5), &x, &v), CHECK(x == 0 && v == 0); /* its rate would be infinite */
+    vm_osc_trig(1, 0, 2, R(0.5), &x, &v), CHECK(x == 0 && v == 0);
+    vm_osc_jacobi(1, 0, 2, R(0.5), &x, &v), CHECK(x == 0 && v == 0);
+    memset(&o, 0, sizeof o);
+    o.alpha = 3, o.reactive = 1, o.x = R(0.5), o.mass = vm_law_linear(2, 0), o.stiffness = vm_law_linear(3, 0);
+    CHECK(vm_osc_plan_at(NULL, 1, 0, &m) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_plan_by(NULL, VM_ROUTE_RK45, 1, 0, &m) == VM_BAD_ARGUMENT);
+    o.x = 0, o.force = drag, o.ctx = &b;
+    CHECK(vm_osc_at(&o, 1, 0, &m) == VM_NO_LAW && vm_osc_by(&o, VM_ROUTE_RK87, 1, 0, &m) == VM_NO_LAW);
+    o.x = R(0.5);
+    for (i = 0; i < 2; i++) { /* a force that is a damping; the quarter of the period is long for large alpha */
+        int route;
+        o.alpha = i ? 30 : 3;
+        for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_ATEB; route++) {
+            o.force = drag, o.damping = 0, CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            CHECK(vm_osc_averaged(&p, route, 0, R(0.5), by_force, by_force + 1, by_force + 2) == VM_OK);
+            o.force = NULL, o.damping = b, CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            CHECK(vm_osc_averaged(&p, route, 0, R(0.5), by_damping, by_damping + 1, by_damping + 2) == VM_OK);
+            check_error("drag", vm_osc_route_name(route), "relative",
+                        fabs((double)(by_force[0] / by_damping[0] - 1)), VM_MANT_DIG > 24 ? 1e-9 : 1e-4, (double)o.alpha,
+                        0);
+        }
+    }
+    o.damping = 0, o.alpha = 300, o.x = 1; /* a wave's estimate is not above 1, so that 2 is content with any */
+    CHECK(vm_osc_at(&o, 1, 2, &m) == VM_OK && m.route == VM_ROUTE_TRIG && m.error >= 1);
+    o.alpha = 3, o.x = R(0.5), o.reactive = R(0.5), o.mass = vm_law_linear(2, R(0.5)), o.v = R(0.25);
+    CHECK(vm_osc_by(&o, VM_ROUTE_RK45, 2, 0, &m) == VM_OK && vm_osc_by(&o, VM_ROUTE_RK87, 2, 0, &other) == VM_OK);
+    check_error("reactive 1/2", "rk45, rk87", "", fabs((double)(m.x - other.x)), (double)(m.error + other.error), 0, 0);
+    o.mass = vm_law_linear(2, 500), o.stiffness = vm_law_linear(R(0.001), 0), o.reactive = 1, o.v = 0;
+    for (i = 0; i < 64; i++) { /* faster than any law of second order: no number, or a motion */
+        o.v = R(0.01) * (vm_real)(i - 32);
+        memset(&m, 0x55, sizeof m), other = m;
+        if (vm_osc_by(&o, VM_ROUTE_SECOND, R(0.01) * (vm_real)i, 0, &m) < 0)
+            CHECK(memcmp(&m, &other, sizeof m) == 0);
+        else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
+    }
+    o.v = R(0.25), o.stiffness = vm_law_linear(3, 0), o.mass = vm_law_exponential(2, -1), o.reactive = 40;
+    for (i = 0; i < 2; i++, o.reactive = -o.reactive) { /* an amplitude that overflows; one that vanishes */
+        memset(&m, 0x55, sizeof m), other = m;
+        if (vm_osc_by(&o, VM_ROUTE_TRIG, VM_MANT_DIG > 24 ? 300 : 40, 0, &m) < 0)
+            CHECK(memcmp(&m, &other, sizeof m) == 0);
+        else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
+    }
+    o.mass = vm_law_linear(VM_MIN, 0), o.stiffness = vm_law_linear(VM_MAX / 4, 0); /* omega overflows */
+    CHECK(vm_osc_plan_init(&p, &o) == VM_NOT_FINITE);
+    o.mass = vm_law_exponential(2, VM_MAX / 8), o.stiffness = vm_law_linear(3, 0);
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK || vm_osc_plan_init(&p, &o) == VM_NOT_FINITE);
 }
 
 /* -- Van der Pol, Laval's rotor, pairs, harmonic excitation -- */
@@ -1512,10 +1769,17 @@ int main(void)
 {
     test_special_functions();
     test_jumps();
+    test_lists_of_bodies();
     test_rotor();
+    test_pendulum_limits();
+    test_lagrange_limits();
     test_streams();
+    test_stream_limits();
     test_lagrange();
     test_oscillators();
+    test_laws();
+    test_failing_laws();
+    test_oscillator_limits();
     test_slow_vibrations();
     test_integrators();
     test_broken_right_hand_sides();
