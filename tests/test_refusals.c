@@ -337,6 +337,12 @@ static void test_jumps(void)
     REFUSES(separate_for_spin2, 3, BODY2(3, 2, 0.1), RESTING2(1, 0.1, 0.3), BLOW2, R(0.1), R(0.5));
 }
 
+static int energy_gain(trial *a)
+{
+    static const vm_body b;
+    return value(a, vm_energy_gain(POINTER(0, &b), 1, POINTER(1, &b), NULL, POINTER(2, &b)));
+}
+
 /* Lists with something bad in them, attitudes that differ in one number, sums that overflow, energies of nothing */
 static void test_lists_of_bodies(void)
 {
@@ -374,10 +380,8 @@ static void test_lists_of_bodies(void)
                     (double)VM_EPSILON, 64, k, 0);
     }
     CHECK(!vm_inertia_possible(&i)), i.xx = 0, i.yy = 1, i.zz = -1, CHECK(!vm_inertia_possible(&i));
-    CHECK(vm_energy_gain(list, 0, list, NULL, list) == 0 && vm_energy_loss(list, 0, list, NULL, list) == 0);
-    for (k = 0; k < 4; k++) /* no whole, no rest, no number of parts, no parts */
-        CHECK(isnan((double)vm_energy_gain(k == 0 ? NULL : list, k == 2 ? -1 : k == 3, k == 3 ? NULL : list, NULL,
-                                           k == 1 ? NULL : list)));
+    CHECK(vm_energy_loss(list, 0, list, NULL, list) == 0);
+    REFUSES_NULL(energy_gain, 3);
     flat[0].mass = 2, flat[0].inertia = 3, flat[1].inertia = 1; /* a part above the mass centre; one at it */
     for (k = 0; k < 2; k++) {
         flat[1].y = k ? 0 : R(0.5), moving.mass = 7;
@@ -1031,7 +1035,7 @@ static void test_laws(void)
     for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) { /* even laws: t backward with v forward is v backward */
         o.v = R(0.25), CHECK(vm_osc_by(&o, i, R(-3.5), 0, &back) >= 0);
         o.v = R(-0.25), CHECK(vm_osc_by(&o, i, R(3.5), 0, &forward) >= 0);
-        check_error("backward", vm_osc_route_name(i), "eps", ERROR_EPS(back.x, forward.x, 0, 1), 200, i, 0);
+        check_error("backward", vm_osc_route_name(i), "eps", ERROR_EPS(back.x, (double)forward.x, 0, 1), 200, i, 0);
     }
     for (i = 0; i < 9; i++) values[i] = 3 + times[i] / 4; /* nothing jumps at the points of a straight line */
     o.mass = vm_law_linear(3, R(0.25)), CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &m) == VM_OK);
