@@ -859,7 +859,7 @@ static void test_drum_limits(void)
         d.damping = (vm_real)uniform(-2, 0.25);
         phi = VM_FABS(vm_drum_angle_lambert(0, &d));
         if (phi > furthest) furthest = phi;
-        d.damping = R(0.375) * (1 + (vm_real)ldexp(uniform(-1, 1), -(i % VM_MANT_DIG))); /* next to e = 0 it is wrong */
+        d.damping = R(0.375) + VM_SQRT(VM_EPSILON) * (vm_real)uniform(-4, 4); /* next to e = 0 it is wrong */
         phi = vm_drum_angle_lambert(0, &d);
         CHECK(phi == phi || vmi_drum_e(&d).hi == 0);
     }
@@ -1086,12 +1086,16 @@ static void test_failing_laws(void)
     int kind, i;
     memset(untouched, 0x55, sizeof untouched), memset(&o, 0, sizeof o);
     o.alpha = 3, o.reactive = R(0.5), o.x = R(0.5), o.v = R(0.25);
+    for (fails_after = 0; fails_after < 20; fails_after++) {
+        vm_osc_plan p;
+        o.mass = vm_law_user(failing_law, NULL), o.stiffness = vm_law_linear(3, R(0.1)), p.pi = 7, calls = 0;
+        CHECK(vm_osc_plan_init(&p, &o) == VM_OK ? calls <= fails_after : calls > fails_after && p.pi == 7);
+    }
     for (kind = 0; kind < 4; kind++) /* by itself, beside points of a table, beside a straight line, with a force */
-        for (fails_after = 0; fails_after < 30000; fails_after += 1 + (fails_after > 300 ? fails_after / 8 : 0))
+        for (fails_after = 0; fails_after < 10000; fails_after += 1 + (fails_after > 40 ? fails_after / 8 : 0))
             for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) {
                 int status;
-                if ((fails_after > 100 && i > VM_ROUTE_SECOND && fails_after % 8) || (kind == 3 && i == VM_ROUTE_SECOND))
-                    continue;
+                if (kind == 3 && i == VM_ROUTE_SECOND) continue;
                 o.mass = kind == 1   ? vm_law_table(5, times, values)
                          : kind == 2 ? vm_law_linear(2, R(0.1))
                                      : vm_law_user(failing_law, NULL);
@@ -1371,6 +1375,7 @@ static void test_slow_limits(void)
         if (k) CHECK(isnan(A));
         else check_error("Laval", "known to 1.05", "eps", fabs(A - 1.04) / (double)VM_EPSILON, 8, 0, 0);
     }
+    CHECK(vmi_slow_zero(NULL, NULL, 1, 2, 0, 3) == 1 && vmi_slow_zero(NULL, NULL, 1, 2, 3, 0) == 2); /* at an end */
     radius = 1, CHECK(isnan((double)vm_laval_amplitude(&r, 1, 1, R(0.5)))), radius = VM_MAX;
     for (k = -8; k < 9; k++) { /* the first point looked at, e^(1/16), is the amplitude, but for some eps */
         const vm_real mass = (vm_real)exp(-0.25) * (1 + (vm_real)k * VM_EPSILON / 2);
@@ -1385,18 +1390,23 @@ static void test_forced_limits(void)
 {
     vm_forced f = prepared();
     vm_steady curve[3];
-    vm_real motion[3] = {R(0.001), 0, 0}, y[3] = {7, 7, 7};
+    vm_real motion[3] = {R(0.001), 0, 0}, y[3] = {7, 7, 7}, w;
+    const vm_real A = (vm_real)ldexp(1, 40);
     int k, found;
     f.now.force = f.b = f.now.mass_rate = f.now.k_rate = 0;
     CHECK(vm_forced_curve(&f, 0, 1, curve) == 0); /* free vibration holds itself */
+    f.now.force = VM_MIN; /* a force that counts for nothing holds its backbone, w(A) */
+    CHECK(vm_forced_curve(&f, 0, A, curve) == 1);
+    w = 2 * VM_PI / vm_osc_period(A, VM_SQRT(f.now.k / f.now.mass), f.alpha);
+    check_error("backbone", "", "eps", ERROR_EPS(curve[0].nu, (double)w, 0, (double)w), 8, (double)A, 0);
     f = prepared(), f.now.force = 1000;
     CHECK(vm_forced_split(&f, 0, motion, y) == VM_DOMAIN && y[0] == 7);
     motion[0] = VM_MAX, motion[1] = VM_MAX / 2;
     CHECK(vm_forced_split(&f, 0, motion, y) < 0 ? y[0] == 7 : VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]));
     for (k = 0; k < 40; k++) { /* the balance holds at what is found */
         f = prepared(), f.alpha = 1 + R(0.002) * (vm_real)(k - 20), f.b = R(0.02) * (vm_real)(k % 3);
-        f.now.mass_rate = f.now.k_rate = 0, f.now.nu = R(1.25) + R(0.02) * (vm_real)(k % 5);
-        if (f.alpha == 1) continue;
+        f.now.mass_rate = f.now.k_rate = 0, f.now.nu = k % 7 ? R(1.25) + R(0.02) * (vm_real)(k % 5) : R(0.1) * (vm_real)k;
+        if (f.alpha == 1 || k == 0) continue;
         CHECK(vm_forced_init(&f) == VM_OK);
         found = vm_forced_steady(&f, 0, curve);
         CHECK(found >= 0 && found <= 3);
