@@ -566,6 +566,8 @@ static void test_kernels(void)
                     (double)base, (double)y);
     }
     CHECK(isnan((double)vmi_exp(VM_NAN, 0)));
+    CHECK(vmi_reduce(VM_MAX / 2, vmi_two(VM_MAX / 8, 0), &k).hi == 0 && k == 0); /* quarters too large to be split */
+    CHECK(VM_FABS(vmi_reduce(VM_MAX / 4 * 3, vmi_two(VM_MAX / 4, 0), &k).hi) < VM_MAX * VM_EPSILON && k == 3);
     CHECK(fabs((double)(rest.hi + rest.lo)) < 32 * (double)VM_EPSILON * (double)VM_EPSILON);
     CHECK(vmi_nearest(VM_C(2.6)) == 3 && vmi_nearest(VM_C(-2.6)) == -3 && vmi_nearest(VM_NAN) == 0);
 }
