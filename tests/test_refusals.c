@@ -93,11 +93,12 @@ static void meets_all_sizes(const char *name, int (*call)(trial *), const vm_rea
         memcpy(a.output, before, sizeof before);
         a.null = -1;
         for (k = 0; k < 1 + round % 3; k++)
-            a.x[(int)uniform(0, numbers)] =
-                (vm_real)(uniform(-1, 1) < 0 ? -1 : 1) *
-                (vm_real)ldexp(1, (int)uniform(VM_MANT_DIG > 24 ? DBL_MIN_EXP : FLT_MIN_EXP,
-                                               VM_MANT_DIG > 24 ? DBL_MAX_EXP : FLT_MAX_EXP));
-        worked = call(&a) >= 0 ? a.is_value || all_finite(a.output, before) : memcmp(a.output, before, sizeof before) == 0;
+            a.x[(int)uniform(0, numbers)] = (vm_real)(uniform(-1, 1) < 0 ? -1 : 1) *
+                                            (vm_real)ldexp(
+                                                1, (int)uniform(VM_MANT_DIG > 24 ? DBL_MIN_EXP : FLT_MIN_EXP,
+                                                                VM_MANT_DIG > 24 ? DBL_MAX_EXP : FLT_MAX_EXP));
+        worked = call(&a) >= 0 ? a.is_value || all_finite(a.output, before)
+                               : memcmp(a.output, before, sizeof before) == 0;
         if (!worked) {
             printf("%s:", name);
             for (k = 0; k < numbers; k++) printf(" %g", (double)a.x[k]);
@@ -349,7 +350,8 @@ static void test_lists_of_bodies(void)
     memset(list, 0, sizeof list), memset(flat, 0, sizeof flat), memset(&left, 0, sizeof left);
     for (k = 0; k < 3; k++) list[k].mass = 1, list[k].v.x = (vm_real)k;
     whole = list[2], flat[0].mass = flat[1].mass = 1;
-    for (k = 0; k < 3; k++) { /* each of them in turn without a mass; the first sum with all of the largest masses */
+    for (k = 0; k < 3;
+         k++) { /* each of them in turn without a mass; the first sum with all of the largest masses */
         for (j = 0; j < 3; j++) list[j].mass = j == k ? -1 : 1;
         result.mass = 7;
         CHECK(vm_attach_all(&whole, 3, list, NULL, &result) == VM_BAD_MASS && result.mass == 7);
@@ -364,13 +366,14 @@ static void test_lists_of_bodies(void)
         memset(&part, 0, sizeof part), memset(&whole, 0, sizeof whole);
         whole.mass = 3, whole.inertia.xx = 2, whole.inertia.yy = 2, whole.inertia.zz = 3, whole.omega.y = 1;
         part.mass = 1, part.inertia.xx = R(0.1), part.inertia.yy = R(0.2), part.inertia.zz = R(0.3);
-        whole.q.x = 1, part.q.x = k < 2, part.q.y = k == 0, part.q.z = k > 0;
+        whole.q.x = 1, part.q.x = k<2, part.q.y = k == 0, part.q.z = k> 0;
         part.r.x = R(0.25), part.v.z = 2, part.omega.y = 2;
         CHECK(vm_attach(&whole, &part, NULL, &result) == VM_OK);
         list[0] = whole, list[1] = part;
         CHECK(vm_balance_between(2, list, 1, &result, NULL, vmi_vec3(1, 2, 3), &left) == VM_OK);
-        check_error("attach", "attitudes", "eps", (double)(vmi_size(left.momentum) + vmi_size(left.angular_momentum)) /
-                    (double)VM_EPSILON, 64, k, 0);
+        check_error("attach", "attitudes", "eps",
+                    (double)(vmi_size(left.momentum) + vmi_size(left.angular_momentum)) / (double)VM_EPSILON, 64, k,
+                    0);
     }
     CHECK(!vm_inertia_possible(&i)), i.xx = VM_MIN * VM_EPSILON, i.yy = -i.xx; /* whose slack is 0 */
     CHECK(!vm_inertia_possible(&i)), i.zz = i.yy, i.yy = i.xx, i.xx = 0, CHECK(!vm_inertia_possible(&i));
@@ -386,10 +389,11 @@ static void test_lists_of_bodies(void)
         flat[1].y = R(0.5), flat[1].omega = 3;
         CHECK(vm_separate_for2(&flat[0], &flat[1], NULL, v, NULL, &moving) == VM_OK && moving.omega == 3);
         CHECK(vm_separate2(&flat[0], &moving, NULL, &moving) == VM_OK);
-        check_error("separate for", "v alone", "eps", hypot((double)moving.vx - 1, (double)moving.vy - 2) /
-                    (double)VM_EPSILON, 16, 0, 0);
+        check_error("separate for", "v alone", "eps",
+                    hypot((double)moving.vx - 1, (double)moving.vy - 2) / (double)VM_EPSILON, 16, 0, 0);
     }
-    flat[0].x = VM_MAX, flat[1].x = VM_MAX, flat[0].vx = VM_MAX / 2; /* positions and velocities at the end of numbers */
+    flat[0].x = VM_MAX, flat[1].x = VM_MAX,
+    flat[0].vx = VM_MAX / 2; /* positions and velocities at the end of numbers */
     flat[1].vx = -VM_MAX, flat[0].mass = 2, flat[1].mass = 1;
     CHECK(vm_separate2(&flat[0], &flat[1], NULL, &moving) == VM_NOT_FINITE);
 }
@@ -716,17 +720,19 @@ static void test_stream_limits(void)
         b.omega = vmi_vec3(k & 1 ? R(-0.5) : R(0.5), k & 2 ? R(-0.75) : R(0.75), k & 4 ? -1 : 1);
         CHECK(vm_free_rotation(&b, 3, &later) == VM_OK);
         h = vm_angular_momentum(&b, b.r), h_later = vm_angular_momentum(&later, b.r);
-        check_error("free rotation", "separatrix", "eps", (double)vmi_size(vmi_sub(h, h_later)) / (double)VM_EPSILON,
-                    100, k, 0);
         check_error("free rotation", "separatrix", "eps",
-                    fabs((double)(vm_kinetic_energy(&b) - vm_kinetic_energy(&later))) / (double)VM_EPSILON, 100, k, 0);
+                    (double)vmi_size(vmi_sub(h, h_later)) / (double)VM_EPSILON, 100, k, 0);
+        check_error("free rotation", "separatrix", "eps",
+                    fabs((double)(vm_kinetic_energy(&b) - vm_kinetic_energy(&later))) / (double)VM_EPSILON, 100, k,
+                    0);
     }
     b.q.y = 1, CHECK(vm_free_init(&motion, &b, 0) == VM_OK), b.q.y = 0, b.q.z = 1;
     b.v.x = VM_MAX / 4, later.mass = 7;
     CHECK(vm_free_init(&motion, &b, 0) == VM_OK && vm_free_at(&motion, 64, &later) == VM_NOT_FINITE);
     CHECK(later.mass == 7 && vm_free_at(&motion, 1, &later) == VM_OK && later.r.x == VM_MAX / 4);
     memset(&stream, 0, sizeof stream), stream.rate = -64, stream.at.x = 64, loads.mass_rate = 7;
-    CHECK(vm_reactive_loads(&heavy, vmi_vec3(0, 0, 0), 1, &stream, &loads) == VM_NOT_FINITE && loads.mass_rate == 7);
+    CHECK(vm_reactive_loads(&heavy, vmi_vec3(0, 0, 0), 1, &stream, &loads) == VM_NOT_FINITE &&
+          loads.mass_rate == 7);
 }
 
 /* -- The drum, Lagrange's equations -- */
@@ -1104,8 +1110,7 @@ static void test_failing_laws(void)
                 memset(&m, 0x55, sizeof m), calls = 0;
                 status = vm_osc_by(&o, i, R(2.5), R(1e-3), &m);
                 CHECK(calls > fails_after ? status < 0 : status >= 0);
-                CHECK(status >= 0 ? VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v)
-                                  : memcmp(&m, untouched, sizeof m) == 0);
+                CHECK(status >= 0 ? VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v) : memcmp(&m, untouched, sizeof m) == 0);
             }
 }
 
@@ -1117,7 +1122,8 @@ static void test_oscillator_limits(void)
     vm_osc_plan p;
     vm_osc_motion m, other;
     int i;
-    CHECK(vmi_exp_ratio(0) == 1 && vmi_exp_ratio(VM_INFINITY) == VM_INFINITY && vmi_exp_ratio(-VM_MAX) == 1 / VM_MAX);
+    CHECK(vmi_exp_ratio(0) == 1 && vmi_exp_ratio(VM_INFINITY) == VM_INFINITY &&
+          vmi_exp_ratio(-VM_MAX) == 1 / VM_MAX);
     vm_osc_exact(1, 0, VM_NAN, 3, &x, &v), CHECK(isnan((double)x) && isnan((double)v));
     vm_osc_trig(1, 0, VM_NAN, 3, &x, &v), CHECK(isnan((double)x) && isnan((double)v));
     vm_osc_exact(1, 0, 2, R(0.5), &x, &v), CHECK(x == 0 && v == 0); /* its rate would be infinite */
@@ -1139,15 +1145,16 @@ static void test_oscillator_limits(void)
             o.force = NULL, o.damping = b, CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
             CHECK(vm_osc_averaged(&p, route, 0, R(0.5), by_damping, by_damping + 1, by_damping + 2) == VM_OK);
             check_error("drag", vm_osc_route_name(route), "relative",
-                        fabs((double)(by_force[0] / by_damping[0] - 1)), VM_MANT_DIG > 24 ? 1e-9 : 1e-4, (double)o.alpha,
-                        0);
+                        fabs((double)(by_force[0] / by_damping[0] - 1)), VM_MANT_DIG > 24 ? 1e-9 : 1e-4,
+                        (double)o.alpha, 0);
         }
     }
     o.damping = 0, o.alpha = 300, o.x = 1; /* a wave's estimate is not above 1, so that 2 is content with any */
     CHECK(vm_osc_at(&o, 1, 2, &m) == VM_OK && m.route == VM_ROUTE_TRIG && m.error >= 1);
     o.alpha = 3, o.x = R(0.5), o.reactive = R(0.5), o.mass = vm_law_linear(2, R(0.5)), o.v = R(0.25);
     CHECK(vm_osc_by(&o, VM_ROUTE_RK45, 2, 0, &m) == VM_OK && vm_osc_by(&o, VM_ROUTE_RK87, 2, 0, &other) == VM_OK);
-    check_error("reactive 1/2", "rk45, rk87", "", fabs((double)(m.x - other.x)), (double)(m.error + other.error), 0, 0);
+    check_error("reactive 1/2", "rk45, rk87", "", fabs((double)(m.x - other.x)), (double)(m.error + other.error), 0,
+                0);
     o.mass = vm_law_linear(2, 500), o.stiffness = vm_law_linear(R(0.001), 0), o.reactive = 1, o.v = 0;
     for (i = 0; i < 64; i++) { /* faster than any law of second order: no number, or a motion */
         o.v = R(0.01) * (vm_real)(i - 32);
@@ -1164,8 +1171,9 @@ static void test_oscillator_limits(void)
         else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
     }
     o.alpha = 5, o.mass = vm_law_linear(2, 0), o.reactive = 1, by_force[0] = 7;
-    CHECK(vm_osc_plan_init(&p, &o) == VM_OK && vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, VM_MAX, by_force, by_force + 1,
-                                                               by_force + 2) == VM_NOT_FINITE && by_force[0] == 7);
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK &&
+          vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, VM_MAX, by_force, by_force + 1, by_force + 2) == VM_NOT_FINITE &&
+          by_force[0] == 7);
     o.mass = vm_law_linear(VM_MIN, 0), o.stiffness = vm_law_linear(VM_MAX / 4, 0); /* omega overflows */
     CHECK(vm_osc_plan_init(&p, &o) == VM_NOT_FINITE);
     o.mass = vm_law_exponential(2, VM_MAX / 8), o.stiffness = vm_law_linear(3, 0);
@@ -1368,7 +1376,8 @@ static void test_slow_limits(void)
     check_error("Laval", "samples", "eps", ERROR_EPS(rates[0][1], (double)rates[1][1], 0, 1), 64, 0, 0);
     CHECK(vm_laval_amplitude(&r, R(0.1), 2, 2) == R(0.1));
     r.stiffness_ctx = (void *)&none;
-    CHECK(vm_laval_forward_rhs(0, y, rates[0], &r) == VM_DOMAIN && vm_laval_backward_rhs(0, y, rates[0], &r) == VM_DOMAIN);
+    CHECK(vm_laval_forward_rhs(0, y, rates[0], &r) == VM_DOMAIN &&
+          vm_laval_backward_rhs(0, y, rates[0], &r) == VM_DOMAIN);
     r.stiffness = known_to, r.stiffness_ctx = &radius, radius = R(1.05); /* A = (m0/m)^(1/4) is inside, or not */
     for (k = 0; k < 2; k++) {
         const double mass = pow(k ? 1.1 : 1.04, -4), A = (double)vm_laval_amplitude(&r, 1, 1, (vm_real)mass);
@@ -1380,7 +1389,8 @@ static void test_slow_limits(void)
     for (k = -8; k < 9; k++) { /* the first point looked at, e^(1/16), is the amplitude, but for some eps */
         const vm_real mass = (vm_real)exp(-0.25) * (1 + (vm_real)k * VM_EPSILON / 2);
         const double A = (double)vm_laval_amplitude(&r, 1, 1, mass);
-        check_error("Laval", "first point", "eps", fabs(A - pow((double)mass, -0.25)) / (double)VM_EPSILON, 4, k, 0);
+        check_error("Laval", "first point", "eps", fabs(A - pow((double)mass, -0.25)) / (double)VM_EPSILON, 4, k,
+                    0);
     }
 }
 
@@ -1395,7 +1405,7 @@ static void test_forced_limits(void)
     int k, j, found;
     f.now.force = f.b = f.now.mass_rate = f.now.k_rate = 0;
     CHECK(vm_forced_curve(&f, 0, 1, curve) == 0); /* free vibration holds itself */
-    f.now.force = VM_MIN; /* a force that counts for nothing holds its backbone, w(A) */
+    f.now.force = VM_MIN;                         /* a force that counts for nothing holds its backbone, w(A) */
     CHECK(vm_forced_curve(&f, 0, A, curve) == 1);
     w = 2 * VM_PI / vm_osc_period(A, VM_SQRT(f.now.k / f.now.mass), f.alpha);
     check_error("backbone", "", "eps", ERROR_EPS(curve[0].nu, (double)w, 0, (double)w), 8, (double)A, 0);
@@ -1487,7 +1497,8 @@ static void test_points_found(void)
     rk87 s;
     CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == 1);
     CHECK(points[0].t == 1 && points[0].x == 0 && points[0].v == 1);
-    CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 1, 2, R(0.25), 4, points) == 0); /* where it begins: none */
+    CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 1, 2, R(0.25), 4, points) ==
+          0); /* where it begins: none */
     CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 1, 1, R(0.25), 4, points) == 0);
     known[1] = R(0.75);
     CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == VM_NOT_FINITE);
@@ -1786,10 +1797,11 @@ static void test_scene_jumps(void)
         bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0));
         s.bodies = bodies, s.n_bodies = 2, s.events = &event, s.located = &located, s.n_events = 1;
         event = vm_then_separate_in_plane(vm_event_at(1), 0, 1, &part, 1);
-        if (k == 1) event.part.mass = 3;                               /* more than there is */
-        if (k == 2) event = vm_then_attach(vm_event_at(1), 1, 0);      /* to what is not there */
-        if (k == 3) bodies[1].absent = 0, bodies[1].start.r.x = VM_MAX / 4,
-                    event = vm_then_attach(vm_event_at(1), 0, 1);      /* the inertia overflows */
+        if (k == 1) event.part.mass = 3;                          /* more than there is */
+        if (k == 2) event = vm_then_attach(vm_event_at(1), 1, 0); /* to what is not there */
+        if (k == 3)
+            bodies[1].absent = 0, bodies[1].start.r.x = VM_MAX / 4,
+            event = vm_then_attach(vm_event_at(1), 0, 1); /* the inertia overflows */
         if (k == 4) bodies[1] = vm_scene_growing_plane(bodies[1]);
         vm_scene_keep_book(&s, k == 4 ? &book : NULL);
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
@@ -1801,10 +1813,11 @@ static void test_scene_jumps(void)
         if (k % 4) continue;
         CHECK(now.mass == R(1.5));
         vm_scene_body_at(&s, 1, y, &part); /* at rest in the body at 0.25: from there on uniformly, at the spin 1 */
-        check_error("part after a jump", "r", "eps",
-                    hypot((double)part.r.x - 0.25 * (cos(1) - sin(1)), (double)part.r.y - 0.25 * (sin(1) + cos(1))) /
-                        (double)VM_EPSILON,
-                    64, k, 0);
+        check_error(
+            "part after a jump", "r", "eps",
+            hypot((double)part.r.x - 0.25 * (cos(1) - sin(1)), (double)part.r.y - 0.25 * (sin(1) + cos(1))) /
+                (double)VM_EPSILON,
+            64, k, 0);
         CHECK(fabs((double)(part.mass * part.r.x + now.mass * now.r.x)) < 64 * (double)VM_EPSILON);
     }
 }
@@ -1839,8 +1852,9 @@ static void test_scene_losses(void)
     bodies[0] = vm_scene_free(&body), effects[0] = vm_effect_gravity(0, 2, -2), t = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK);
     vm_scene_body_at(&s, 0, y, &body);
-    check_error("point as free body", "r", "eps", hypot((double)body.r.x - 3, (double)body.r.z + 9) / (double)VM_EPSILON,
-                2000, 0, 0); /* of 9, the roundings of all steps */
+    check_error("point as free body", "r", "eps",
+                hypot((double)body.r.x - 3, (double)body.r.z + 9) / (double)VM_EPSILON, 2000, 0,
+                0); /* of 9, the roundings of all steps */
     bodies[0] = vm_scene_growing_free(bodies[0]), t = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) != VM_OK || vm_scene_run(&s, &t, 3, y, work, NULL) == VM_BAD_INERTIA);
 }
