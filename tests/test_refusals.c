@@ -9,8 +9,8 @@ enum { NUMBERS = 64, OUTPUT = 8192 };
 typedef struct trial {
     vm_real x[NUMBERS];           /* what the function is given */
     int taken, null;              /* how many of them; which pointer is null, -1 for none */
-    int is_value;                 /* what it writes is a value, which may be infinite */
     unsigned char output[OUTPUT]; /* what it writes */
+    int is_value;                 /* what it writes is a value, which may be infinite */
 } trial;
 
 /* The next numbers of the trial, as a struct that has nothing else, or as a single one */
