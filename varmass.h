@@ -2948,7 +2948,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     int i;
     if (!whole || !one_more || n < 0 || (n > 0 && !bodies)) return VM_NAN;
     for (i = 0; i <= n; i++) {
-        vm_to_relative(whole, i < n ? bodies + i : one_more, &b);
+        b = i < n ? bodies[i] : *one_more;
+        vm_to_relative(whole, &b, &b);
         sum += vm_kinetic_energy(&b);
     }
     *work = 0;
@@ -4356,8 +4357,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     straight = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
     turning = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, moment));
+    turning = vmi_times(&turn, turning);
     if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
-    *acceleration = straight, *angular_acceleration = vmi_times(&turn, turning);
+    *acceleration = straight, *angular_acceleration = turning;
     return VM_OK;
 }
 

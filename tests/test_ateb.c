@@ -122,7 +122,8 @@ static void test_elementary(void)
     CHECK(vmi_exp(-VM_INFINITY, 0) == 0 && vmi_exp(-VM_MAX, 0) == 0 && vmi_exp(0, 0) == 1);
     CHECK(vmi_exp(VM_NAN, 0) != vmi_exp(VM_NAN, 0));
     CHECK(vmi_ldexp(1, 30000) == VM_INFINITY && vmi_ldexp(1, -30000) == 0);
-    CHECK(vmi_copysign(2, VM_C(-0.0)) == -2 && vmi_copysign(-2, 0) == 2 && vmi_copysign(-2, -3) == -2);
+    CHECK(vmi_copysign(2, VM_C(-0.0)) == -2 && vmi_copysign(-2, 0) == 2 && vmi_copysign(-2, 3) == 2 &&
+          vmi_copysign(-2, -3) == -2);
     CHECK(vmi_log(1).hi == 0 && vmi_log(1).lo == 0);
 }
 

@@ -370,6 +370,17 @@ static void test_one_failure(void)
 {
     const vm_real y0[2] = {1, 0};
     int kind, when;
+    for (when = 1; when < 12; when++) { /* where the compiler knows n: the state is that of the last step made */
+        vm_real work[RK87_WORK(2)];
+        int status;
+        rk45 s;
+        CHECK(m->init(&s, fails_once, NULL, 2, 0, y0, NULL, work) == ODE_OK);
+        countdown = when;
+        status = m == methods ? rk45_solve_with(&s, fails_once, 2, 2) : rk87_solve_with(&s, fails_once, 2, 2);
+        CHECK(status == ODE_RHS_STOPPED && s.rhs_status == 9 && (s.steps > 0) == (s.t > 0));
+        CHECK(s.steps > 0 || (s.y[0] == 1 && s.y[1] == 0));
+        CHECK(m->solve(&s, 2) == ODE_OK && fabs((double)s.y[0] - cos(2)) < 1e-3);
+    }
     for (kind = 0; kind < 3; kind++) /* stops, is no number, is none where the step must not be shorter */
         for (when = 1; when < 80; when++) {
             vm_real work[RK87_WORK(2)];

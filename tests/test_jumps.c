@@ -1138,6 +1138,7 @@ static void test_null(void)
           isnan(vm_in_space(NULL).mass));
     CHECK(isnan(vm_energy_gain(&in.a, -1, &in.b, NULL, &in.b)) &&
           isnan(vm_energy_gain(&in.a, 1, NULL, NULL, &in.b)) && isnan(vm_energy_loss(NULL, 0, NULL, NULL, &in.b)));
+    CHECK(vm_energy_gain(&in.a, 0, NULL, NULL, &in.a) == 0 && isnan(vm_energy_gain(NULL, 0, NULL, NULL, &in.b)));
     CHECK(isnan(vm_parallel_axes(NULL, 1, d).xx) && !vm_inertia_possible(NULL));
 }
 

@@ -1088,6 +1088,20 @@ static void test_bad_input(void)
     CHECK(strcmp(vm_strerror(VM_DOMAIN), vm_strerror(-99)) != 0);
 }
 
+/* The polynomial solver where the rotor does not lead: z^3; two complex roots that are all but one real one */
+static void check_poly_limits(void)
+{
+    const vm_real cube[4] = {2, 0, 0, 0}, apart = VM_SQRT(VM_EPSILON) * 12;
+    vm_real pair[3] = {1, -2, 1}, re[3] = {7, 7, 7}, im[3] = {7, 7, 7};
+    int k;
+    vmi_poly_roots(3, cube, re, im);
+    for (k = 0; k < 3; k++) CHECK(re[k] == 0 && im[k] == 0);
+    pair[2] += apart * apart;
+    vmi_poly_roots(2, pair, re, im);
+    CHECK(im[0] == -im[1] && re[0] == re[1]);
+    CHECK(fabs((double)(im[0] / apart) - 1) < 0.125 && fabs((double)re[0] - 1) < (double)apart);
+}
+
 int main(void)
 {
     test_case_C1();
@@ -1114,5 +1128,6 @@ int main(void)
     test_growth();
     test_hostile();
     test_bad_input();
+    check_poly_limits();
     return check_finish("rotor");
 }

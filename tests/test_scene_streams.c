@@ -459,6 +459,31 @@ static void check_refusals(void)
     CHECK(vm_scene_check(&s.scene, NULL) == VM_BAD_MOTION);
 }
 
+/* Without a book, and with a stream of no rate beside, the same motion */
+static void check_without_book(void)
+{
+    const vm_body body = probe();
+    const vm_stream stream = jet(-0.5, VM_RELATIVE), still = jet(0, VM_ABSOLUTE);
+    vm_body now[3];
+    int k;
+    for (k = 0; k < 3; k++) {
+        stage s;
+        stage_clear(&s, 2);
+        if (k == 1) vm_scene_keep_book(&s.scene, NULL);
+        stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+        stage_stream(&s, 0, &stream);
+        if (k == 2) stage_stream(&s, 0, &still);
+        begin(&s), run(&s, 2, VM_OK);
+        vm_scene_body_at(&s.scene, 0, s.y, now + k);
+        if (k != 1) balanced(&s, "stream of no rate", 10, 10);
+    }
+    for (k = 1; k < 3; k++) {
+        same_vec("without a book, r", now[k].r, now[0].r, 1, 1e-9);
+        same_vec("without a book, v", now[k].v, now[0].v, 1, 1e-9);
+        same_vec("without a book, omega", now[k].omega, now[0].omega, 1, 1e-9);
+    }
+}
+
 int main(void)
 {
     int first, second;
@@ -476,5 +501,6 @@ int main(void)
     check_small();
     check_gone_wrong();
     check_refusals();
+    check_without_book();
     return check_finish("scene streams");
 }
