@@ -188,7 +188,7 @@ static void check_inertia(void)
     for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 8 * EPS * scale);
     reduced = (double)ma * (double)mb / ((double)ma + (double)mb), memset(sum, 0, sizeof sum);
     add_inertia(sum, 1, &a), add_inertia(sum, 1, &b), add_inertia(sum, -1, &whole);
-    add_point_inertia(sum, reduced, (double)d.x, (double)d.y, (double)d.z); /* Steiner's share of both */
+    add_point_inertia(sum, reduced, (double)d.x, (double)d.y, (double)d.z);     /* Steiner's share of both */
     for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 64 * EPS * trace_of(&whole)); /* as check_parts */
     STAIN(part), STAIN(centre2);
     if (vm_split_inertia(ma + mb, &whole, mb, &b, vmi_sub(d, centre), &part, &centre2) < 0) HOLDS(UNTOUCHED(part));
@@ -240,6 +240,26 @@ static void check_inverse(void)
                           (size3(v) + size3(whole.v) + size3(moving.v) + size3(whole.omega))));
 }
 
+/* check_parts in the plane, about the mass centre of the one that is or becomes whole */
+static void check_parts2(const vm_body2 *whole, const vm_body2 *a, const vm_body2 *b, double growth)
+{
+    const vm_body2 *parts[2];
+    double sum = (double)whole->inertia, scale = sum;
+    int i;
+    parts[0] = a, parts[1] = b;
+    for (i = 0; i < 2; i++) {
+        const vm_body2 *p = parts[i];
+        const double dx = (double)p->x - (double)whole->x, dy = (double)p->y - (double)whole->y, d = hypot(dx, dy);
+        const double reach = fabs((double)p->x) + fabs((double)p->y) + fabs((double)whole->x) +
+                             fabs((double)whole->y);
+        if (!tame(p->mass) || !tame(p->inertia) || !tame(whole->mass) || !tame(whole->inertia) || reach > 1e6)
+            return;
+        sum -= (double)p->inertia + (double)p->mass * d * d;
+        scale += (double)p->inertia + (double)p->mass * d * (d + reach);
+    }
+    HOLDS(fabs(sum) <= 64 * EPS * growth * scale);
+}
+
 static void check_plane(void)
 {
     const vm_body2 whole = draw_body2(1);
@@ -254,6 +274,7 @@ static void check_plane(void)
     status = vm_separate2(&whole, &part, external, &rest);
     if (status < 0) HOLDS(UNTOUCHED(rest));
     else {
+        check_parts2(&whole, &rest, &part, (double)(whole.mass / rest.mass));
         HOLDS(is_finite(rest.vx) && is_finite(rest.omega) && rest.mass > 0 && rest.inertia >= 0);
         HOLDS(vm_separate_all2(&whole, 1, &part, external, &again) == status &&
               memcmp(&again, &rest, sizeof rest) == 0);
@@ -287,6 +308,7 @@ static void check_plane(void)
     else
         HOLDS(again.mass >= whole.mass && vm_attach_all2(&whole, 1, &part, external, &rest) == status &&
               memcmp(&again, &rest, sizeof rest) == 0);
+    if (status >= 0) check_parts2(&again, &whole, &part, 1);
     HOLDS(vm_to_relative2(&whole, &part, &relative) == VM_OK &&
           vm_to_absolute2(&whole, &relative, &again) == VM_OK);
     if (tame(whole.omega) && tame(part.omega))
