@@ -43,6 +43,8 @@ static void check_hit(void)
     vm_lagrange_impulse(6, &impulse, body.r, dr, turn, Q);
     rates[0] = body.v.x, rates[1] = body.v.y, rates[2] = body.v.z;
     rates[3] = body.omega.x, rates[4] = body.omega.y, rates[5] = body.omega.z;
+    if (tame_body(&body) && body.mass > 0 && vm_inertia_possible(&body.inertia))
+        check_quadratic(&body, matrix, rates, p);
     STAIN(after);
     status = vm_lagrange_hit(6, matrix, rates, Q, after, work);
     if (status) {
@@ -54,7 +56,6 @@ static void check_hit(void)
     status = vm_lagrange_attach(6, matrix, matrix, rates, NULL, Q, other, work);
     if (status) HOLDS(UNTOUCHED(other));
     if (!tame_body(&body) || !tame3(impulse.linear) || !tame3(impulse.couple) || !tame3(impulse.at)) return;
-    check_quadratic(&body, matrix, rates, p);
     for (i = 0; i < 3; i++) /* the mass centre takes the linear impulse */
         HOLDS(within(after[i], rates[i] + Q[i] / body.mass,
                      64 * EPS * (double)(VM_FABS(rates[i]) + VM_FABS(Q[i] / body.mass))));
