@@ -1,7 +1,7 @@
 #!/bin/sh
-# Errors that are planted into copies of the headers must be found by the fuzz targets: a sign, a wrong bound, an
-# inertia, and others of the kinds that happen. Twice: by replay of pseudo-random inputs, and by clang's libFuzzer from
-# no inputs at all within SECONDS each. One line each: target, header, what sed does to it.
+# Errors that are planted into copies of the headers must be found by the fuzz targets: signs, bounds, inertias, of
+# the kinds that happen. Twice: by replay of pseudo-random inputs, and by clang's libFuzzer, which begins with none,
+# within SECONDS each. One line each: target, header, what sed does to it.
 # usage: planted.sh BUILD [SECONDS], from the top of the project
 build=$1/planted seconds=${2:-20} found=0 missed=0 skipped=0
 mkdir -p "$build"
@@ -17,7 +17,8 @@ count() { # count WHAT COMMAND...
 }
 
 by_replay() {
-    ${CC:-cc} -std=c99 -O0 -DHEADERS_ELSEWHERE -I"$build" tests/fuzz/replay.c -o "$build/replay" -lm >"$build/log" 2>&1 &&
+    ${CC:-cc} -std=c99 -O0 -DHEADERS_ELSEWHERE -I"$build" tests/fuzz/replay.c -o "$build/replay" -lm \
+        >"$build/log" 2>&1 &&
         ! "$build/replay" -n 2000 -t "$1" >"$build/log" 2>&1 && grep -q VIOLATED "$build/log" &&
         echo "    $1, 2000 inputs replayed: $(grep -c VIOLATED "$build/log") times" \
             "$(sed -n 's/.*: \(.*\); drawn.*/\1/p' "$build/log" | head -1 | cut -c1-80)"
@@ -57,22 +58,25 @@ plant "sign: Tsiolkovsky's formula" streams varmass.h \
 # bounds
 plant "bound: a series is used too far" jacobi jacobi.h 's/define VMI_NEAR VM_C(2.2)/define VMI_NEAR VM_C(9.0)/'
 plant "bound: alpha below 0 is taken" ateb ateb.h '/^VM_API int ateb_plan_init_to(/,/^}/s/alpha >= 0/alpha >= -1/'
-plant "bound: attempts are not counted" integrators integrators.h 's/attempts -= attempts > 0;/attempts -= attempts > 100000;/'
-plant "bound: masses below 0 pass" oscillators varmass.h '/^VM_API int vmi_law_derivatives(/,/^}/s/f\[0\] > 0/f[0] > -1/'
+plant "bound: attempts are not counted" integrators integrators.h \
+    's/attempts -= attempts > 0;/attempts -= attempts > 100000;/'
+plant "bound: masses below 0 pass" oscillators varmass.h \
+    '/^VM_API int vmi_law_derivatives(/,/^}/s/f\[0\] > 0/f[0] > -1/'
 # inertias
 plant "inertia: a product of a point's" jumps varmass.h \
     '/^VM_API vm_inertia vmi_inertia_of_point(/,/^}/s/p.xz = -d.x \* d.z/p.xz = d.x * d.z/'
 plant "inertia: the part's mass for the reduced one" jumps varmass.h \
     '/^VM_API int vmi_join(/,/^}/s/b->inertia), reduced, moved/b->inertia), sign * b->mass, moved/'
-plant "inertia: turned the other way" jumps varmass.h \
-    '/^VM_API vmi_load vmi_load_of(/,/^}/s/vmi_inertia_along(&body->inertia, &turn)/vmi_inertia_along(\&body->inertia, \&own)/'
-plant "inertia: of the plane, sizes of its terms" jumps varmass.h 's/b.inertia = load.inertia.zz, b.angle/b.inertia = load.sizes.zz, b.angle/'
+plant "inertia: not turned" jumps varmass.h \
+    '/^VM_API vmi_load vmi_load_of(/,/^}/s/load.inertia = vmi_inertia_along(.*;/load.inertia = body->inertia;/'
+plant "inertia: of the plane, sizes of its terms" jumps varmass.h \
+    's/b.inertia = load.inertia.zz, b.angle/b.inertia = load.sizes.zz, b.angle/'
 plant "inertia: of streams, without the place" streams varmass.h \
     '/^VM_INLINE int vmi_stream_sums(/,/^}/s/s->rate, vmi_inertia_of_point(stored)/0, vmi_inertia_of_point(stored)/'
 plant "inertia: of streams in the plane" streams varmass.h \
     's/s->rate \* (s->gyration + dx \* dx + dy \* dy)/s->rate * (s->gyration + dx * dx - dy * dy)/'
 plant "inertia: of the drum's band" drum varmass.h \
-    's/\*J = d->inertia + d->band \* d->radius \* d->radius \* phi;/*J = d->inertia + d->band * d->radius * d->radius * phi \/ 2;/'
+    's/\*J = d->inertia + d->band \* d->radius/*J = d->inertia + d->band \/ 2 * d->radius/'
 plant "inertia: of the scenes' band" scenes varmass.h \
     '/^VM_API vm_band_now vm_band_at(/,/^}/s/inertia = line/inertia = VM_C(0.9) * line/'
 plant "inertia: of the broken rotor" rotor varmass.h \

@@ -305,7 +305,7 @@ static void check_scene(void)
     }
     HOLDS(size > 0 && size <= STATE && vmi_all_finite(size, y));
     HOLDS(vm_scene_rhs(t, y, dydt, &scene) == 0);
-    HOLDS(vmi_all_finite(size, dydt) || scene.status < 0 || fuzz.wild);
+    HOLDS(vmi_all_finite(size, dydt) || scene.status < 0 || fuzz.wild); /* x^alpha of what is extreme overflows */
     options.max_steps = 3000;
     status = vm_scene_run(&scene, &t, t_end, y, work, &options);
     HOLDS(strcmp(vm_strerror(status), "unknown status") != 0 && t >= 0 && is_finite(t) && vmi_all_finite(size, y));
