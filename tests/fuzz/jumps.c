@@ -22,8 +22,8 @@ static void check_balance(int n, const vm_body *before, int m, const vm_body *af
     if (!null_axis) HOLDS(size3(b.angular_momentum) <= 64 * EPS * (double)b.angular_momentum_scale);
 }
 
-/* Inertias about one point and in one set of axes add up: what is before is what is after. A moment that is lost in
-   some 8 eps of what was added and subtracted counts as none, in a separation of the reduced mass m M/(M - m) at d. */
+/* Inertias about one point and in one set of axes add up: what is before is what is after. A moment that is lost
+   in 8 eps of what was added and subtracted counts as none; in a separation that is of m M/(M - m) at d. */
 static void check_parts(int n, const vm_body *before, int m, const vm_body *after, double growth)
 {
     double sum[6] = {0, 0, 0, 0, 0, 0}, scale = 0;
