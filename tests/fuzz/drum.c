@@ -63,6 +63,19 @@ static void check_published(const vm_drum *d, vm_real t)
     HOLDS(within(vm_drum_angle_lambert(t, d), R(phi), 32 * EPS * (phi + spin / fabs(e) * dr)));
 }
 
+/* The band lies at the radius R, so that J - J0 = (M - M0) R^2; Steiner from the axle to the mass centre, which is
+   that of the band's arc, M0 being at the axle */
+static void check_geometry(const vm_drum *d, vm_real phi, const vm_drum_geometry *g)
+{
+    const double M = (double)g->mass, wound = (double)d->band * (double)phi, R_ = (double)d->radius;
+    const double J = (double)g->axle_inertia, offset = (double)g->offset;
+    HOLDS(within(g->mass, R((double)d->mass + wound), 4 * EPS * M));
+    HOLDS(fabs(J - (double)d->inertia - wound * R_ * R_) <= 8 * EPS * J);
+    HOLDS(fabs(J - (double)g->inertia - M * offset * offset) <= 16 * EPS * J);
+    HOLDS(fabs(M * offset - wound * (double)g->arc_centre) <= 16 * EPS * wound * R_ * (1 + (double)phi));
+    HOLDS(fabs((double)g->arc_centre) <= R_ * (1 + 4 * EPS));
+}
+
 static void check_rigid(void)
 {
     const vm_drum d = draw_drum();
@@ -74,7 +87,10 @@ static void check_rigid(void)
     STAIN(g);
     status = vm_drum_at(phi, &d, &g);
     if (status) HOLDS(UNTOUCHED(g));
-    else HOLDS(g.mass > 0 && g.inertia > 0 && (!tame_drum(&d) || g.mass >= d.mass));
+    else {
+        HOLDS(g.mass > 0 && g.inertia > 0 && (!tame_drum(&d) || g.mass >= d.mass));
+        if (tame_drum(&d) && tame(phi)) check_geometry(&d, phi, &g);
+    }
     HOLDS(is_nan(vm_drum_rate(phi, NULL)) && is_nan(vm_drum_angle(1, NULL)) && is_nan(vm_drum_time(1, NULL)) &&
           is_nan(vm_drum_stop(NULL)));
     if (!tame_drum(&d) || !is_finite(phi)) return;

@@ -22,7 +22,7 @@ static struct {
     const unsigned char *at, *end; /* the bytes that are left; beyond them come zeros */
     const char *target;
     double drawn[FUZZ_DRAWN]; /* the numbers of this run, for the report of a violation */
-    int n_drawn, wild;        /* draw_any was called: sizes of all kinds, so that what is finite may overflow */
+    int n_drawn, wild;        /* draw_any drew a number whose powers or quotients may overflow */
     long violations, checks;
 } fuzz;
 
@@ -104,12 +104,9 @@ static vm_real special(void)
     return i == n + 4 ? VM_INFINITY : VM_NAN;
 }
 
-/* any number of the type: bit patterns, special values and their neighbours, sizes of all kinds */
-static vm_real draw_any(void)
+static vm_real draw_of_kind(int kind)
 {
-    const int kind = draw_below(8);
     vm_real x;
-    fuzz.wild = 1;
     if (kind == 0) {
         vmi_bits bits = (vmi_bits)draw_bits((int)sizeof bits);
         memcpy(&x, &bits, sizeof x);
@@ -121,6 +118,14 @@ static vm_real draw_any(void)
     if (kind == 4) return draw_in(-4, 4);
     x = kind == 5 ? draw_log((double)VM_MIN, (double)VM_MAX) : draw_log(1e-6, 1e6);
     return draw_byte() & 1 ? -x : x;
+}
+
+/* any number of the type: bit patterns, special values and their neighbours, sizes of all kinds */
+static vm_real draw_any(void)
+{
+    const vm_real x = draw_of_kind(draw_below(8));
+    if (!(x == 0 || (VM_FABS(x) >= R(1e-6) && VM_FABS(x) <= 16))) fuzz.wild = 1;
+    return x;
 }
 
 /* mostly the first function of the two, now and then any number: the branches that refuse are short */

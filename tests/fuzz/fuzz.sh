@@ -1,6 +1,7 @@
 #!/bin/sh
-# Fuzz every target in both precisions for SECONDS in all, by clang's libFuzzer with ASan and UBSan; inputs that violate
-# a property stay in BUILD/fuzz/TARGET-crash-*, from where they go to tests/fuzz/corpus with a line of what went wrong.
+# Fuzz every target in both precisions for SECONDS in all, by clang's libFuzzer with ASan and UBSan; inputs that
+# violate a property stay in BUILD/fuzz/TARGET-crash-*, from where they go to tests/fuzz/corpus with a line of what
+# went wrong.
 # usage: fuzz.sh BUILD SECONDS [TARGET...], from the top of the project
 build=$1/fuzz seconds=$2
 shift 2
@@ -20,8 +21,9 @@ for target in "$@"; do
         clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $flags \
             tests/fuzz/$target.c -o "$program" -lm 2>"$program.log" || { cat "$program.log"; exit 1; }
         mkdir -p "$program.corpus"
-        if "$program" -max_total_time=$each -max_len=768 -len_control=0 -timeout=20 -rss_limit_mb=1024 -print_final_stats=1 \
-            -artifact_prefix="$program-" -close_fd_mask=0 "$program.corpus" >"$program.log" 2>&1; then
+        if "$program" -max_total_time=$each -max_len=768 -len_control=0 -timeout=20 -rss_limit_mb=1024 \
+            -print_final_stats=1 -artifact_prefix="$program-" -close_fd_mask=0 "$program.corpus" >"$program.log" 2>&1
+        then
             awk -v name="$target $precision" '/cov:/ {for (i = 1; i < NF; i++) if ($i == "cov:") cov = $(i + 1)}
                 /number_of_executed_units/ {n = $2} /average_exec_per_sec/ {rate = $2}
                 END {printf "%-20s %9d inputs, %7d inputs/s, %5d edges\n", name, n, rate, cov}' "$program.log"

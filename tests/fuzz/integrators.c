@@ -182,7 +182,9 @@ static void check_adaptive(void)
     for (i = 0; i < 8; i++) { /* goes on after events */
         const vm_real t = s.t;
         status = solve(&s, high, with, n, t_end);
-        HOLDS(known(status) && is_finite(s.t) && vmi_all_finite(n, s.y));
+        /* at an event next to the end of the range dense output may overflow between finite states */
+        HOLDS(known(status) && is_finite(s.t) &&
+              (vmi_all_finite(n, s.y) || (fuzz.wild && status == ODE_NOT_FINITE)));
         if (status == ODE_BAD_ARGUMENT) {
             HOLDS(!is_finite(t_end) && s.t == t);
             return;
@@ -217,7 +219,7 @@ static void check_accuracy(void)
                  200 * (double)tolerance + 500 * EPS));
     HOLDS((high ? rk87_solve(&s, 0) : rk45_solve(&s, 0)) == ODE_OK);
     HOLDS(within(s.y[0], r.y[0], 400 * (double)tolerance + 1000 * EPS));
-    HOLDS(s.evals >= 6 * s.steps && s.steps > 0);
+    HOLDS(s.evals >= 6 * s.steps && (s.steps > 0 || t == 0));
 }
 
 static void check_defaults(void)

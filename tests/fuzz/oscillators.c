@@ -155,6 +155,21 @@ static int takes_long(const vm_osc_plan *plan, vm_real t)
                             VM_FABS(plan->q * t) > 10); /* damped away: for alpha < 1 ever shorter periods */
 }
 
+/* The routes by their own functions; those of the laws take no tolerance, which with a force they integrate to */
+static int by_name(const vm_osc_problem *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *m)
+{
+    switch (route) {
+    case VM_ROUTE_TRIG: return vm_osc_by_trig(p, t, m);
+    case VM_ROUTE_JACOBI: return vm_osc_by_jacobi(p, t, m);
+    case VM_ROUTE_ATEB: return vm_osc_by_ateb(p, t, m);
+    case VM_ROUTE_SECOND: return vm_osc_by_second(p, t, m);
+    case VM_ROUTE_VARIATION: return vm_osc_by_variation(p, t, tolerance, m);
+    case VM_ROUTE_RK45: return vm_osc_by_rk45(p, t, tolerance, m);
+    case VM_ROUTE_RK87: return vm_osc_by_rk87(p, t, tolerance, m);
+    default: return vm_osc_by(p, route, t, tolerance, m);
+    }
+}
+
 static void check_routes(void)
 {
     table_of tables[2];
@@ -164,14 +179,17 @@ static void check_routes(void)
     const int route = draw_below(9) - 1;
     vm_osc_motion m, n;
     vm_osc_plan plan;
-    int status, planned;
-    const int wild = !route_is_law(route) || !tame_law(&p.mass) || !tame_law(&p.stiffness) || p.force ||
-                     VM_FABS(t) > 30; /* differences in the last place move the steps of the integrators */
+    int status, planned, by;
+    /* the same work but for Ateb functions of a plan, 2 ulp, beside those without, 3; where a run of an integrator
+       goes out of what is usual this may move its steps */
+    const int same_work = !fuzz.wild || (route_is_law(route) && tame_law(&p.mass) && tame_law(&p.stiffness) &&
+                                         !p.force && VM_FABS(t) <= 30);
     STAIN(plan), STAIN(m);
     planned = vm_osc_plan_init(&plan, &p);
     if (planned) HOLDS(planned < 0 && UNTOUCHED(plan));
     else if (takes_long(&plan, t)) return;
     status = vm_osc_by(&p, route, t, tolerance, &m);
+    if (route < 0 || route > VM_ROUTE_RK87) HOLDS(status < 0);
     if (status < 0) HOLDS(UNTOUCHED(m));
     else {
         HOLDS(planned == 0 && route >= 0 && route <= VM_ROUTE_RK87 && is_finite(m.x) && is_finite(m.v) &&
@@ -179,23 +197,16 @@ static void check_routes(void)
         HOLDS((m.error >= 0 || !tame(p.x) || !tame(p.v)) && m.evals >= 0 &&
               strcmp(vm_osc_route_name(route), vm_osc_route_name(99)) != 0);
     }
-    switch (route) {
-    case VM_ROUTE_TRIG: HOLDS(vm_osc_by_trig(&p, t, &n) == status); break;
-    case VM_ROUTE_JACOBI: HOLDS(vm_osc_by_jacobi(&p, t, &n) == status); break;
-    case VM_ROUTE_ATEB: HOLDS(vm_osc_by_ateb(&p, t, &n) == status); break;
-    case VM_ROUTE_SECOND: HOLDS(vm_osc_by_second(&p, t, &n) == status); break;
-    case VM_ROUTE_VARIATION: HOLDS(vm_osc_by_variation(&p, t, tolerance, &n) == status); break;
-    case VM_ROUTE_RK45: HOLDS(vm_osc_by_rk45(&p, t, tolerance, &n) == status); break;
-    case VM_ROUTE_RK87: HOLDS(vm_osc_by_rk87(&p, t, tolerance, &n) == status); break;
-    default: HOLDS(status < 0);
+    by = by_name(&p, route, t, tolerance, &n);
+    if (tolerance == 0 || !route_is_law(route) || !p.force) { /* one and the same call */
+        HOLDS(by == status);
+        if (status >= 0) HOLDS(same_bits(n.x, m.x) && same_bits(n.v, m.v) && same_bits(n.error, m.error));
     }
-    if (status >= 0 && !wild)
-        HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude)); /* with and without a plan */
     STAIN(n);
     if (planned == 0) {
-        const int by = vm_osc_plan_by(&plan, route, t, tolerance, &n);
+        by = vm_osc_plan_by(&plan, route, t, tolerance, &n);
         HOLDS(by == status && (by >= 0 || UNTOUCHED(n)));
-        if (by >= 0 && !wild) HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
+        if (by >= 0 && same_work) HOLDS(within(n.x, m.x, 8 * EPS * (double)m.amplitude));
     }
 }
 
@@ -218,7 +229,7 @@ static void check_at(void)
     if (planned) return;
     HOLDS(vm_osc_plan_at(&plan, t, tolerance, &n) == status);
     if (status >= 0 && route_is_law(m.route) && tame_law(&p.mass) && tame_law(&p.stiffness))
-        HOLDS(within(n.x, m.x, 256 * EPS * (double)m.amplitude));
+        HOLDS(within(n.x, m.x, 8 * EPS * (double)m.amplitude)); /* as check_routes */
     method = draw_below(8) - 1;
     STAIN(rates);
     status = vm_osc_averaged(&plan, method, t, MOSTLY(draw_in(0.1, 2)), rates, rates + 1, rates + 2);

@@ -82,6 +82,35 @@ static void check_linear(void)
     }
 }
 
+static double moment_about(const vm_real *state, const vm_real *origin, double mass, double *size)
+{
+    const double x = (double)state[0] - (double)origin[0], y = (double)state[1] - (double)origin[1],
+                 vx = (double)state[3] - (double)origin[3], vy = (double)state[4] - (double)origin[4];
+    const double reach = fabs((double)state[0]) + fabs((double)state[1]) + fabs((double)origin[0]) +
+                         fabs((double)origin[1]);
+    const double speed = fabs((double)state[3]) + fabs((double)state[4]) + fabs((double)origin[3]) +
+                         fabs((double)origin[4]);
+    *size += mass * ((fabs(x) + fabs(y)) * speed + reach * (fabs(vx) + fabs(vy)));
+    return mass * (x * vy - y * vx);
+}
+
+/* Inertias about the whole's mass centre add up, and so do angular momenta about it, relative to its motion */
+static void check_break_turning(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
+                                const vm_rotor_break *b)
+{
+    const double d = fabs((double)piece->distance), s = fabs((double)b->rest.s), m = (double)piece->mass,
+                 M = (double)whole->mass, m1 = (double)b->rest.mass, J1 = (double)b->rest.inertia,
+                 J2 = (double)piece->inertia;
+    const double growth = M / m1, inertias = (double)whole->inertia + J2 + m * growth * d * d;
+    double spin1 = (double)b->state[5], spin2 = (double)b->piece[5], scale = 0, L;
+    HOLDS(fabs(m1 * s - m * d) <= 8 * EPS * growth * m * d);
+    HOLDS(fabs(J1 + m1 * s * s + J2 + m * d * d - (double)whole->inertia) <= 16 * EPS * growth * inertias);
+    L = moment_about(b->state, before, m1, &scale) + moment_about(b->piece, before, m, &scale);
+    L += J1 * spin1 + J2 * spin2 - (double)whole->inertia * (double)before[5];
+    scale += J1 * fabs(spin1) + J2 * fabs(spin2) + inertias * fabs((double)before[5]);
+    HOLDS(fabs(L) <= 64 * EPS * growth * scale);
+}
+
 static void check_break(void)
 {
     const vm_rotor whole = draw_rotor();
@@ -102,6 +131,9 @@ static void check_break(void)
     }
     HOLDS(vmi_all_finite(6, result.state) && vmi_all_finite(6, result.piece));
     HOLDS(result.rest.mass > 0 && result.rest.inertia > 0 && piece.mass > 0 && piece.mass < whole.mass);
+    if (tame_rotor(&whole) && all_tame(6, before) && tame(piece.mass) && tame(piece.inertia) &&
+        tame(piece.distance))
+        check_break_turning(&whole, before, &piece, &result);
     if (tame_rotor(&whole) && all_tame(6, before) && tame(piece.mass)) { /* momentum along x and y */
         int i;
         for (i = 3; i < 5; i++) {
