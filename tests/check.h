@@ -79,8 +79,10 @@ static inline int representable(double x) { return (double)(vm_real)x == x; }
 static inline double uniform(double low, double high)
 {
     static unsigned long long state = 20;
+    volatile vm_real rounded; /* gcc 12 vectorises double to float to double without the rounding */
     state = state * 6364136223846793005ull + 1442695040888963407ull;
-    return (double)(vm_real)(low + (high - low) * ((double)(state >> 11) / 9007199254740992.0));
+    rounded = (vm_real)(low + (high - low) * ((double)(state >> 11) / 9007199254740992.0));
+    return (double)rounded;
 }
 
 static inline int check_finish(const char *program)
