@@ -59,7 +59,7 @@ command_for() { # command_for PROGRAM, which leaves a table when it comes to its
 # Of this table program, function, kind and property of what is not proved; clauses are those of Frama-C's own library
 alarms() { # alarms PROGRAM
     awk -F '\t' -v OFS='\t' -v program="$1" '
-        NR > 1 && $6 !~ /^(Valid|Considered valid)$/ && $5 !~ / clause$/ { print program, $4, $5, $7 }' "$build/$1.csv"
+        NR > 1 && $6 ~ /Unknown|[Ii]nvalid/ && $5 !~ / clause$/ { print program, $4, $5, $7 }' "$build/$1.csv"
 }
 
 # The alarms that no line of tests/eva.txt accepts, or, for LEFT=lines, its lines that accept none

@@ -50,3 +50,14 @@ void eva_plan_array(void)
     for (i = 0; i < 5; i++) u[i] = any;
     if (jacobi_plan_init(&p, any) == 0) jacobi_plan_sncndn_array(&p, n > 5 ? 5 : n, u, sn, cn, dn);
 }
+
+/* What free rotation takes of jacobi.h, within its bounds: |turns| < 2^13 */
+void eva_rotation(void)
+{
+    const vm_two x = {any, any}, y = {any, any}, z = {any, any};
+    vmi_doubled_theta theta = vmi_doubled_direct(any, any, any);
+    const vm_real turns = any;
+    sink[0] = vmi_carlson_rf(x, y, z).hi, sink[1] = vmi_third_kind_ladder(x, y, z).rest.hi;
+    if (-8192 < turns && turns < 8192) vmi_sincos_turns(turns, sink + 2, sink + 3);
+    vmi_doubled_at(&theta, VM_C(0.25), sink + 4, sink + 5);
+}

@@ -7,9 +7,13 @@
 
 enum { NUMBERS = 64, OUTPUT = 8192 };
 typedef struct trial {
-    vm_real x[NUMBERS];           /* what the function is given */
+    union {
+        double number;
+        void *pointer;
+    } alignment;                  /* of what follows it */
+    unsigned char output[OUTPUT]; /* what the function writes */
+    vm_real x[NUMBERS];           /* what it is given */
     int taken, null;              /* how many of them; which pointer is null, -1 for none */
-    unsigned char output[OUTPUT]; /* what it writes */
     int is_value;                 /* what it writes is a value, which may be infinite */
 } trial;
 
@@ -473,8 +477,10 @@ static int from_polar(trial *a)
 }
 static int pendulum(trial *a)
 {
-    vm_pendulum p = {0, 0, 0, 0, VM_AXES_COS_SIN};
+    vm_pendulum p;
     const vm_real part = next(a), Omega = next(a), ux = next(a), uy = next(a);
+    memset(&p, 0, sizeof p); /* its padding too, which all_finite reads in what becomes of it */
+    p.axes = VM_AXES_COS_SIN;
     p.mass = next(a), p.length = next(a), p.angle = next(a), p.rate = next(a);
     return vm_pendulum_separate(POINTER(0, &p), part, Omega, ux, uy, OUT(1, vm_pendulum_cut, 0));
 }
