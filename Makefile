@@ -137,11 +137,11 @@ build/coverage/map.json:
 	-$(MAKE) coverage
 test-mutate: build/coverage/map.json
 	python3 tests/mutate.py build $(SEED) $(MUTANTS) $(MUTATED)
-PART = all # or run, valgrind, static: one of them
+PART = all # or gcc, memory, clang, valgrind, analyser, tidy, misra: one of them
 test-sanitize:
-	@sh tests/install.sh "command -v clang" clang; mkdir -p build; sh tests/sanitize.sh build $(PART) $(TESTS)
+	@sh tests/install.sh "command -v clang" clang; mkdir -p build && echo '*' >build/.gitignore; sh tests/sanitize.sh build $(PART) $(TESTS)
 proof:
-	@mkdir -p build; sh tests/eva.sh build
+	@mkdir -p build && echo '*' >build/.gitignore; sh tests/eva.sh build
 
 # a controller on an emulated Cortex-M4F
 CORTEX_M4F = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
