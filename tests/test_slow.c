@@ -919,7 +919,7 @@ static void test_pair_modes(void)
 /* A motion that is smaller than its ripple, (2r - 1) m'/(2 m Om) > 2: refused at either end, y left as it was */
 static void test_pair_below_ripple(void)
 {
-    vm_linear_mass m = linear(1, -0.5), heavy = linear(1000, -500), steady = linear(1000, R(-1e-4));
+    vm_linear_mass m = linear(1, -0.5), heavy = linear(1000, -500), steady = linear(1000, -1e-4);
     vm_pair p = make_pair(1, 1, 0, &m);
     const vm_real fast[4] = {0, R(0.75), 0, 100}, slow[4] = {0, R(0.75), 0, R(3e-5)}, weak[4] = {1, 2, 0, 0};
     vm_real modes[4] = {7, 7, 7, 7}, back[4] = {7, 7, 7, 7};
