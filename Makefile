@@ -11,10 +11,9 @@
 #   make wasm      an oscillator for the browser, build/wasm
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
-#   make test-cross   the same bits on every target (minutes)
+#   make test-cross   the same bits and the tests on every target (half an hour)
 #   make test-fuzz SECONDS=n   all functions fuzzed      make evaluations COUNT=n   n of each special function
 #   make test-threads   everything from many threads, under ThreadSanitizer
-
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
@@ -137,7 +136,7 @@ build/coverage/map.json:
 	-$(MAKE) coverage
 test-mutate: build/coverage/map.json
 	python3 tests/mutate.py build $(SEED) $(MUTANTS) $(MUTATED)
-PART = all # or gcc, memory, clang, valgrind, analyser, tidy, misra: one of them
+PART = all # or run, valgrind, static; or gcc, memory, clang, valgrind, analyser, tidy, misra: one of them
 test-sanitize:
 	@sh tests/install.sh "command -v clang" clang; mkdir -p build && echo '*' >build/.gitignore; sh tests/sanitize.sh build $(PART) $(TESTS)
 proof:

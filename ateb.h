@@ -584,9 +584,9 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q);
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m);
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca);
 
-/* B(a, b); I_x(a, b), regularised; and x of which it is p; a, b from 1e-3 to 1e4, the latter two less accurate and
-   slower from 1e-4 to 1e5, NaN beyond. The forms with both take and return complements too, y = 1 - x and q = 1 - p,
-   where these carry the information; ln x tells x where it underflows. */
+/* B(a, b), a and b from 1e-4 to 1e5; I_x(a, b), regularised, and x of which it is p, from 1e-3 to 1e4, less accurate
+   and slower to 1e-4 and 1e5; NaN beyond. The forms with both take and return complements too, y = 1 - x and
+   q = 1 - p, where these carry the information; ln x tells x where it underflows. */
 VM_API vm_real ateb_beta(vm_real a, vm_real b);
 VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b);
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q);

@@ -850,8 +850,8 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
-   x = (c/s)^2, which leaves a relative error of x eps/2 < 2^-84 (float 2^-40), and an eighth of an eps of sn, cn, dn/k',
-   whose slope in u is max(1, k'). m1 > 0. */
+   x = (c/s)^2, which leaves a relative error of x eps/8 < 2^-85 (float 2^-41), and less than an eighth of an eps of
+   sn, cn, dn/k', whose slope in u is max(1, k'). m1 > 0. */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);

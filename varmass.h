@@ -1066,8 +1066,8 @@ typedef struct VM_TAG(vm_osc_plan) {
    VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
-   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would need
-   2^13 steps a period, four times what its longest step asks for, or 2^23 of the present periods: every call ends). */
+   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would need 2^13 steps a
+   period, four times what its longest step asks for, or 2^23 of the present periods: every call ends). */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem);
 VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion);
 VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion);
@@ -1201,8 +1201,8 @@ typedef struct VM_TAG(vm_pair) {
 } vm_pair;
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair);
 /* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
-   its first ripple, so that any initial velocities do. VM_DOMAIN where the motion is smaller than this ripple, as
-   it is where m -> 0. Averaged equations of the modes for any mass. */
+   first ripple, so that any initial velocities do. VM_DOMAIN where the ripple is as large as the motion,
+   |(2r - 1) m'/m| some 2 Omega, as it is where m -> 0. Averaged equations of the modes for any mass. */
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes);
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y);
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair);
@@ -6968,7 +6968,9 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
     vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &found[1]);
     A = exact;
     for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, found[1]);
-    if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
+    if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, found[1]) - exact) <= exact / 8))
+        return VM_DOMAIN; /* the ripple is as large as the motion: its equation is not solved */
+    if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
     found[0] = A, found[2] = y[0] + y[1], found[3] = y[2] + y[3];
     return vmi_deliver(4, found, modes);
 }

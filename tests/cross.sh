@@ -4,8 +4,10 @@
 # usage: cross.sh BUILD_FOLDER REPORT TEST..., from the top of the project
 build=$1/cross report=$2
 shift 2
-every=$* # those but the four that last longest, for emulators; those that emulators of soft double take
+every=$*
+# those but the four that last longest, for emulators
 most=$(echo " $every " | sed 's/ streams / /; s/ slow / /; s/ oscillator / /; s/ routes / /')
+# those that an emulator of a processor without double takes in double
 few=$(for test in $every; do case $test in integrators | events | varmass | dissertation | scenes | drum | lagrange) echo $test ;; esac; done)
 passed=0 failed=0 skipped=0
 rm -rf "$build" && mkdir -p "$build" || exit 1

@@ -82,7 +82,7 @@ static void fold_body2(const vm_body2 *b)
 
 /* ---- drawing ---- */
 
-static vm_real uniform(vm_real low, vm_real high) /* 20 bits: exact but for one rounding */
+static vm_real uniform(vm_real low, vm_real high) /* 20 bits */
 {
     random_state = random_state * 1664525u + 1013904223u;
     return low + (high - low) * ((vm_real)(random_state >> 12) / 1048576);

@@ -114,5 +114,6 @@ valgrind) valgrind_runs ;;
 analyser | tidy | misra) sources; $part ;;
 static) sources; analyser; tidy; misra ;;
 all) run gcc memory clang; valgrind_runs; sources; analyser; tidy; misra ;;
+*) echo "no such part: $part" >&2; exit 2 ;;
 esac
 check_finish sanitize

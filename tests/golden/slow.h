@@ -66,7 +66,8 @@ static void try_laval(void)
         if (i % 2) {
             fold_int(vm_laval_split(&r, 0, y, 1, state)), fold_all(5, state);
             fold_int(vm_laval_join(&r, 0, state, back)), fold_all(4, back);
-            integrate_from(state, vm_laval_exact_rhs, &r, 5, 1), integrate_from(state, vm_laval_averaged_rhs, &r, 5, 1);
+            integrate_from(state, vm_laval_exact_rhs, &r, 5, 1);
+            integrate_from(state, vm_laval_averaged_rhs, &r, 5, 1);
         }
         r.reactive = 1, fold(vm_laval_amplitude(&r, rho, m.mass, m.mass / 2));
     }
