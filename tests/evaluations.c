@@ -146,8 +146,9 @@ static trial try_quotients(random_bits *g)
     for (i = 0; i < PHASES && good; i++) {
         u = uniform(g, -8, 8) * K;
         jacobi_sncndn(u, m, &sn, &cn, &dn);
-        good = !VM_IS_FINITE(u) || (same_size(jacobi_cd(u, m) * dn, cn, 24) && same_size(jacobi_sd(u, m) * dn, sn, 24) &&
-                          same_size(jacobi_sc(u, m) * cn, sn, 24));
+        good = !VM_IS_FINITE(u) ||
+               (same_size(jacobi_cd(u, m) * dn, cn, 24) && same_size(jacobi_sd(u, m) * dn, sn, 24) &&
+                same_size(jacobi_sc(u, m) * cn, sn, 24));
     }
     return result(u, m, 0, good);
 }
