@@ -3,18 +3,10 @@
    against integrals in closed form. */
 #include "../varmass.h"
 #include "check.h"
+#include "oscillator_problem.h"
 
 #define R(x) ((vm_real)(x))
 static const int is_float = PRECISION[0] == 'f';
-
-static vm_osc_problem problem(double alpha, vm_law mass, double reactive, double damping)
-{
-    vm_osc_problem o;
-    memset(&o, 0, sizeof o);
-    o.alpha = R(alpha), o.mass = mass, o.stiffness = vm_law_linear(1, 0);
-    o.reactive = R(reactive), o.damping = R(damping), o.x = 1;
-    return o;
-}
 
 /* ---- Tables ---- */
 

@@ -3,6 +3,7 @@
    must fail by what it is known to fail by. */
 #include "../varmass.h"
 #include "check.h"
+#include "oscillator_problem.h"
 
 #define R(x) ((vm_real)(x))
 static const double eps = (double)VM_EPSILON, pi = 3.141592653589793;
@@ -72,15 +73,6 @@ static void start(trajectory *j, const vm_osc_problem *o)
 }
 
 static void follow(trajectory *j, double t) { CHECK(rk45_solve(&j->s, R(t)) >= 0); }
-
-static vm_osc_problem problem(double alpha, vm_law mass, double reactive, double damping)
-{
-    vm_osc_problem o;
-    memset(&o, 0, sizeof o);
-    o.alpha = R(alpha), o.mass = mass, o.stiffness = vm_law_linear(1, 0);
-    o.reactive = R(reactive), o.damping = R(damping), o.x = 1;
-    return o;
-}
 
 static double mass_at(const vm_osc_problem *o, double t)
 {

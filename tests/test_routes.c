@@ -4,6 +4,7 @@
 #include <time.h>
 #include "../varmass.h"
 #include "check.h"
+#include "oscillator_problem.h"
 
 #define R(x) ((vm_real)(x))
 static const int is_float = PRECISION[0] == 'f';
@@ -78,15 +79,6 @@ static double error_of(const truth *c, const vm_osc_motion *motion)
     ateb_plan_saca(&c->ateb, c->s.y[1], &sa, &ca);
     V = sqrt(2 * (double)(k / m) / (alpha + 1)) * pow(A, (alpha + 1) / 2);
     return fmax(fabs((double)motion->x - A * (double)ca) / A, fabs((double)motion->v + V * (double)sa) / V);
-}
-
-static vm_osc_problem problem(double alpha, vm_law mass, double reactive, double damping)
-{
-    vm_osc_problem o;
-    memset(&o, 0, sizeof o);
-    o.alpha = R(alpha), o.mass = mass, o.stiffness = vm_law_linear(1, 0);
-    o.reactive = R(reactive), o.damping = R(damping), o.x = 1;
-    return o;
 }
 
 static int sine_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
