@@ -257,9 +257,12 @@ typedef struct VM_TAG(ode_event) {
     vm_real *states; /* and n values each */
     long count;      /* events so far */
     vm_real t;       /* of the last one */
-    vm_real slack;   /* internal from here on: |g| that is no more than the location's uncertainty at t */
-    vm_real next;    /* where in the step the next one is */
-    int side;        /* the sign of g behind us, 0 when unknown */
+    int side;        /* internal from here on: the sign of g behind us, 0 while it is not known */
+    int side_ahead;  /* the side at the end of the step, if the step is not cut */
+    int happens;     /* nonzero while the step is cut at an instant at which this event happens */
+    vm_real from;    /* g has been looked at up to here, as a fraction of the step */
+    vm_real slack;   /* an unknown side stays unknown while |g| <= slack, */
+    vm_real quiet;   /* for so much time */
 } ode_event;
 enum {
     ODE_RECORD = 0, /* go on */
@@ -295,6 +298,8 @@ typedef struct VM_TAG(rk45) {
     int method;            /* VMI_RK45 or VMI_RK87 */
     rk45_options options;  /* as resolved */
     vm_real *work;         /* from here on internal */
+    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2, */
+    vm_real t_old_low;     /* and the last step began at t_old + t_old_low */
     vm_real h_done;        /* the last accepted step */
     vm_real inverse_error; /* 1 over its error, in tolerances */
     long attempts;         /* left; negative: no limit */
@@ -562,9 +567,15 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
         !vmi_options_good(&o, n))
         return ODE_BAD_ARGUMENT;
-    for (i = 0; i < o.n_events; i++) o.events[i].count = 0;
+    for (i = 0; i < o.n_events; i++) {
+        o.events[i].count = 0;
+        o.events[i].quiet = 0;
+    }
     s->method = method, s->f = f, s->ctx = ctx, s->n = n, s->options = o, s->work = work;
-    s->t = s->t_old = t0;
+    s->t = t0;
+    s->t_old = t0;
+    s->t_low = 0;
+    s->t_old_low = 0;
     s->y = work;
     vmi_copy(n, y0, s->y);
     s->h = o.h0;
@@ -599,10 +610,21 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
     return vmi_ode_init(s, VMI_RK87, f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
+/* No event has just been: at another time the side of each is what the sign of g says. */
+VM_API void vmi_forget_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
+}
+
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
 {
     if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
-    s->t = s->t_old = t;
+    if (t != s->t) vmi_forget_events(s);
+    if (t != s->t) s->t_low = 0;
+    s->t = t;
+    s->t_old = t;
+    s->t_old_low = s->t_low;
     if (y != s->y) vmi_copy(s->n, y, s->y);
     s->k1 = VMI_K1_MISSING;
     s->failure = VMI_NONE_FAILED;
@@ -658,16 +680,20 @@ VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longes
 /* The shortest step that is tried; not 0 at t = 0, where steps that fail would become shorter without end */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
-    vm_real least = 4 * VM_EPSILON * VM_FABS(t) + VM_MIN;
+    vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
     return least > o->h_min ? least : o->h_min;
 }
 
 VM_API int vmi_watch_events(rk45 *s);
 
+/* The time from where y is to t_end */
+VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
+
 /* k_1, and a step that is not too short to be tried */
 VMI_APART int vmi_prepare(rk45 *s, int method, vm_real t_end)
 {
-    vm_real longest = VM_FABS(t_end - s->t), direction = t_end < s->t ? -1 : 1, *k1 = vmi_part(s, VMI_K), least;
+    const vm_real left = vmi_time_left(s, t_end);
+    vm_real longest = VM_FABS(left), direction = left < 0 ? -1 : 1, *k1 = vmi_part(s, VMI_K), least;
     int status = ODE_OK;
     if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(method)), k1);
     if (s->k1 == VMI_K1_MISSING) {
@@ -679,6 +705,7 @@ VMI_APART int vmi_prepare(rk45 *s, int method, vm_real t_end)
     }
     s->k1 = VMI_K1_READY;
     s->t_old = s->t;
+    s->t_old_low = s->t_low;
     if (longest > s->options.h_max) longest = s->options.h_max;
     if (s->h == 0) status = vmi_first_step(s, method, direction, longest);
     if (status) return status;
@@ -892,27 +919,37 @@ VM_INLINE vm_real vmi_shrink(int method, vm_real error)
     return VMI_LARGER(factor, VM_C(0.2));
 }
 
+/* A step that need be changed by no more than this fraction ends on a time that the type can hold, so that y belongs to
+   t exactly. Shorter steps carry the rest of the time in t_low: the clock does not drift away from the motion. */
+#define VMI_LANDING VM_C(0.015625)
+
 /* Steps towards t_end, not past it, until it is reached, or only one if `single`, or a look for stiffness is due.
    A step whose error is within keep_from .. keep_to is followed by one of the same size, which the processor can
    predict: it does not wait for the error before it goes on. */
 VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single, vm_real *w, ptrdiff_t m)
 {
     const rk45_options o = s->options;
-    const vm_real direction = t_end < s->t ? -1 : 1, nearly = VM_C(0.999999);
+    const vm_real direction = vmi_time_left(s, t_end) < 0 ? -1 : 1, nearly = VM_C(0.999999);
     const vm_real keep_from = method == VMI_RK45 ? VM_C(0.25) : VM_C(0.1), keep_to = VM_C(0.75);
-    vm_real t = s->t, t_old = t, h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
+    vm_real t = s->t, t_low = s->t_low, t_old = t, t_old_low = t_low, h_next = s->h, h_done = s->h_done;
+    vm_real inverse_error = s->inverse_error;
     long attempts = s->attempts, steps = 0, rejections = 0, evals = 0;
-    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait;
+    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait, made = 0;
     void *ctx = s->ctx;
     for (;;) {
-        const vm_real left = t_end - t;
-        vm_real h, t_new, error, factor;
-        int last;
+        const vm_real left = (t_end - t) - t_low;
+        vm_real h, h_to_t_new, t_new, t_new_low, error, factor;
+        int last, lands;
         t_old = t;
+        t_old_low = t_low;
+        made = 0;
         if (VM_FABS(h_next) > o.h_max) h_next = direction * o.h_max;
         last = VM_FABS(h_next) >= nearly * VM_FABS(left);
-        h = last ? left : h_next;
-        t_new = last ? t_end : t + h;
+        t_new = last ? t_end : t + (t_low + h_next);
+        h_to_t_new = (t_new - t) - t_low;
+        lands = last || VM_FABS(h_to_t_new - h_next) <= VMI_LANDING * VM_FABS(h_next);
+        h = lands ? h_to_t_new : h_next;
+        t_new_low = lands ? 0 : h_next - h_to_t_new;
         if (!last && !(VM_FABS(h) >= vmi_least_step(&o, t)))
             status = failure == VMI_NOT_FINITE ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
         if (attempts == 0) status = ODE_MAX_STEPS;
@@ -946,14 +983,24 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
         inverse_error = 1 / error;
         vmi_copy(n, w + VMI_Y * m, w + VMI_Y_OLD * m);
         vmi_copy(n, w + VMI_Z * m, w + VMI_Y * m);
-        t = t_new, h_done = h, failure = VMI_NONE_FAILED;
+        t = t_new;
+        t_low = t_new_low;
+        h_done = h;
+        failure = VMI_NONE_FAILED;
+        made = 1;
         if (--stiff_wait <= 0 || single || last) break;
         vmi_copy(n, w + vmi_last_k(method) * m, w + VMI_K * m);
     }
-    s->t = t, s->t_old = t_old, s->h = h_next, s->h_done = h_done, s->inverse_error = inverse_error;
+    s->t = t;
+    s->t_low = t_low;
+    s->t_old = t_old;
+    s->t_old_low = t_old_low;
+    s->h = h_next;
+    s->h_done = h_done;
+    s->inverse_error = inverse_error;
     s->steps += steps, s->rejected += rejections, s->evals += evals;
     s->attempts = attempts, s->stiff_wait = stiff_wait, s->rhs_status = stopped, s->failure = failure;
-    s->k1 = t == t_old ? VMI_K1_READY : VMI_K1_IS_LAST;
+    s->k1 = made ? VMI_K1_IS_LAST : VMI_K1_READY;
     s->extended = 0;
     return stopped ? (int)ODE_RHS_STOPPED : status;
 }
@@ -1243,11 +1290,19 @@ VM_API int vmi_within_last_step(const rk45 *s, int method, vm_real t)
     return s->method == method && ((s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old));
 }
 
+/* Where t, which is within the last step, is in it: 0 at its beginning, 1 at its end */
+VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
+{
+    const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
+    if (x < 0) return 0;
+    return VMI_SMALLER(x, VM_C(1.0));
+}
+
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
 {
     if (!s || !y || !vmi_within_last_step(s, VMI_RK45, t)) return ODE_BAD_ARGUMENT;
     if (t == s->t) vmi_copy(s->n, s->y, y);
-    else vmi_inside(s, VMI_RK45, (t - s->t_old) / s->h_done, y);
+    else vmi_inside(s, VMI_RK45, vmi_place_of(s, t), y);
     return ODE_OK;
 }
 
@@ -1262,7 +1317,7 @@ VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
         int status = vmi_rk87_extend(s);
         if (status) return status;
     }
-    vmi_inside(s, VMI_RK87, (t - s->t_old) / s->h_done, y);
+    vmi_inside(s, VMI_RK87, vmi_place_of(s, t), y);
     return ODE_OK;
 }
 
@@ -1270,55 +1325,107 @@ VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
-/* Before the first step from a state that no step led to: on which side of each event is it? On neither, where g is 0
-   or where the event has just been and g is as small as it was there: so an event is not found again when a run
-   goes on from it. */
+#define VMI_NONE VM_C(2.0) /* no place in a step */
+/* After an event g is first looked at after so much of a step, and its side is found out after so much at the latest */
+#if VM_MANT_DIG > 24
+#define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 */
+#define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 */
+#else
+#define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 */
+#define VMI_QUIET VM_C(0.015625)           /* 2^-6 */
+#endif
+
+/* Before the first step from a state that no step led to: on which side of each event is it? On neither where g is 0,
+   or where the event has just been and rounding could decide the sign of g. */
 VM_API int vmi_watch_events(rk45 *s)
 {
     int i;
     for (i = 0; i < s->options.n_events; i++) {
         ode_event *e = s->options.events + i;
-        vm_real g = e->g(s->t, s->y, e->ctx);
+        const vm_real g = e->g(s->t, s->y, e->ctx);
         if (g != g) return ODE_NOT_FINITE;
-        e->side = e->count && e->t == s->t && VM_FABS(g) <= e->slack ? 0 : vmi_sign(g);
+        if (!(VM_FABS(g) <= e->slack)) e->quiet = 0;
+        e->side = e->quiet > 0 ? 0 : vmi_sign(g);
     }
     return ODE_OK;
 }
 
-/* g at t_old + x h */
+/* The time at the fraction x of the step */
+VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
+{
+    return x == 1 ? s->t : s->t_old + (s->t_old_low + x * s->h_done);
+}
+
+/* y at the fraction x of the step; at its end to the bit */
+VM_API void vmi_state_inside(const rk45 *s, int method, vm_real x, vm_real *y)
+{
+    if (x == 1) vmi_copy(s->n, s->y, y);
+    else vmi_inside(s, method, x, y);
+}
+
 VM_API vm_real vmi_event_value(const rk45 *s, int method, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
-    if (x == 1) return e->g(s->t, s->y, e->ctx);
-    vmi_inside(s, method, x, z);
-    return e->g(s->t_old + x * s->h_done, z, e->ctx);
+    vmi_state_inside(s, method, x, z);
+    return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
-/* Of x, by t's; two events that are not further apart are at the same time */
-VM_API vm_real vmi_resolution(const rk45 *s)
+/* g at x, the state moved by what rounding may have done to it. Each component is moved by another amount, so that a
+   difference of components moves too. */
+VM_API vm_real vmi_event_value_moved(const rk45 *s, int method, const ode_event *e, vm_real x, int direction)
 {
-    const vm_real size = VMI_LARGER(VM_FABS(s->t_old), VM_FABS(s->t)) / VM_FABS(s->h_done);
-    return 2 * VM_EPSILON * VMI_LARGER(size, VM_C(1.0));
+    const vm_real rounding = (vm_real)direction * vmi_least_rtol(method), golden = VM_C(0.6180339887498949);
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
+    vm_real *z = vmi_part(s, VMI_Z), phase = 0;
+    int i;
+    vmi_state_inside(s, method, x, z);
+    for (i = 0; i < s->n; i++) {
+        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + VM_FABS(s->y[i]), share = phase - VM_C(0.5);
+        z[i] += rounding * size * (share + VM_COPYSIGN(VM_C(0.5), share));
+        phase += golden;
+        if (phase >= 1) phase -= 1;
+    }
+    return e->g(vmi_time_inside(s, x) * (1 + (vm_real)direction * VM_EPSILON), z, e->ctx);
 }
 
-/* The end of [a, b], shrunk to what t resolves, on which g = gb has left the side that it has at a: false position in
+/* Sets e->slack: the largest |g| that rounding can make at x. Returns whether rounding leaves g the sign `side`. */
+VM_API int vmi_weigh_rounding(const rk45 *s, int method, ode_event *e, vm_real x, int side)
+{
+    int direction, certain = 1;
+    e->slack = 0;
+    for (direction = -1; direction <= 1; direction++) {
+        const vm_real g = direction ? vmi_event_value_moved(s, method, e, x, direction)
+                                    : vmi_event_value(s, method, e, x);
+        if (VM_FABS(g) > e->slack) e->slack = VM_FABS(g);
+        if (vmi_sign(g) != side) certain = 0;
+    }
+    return certain;
+}
+
+VM_API int vmi_counts_from(const ode_event *e, int side)
+{
+    return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
+}
+
+/* The end of [a, b], shrunk to what x resolves, on which g = gb has left the side that it has at a: false position in
    the Illinois form, every third time bisection */
-VM_API vm_real vmi_locate(const rk45 *s, int method, ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb)
+VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb)
 {
-    const vm_real resolution = vmi_resolution(s);
+    const vm_real resolution = 2 * VM_EPSILON;
     const int side = vmi_sign(ga);
     int count, kept = 0;
-    e->slack = VM_FABS(gb);
     for (count = 1; gb != 0 && b - a > resolution; count++) {
         vm_real x = count % 3 ? b - gb * ((b - a) / (gb - ga)) : a + (b - a) / 2, g;
         x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
         g = vmi_event_value(s, method, e, x);
         if (vmi_sign(g) == side) {
-            a = x, ga = g;
+            a = x;
+            ga = g;
             if (kept > 0) gb /= 2;
             kept = 1;
         } else {
-            b = x, gb = g, e->slack = VM_FABS(g);
+            b = x;
+            gb = g;
             if (kept < 0) ga /= 2;
             kept = -1;
         }
@@ -1326,112 +1433,185 @@ VM_API vm_real vmi_locate(const rk45 *s, int method, ode_event *e, vm_real a, vm
     return b;
 }
 
-#define VMI_NONE VM_C(2.0)
-
-/* e->next: the first event of e in the step after x, or VMI_NONE; e->side is the side at x, and on return that before
-   e->next. Where the side is unknown g is looked at soon after x, and then at ever larger distances, so that an
-   excursion much shorter than the step is seen too. */
-VM_API int vmi_next_event(const rk45 *s, int method, ode_event *e, vm_real x)
+/* The place of the next look at g after e->from: one of the points that divide the step evenly, or `to`; before that
+   points at ever larger distances from `start`, so that an excursion much shorter than the step is seen, too. */
+VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int checks = e->checks == 0 ? 3 : VMI_SMALLER(VMI_LARGER(e->checks, 0), 9999);
-    const vm_real start = x;
-    vm_real gap = VM_MANT_DIG > 24 ? VM_C(1.0) / 67108864 : VM_C(1.0) / 4096;
-    int i = 1;
-    if (e->side) gap = 1;
-    e->next = VMI_NONE;
-    while ((vm_real)i / (vm_real)(checks + 1) <= x) i++;
-    while (i <= checks + 1) {
-        vm_real to = (vm_real)i / (vm_real)(checks + 1), g;
-        int side;
-        if (start + gap < to) to = start + gap;
-        else i++;
-        g = vmi_event_value(s, method, e, to);
+    const vm_real parts = (vm_real)(checks + 1);
+    const vm_real before = VM_FLOOR(e->from * parts), even = (before + 1) / parts;
+    vm_real next = even > e->from ? even : (before + 2) / parts; /* a quotient is rounded */
+    next = VMI_SMALLER(next, to);
+    if (start + *gap < next) next = start + *gap;
+    *gap *= 64;
+    return next;
+}
+
+/* Follows g from e->from to `to`, at most to the first time when the event happens: its place goes to *at, VMI_NONE
+   if there is none. e->from and e->side go along. */
+VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to, vm_real *at)
+{
+    const vm_real start = e->from, h = VM_FABS(s->h_done);
+    vm_real gap = e->side ? VM_C(1.0) : VMI_FIRST_LOOK;
+    *at = VMI_NONE;
+    while (e->from < to) {
+        const vm_real before = e->from, x = vmi_next_look(e, start, &gap, to);
+        const vm_real g = vmi_event_value(s, method, e, x);
+        const int side = vmi_sign(g);
         if (g != g) return ODE_NOT_FINITE;
-        side = vmi_sign(g);
-        if (e->side && side != e->side && (e->direction == 0 || (e->direction > 0) == (e->side < 0))) {
-            vm_real before = vmi_event_value(s, method, e, x);
-            e->slack = VM_FABS(before);
-            e->next = vmi_sign(before) == e->side ? vmi_locate(s, method, e, x, before, to, g) : x;
+        if (side != e->side && vmi_counts_from(e, e->side)) {
+            const vm_real g_before = vmi_event_value(s, method, e, before);
+            *at = vmi_sign(g_before) == e->side ? vmi_locate(s, method, e, before, g_before, x, g) : x;
+            e->from = *at;
             return ODE_OK;
         }
-        e->side = side;
-        x = to;
-        gap *= 64;
+        e->from = x;
+        e->quiet = VMI_LARGER(e->quiet - (x - before) * h, VM_C(0.0));
+        if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
     }
     return ODE_OK;
 }
 
-VM_API void vmi_record(const rk45 *s, int method, ode_event *e, vm_real x)
+/* g has just reached 0 at x or gone through it: its side is unknown while rounding could decide it, and not for long,
+   since g may also have jumped */
+VM_API void vmi_quieten_event(const rk45 *s, int method, ode_event *e, vm_real x)
 {
-    e->t = x == 1 ? s->t : s->t_old + x * s->h_done;
-    if (e->count < e->room) {
-        if (e->times) e->times[e->count] = e->t;
-        if (e->states && x == 1) vmi_copy(s->n, s->y, e->states + e->count * s->n);
-        else if (e->states) vmi_inside(s, method, x, e->states + e->count * s->n);
-    }
-    e->count++;
+    vmi_weigh_rounding(s, method, e, x, 0);
+    e->side = 0;
+    e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
-/* The step ends at x. Whatever else happened there has happened too. */
-VM_API void vmi_cut_step(rk45 *s, int method, vm_real x)
+VM_API void vmi_record(const rk45 *s, int method, ode_event *e, vm_real x)
 {
-    int i;
-    for (i = 0; i < s->options.n_events; i++) {
-        ode_event *e = s->options.events + i;
-        if (e->next != VMI_NONE && e->next - x <= vmi_resolution(s)) {
-            vmi_record(s, method, e, x);
-            if (e->action == ODE_STOP && s->event < 0) s->event = i;
+    e->t = vmi_time_inside(s, x);
+    if (e->count < e->room) {
+        if (e->times) e->times[e->count] = e->t;
+        if (e->states) vmi_state_inside(s, method, x, e->states + e->count * s->n);
+    }
+    e->count++;
+    vmi_quieten_event(s, method, e, x);
+}
+
+/* The first event before *cut that ends the step: *cut becomes its place and `owner` its index. A cut makes a place
+   where g is looked at, which may show another event before it: so until there is none. */
+VM_API int vmi_find_cut(const rk45 *s, int method, vm_real *cut, int *owner)
+{
+    int i, pass, found = 1;
+    for (pass = 0; found; pass++) {
+        found = 0;
+        for (i = 0; i < s->options.n_events; i++) {
+            ode_event *e = s->options.events + i, look = *e;
+            vm_real at;
+            int status;
+            if (e->action == ODE_RECORD || i == *owner) continue;
+            status = vmi_follow_event(s, method, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
+            if (status) return status;
+            e->side_ahead = look.side;
+            if (!(at < (pass ? *cut - VMI_FIRST_LOOK : *cut))) continue;
+            *cut = at;
+            *owner = i;
+            found = 1;
         }
+        if (*cut == VMI_NONE) return ODE_OK;
+    }
+    return ODE_OK;
+}
+
+/* All that an ODE_RECORD asks for up to `to` */
+VM_API int vmi_record_until(const rk45 *s, int method, ode_event *e, vm_real to)
+{
+    for (;;) {
+        vm_real at;
+        const int status = vmi_follow_event(s, method, e, to, &at);
+        if (status || at == VMI_NONE) return status;
+        vmi_record(s, method, e, at);
+    }
+}
+
+/* Sets e->happens: does e happen where the step is cut, at x? Its g has changed sign there, or will later in the step
+   and is so small that rounding decides on which side of the cut: events at one instant have to happen together, since
+   what one of them changes may keep the others from happening. */
+VM_API int vmi_happens_at_cut(const rk45 *s, int method, ode_event *e, vm_real x)
+{
+    ode_event look;
+    vm_real at;
+    int status = vmi_follow_event(s, method, e, x, &at);
+    e->happens = at != VMI_NONE;
+    if (status || e->happens || e->side == 0) return status;
+    look = *e;
+    if (vmi_weigh_rounding(s, method, &look, x, e->side)) return ODE_OK;
+    if (!vmi_counts_from(e, e->side)) {
+        vmi_quieten_event(s, method, e, x);
+        return ODE_OK;
+    }
+    status = vmi_follow_event(s, method, &look, 1, &at);
+    e->happens = at != VMI_NONE;
+    return status;
+}
+
+/* The step ends at x, where events happen: they are counted, then what they change is changed. */
+VM_API int vmi_cut_step(rk45 *s, int method, vm_real x)
+{
+    const int n_events = s->options.n_events;
+    int i;
+    for (i = 0; i < n_events; i++) {
+        ode_event *e = s->options.events + i;
+        if (!e->happens) continue;
+        vmi_record(s, method, e, x);
+        if (e->action == ODE_STOP && s->event < 0) s->event = i;
     }
     if (x < 1) {
+        const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
         vmi_inside(s, method, x, s->y);
-        s->t = s->t_old + x * s->h_done;
-    }
-    for (i = 0; i < s->options.n_events; i++) {
-        ode_event *e = s->options.events + i;
-        if (e->count && e->t == s->t) e->slack = VM_FABS(e->g(s->t, s->y, e->ctx));
+        s->t = t.hi;
+        s->t_low = t.lo;
     }
     s->k1 = VMI_K1_MISSING;
+    for (i = 0; i < n_events; i++) {
+        ode_event *e = s->options.events + i;
+        if (e->happens && e->action == ODE_RESTART && e->change) e->change(s->t, s->y, e->ctx);
+    }
+    return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
 }
 
 /* The step just made, inside which f is not finite, was too long: back to its beginning, to try a quarter of it */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
-    s->t = s->t_old, s->h = s->h_done / 4;
-    s->steps--, s->rejected++;
+    s->t = s->t_old;
+    s->t_low = s->t_old_low;
+    s->h = s->h_done / 4;
+    s->steps--;
+    s->rejected++;
     s->k1 = VMI_K1_READY; /* the step was kept apart from the next */
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
-/* The events of the step just made, in order, up to the first that ends it */
+/* The events of the step just made, up to the first instant with one that ends it */
 VM_API int vmi_events(rk45 *s, int method)
 {
+    const int n_events = s->options.n_events;
     ode_event *events = s->options.events;
-    int i, status = ODE_OK;
-    if (method == VMI_RK87) status = vmi_rk87_extend(s);
+    vm_real cut = VMI_NONE;
+    int i, owner = -1, status = method == VMI_RK87 ? vmi_rk87_extend(s) : (int)ODE_OK;
     if (status == ODE_NOT_FINITE) return vmi_take_back(s);
-    for (i = 0; i < s->options.n_events && status == ODE_OK; i++) status = vmi_next_event(s, method, events + i, 0);
-    while (status == ODE_OK) {
-        ode_event *first = events;
-        vm_real x;
-        for (i = 1; i < s->options.n_events; i++)
-            if (events[i].next < first->next) first = events + i;
-        if (first->next == VMI_NONE) return ODE_OK;
-        x = first->next;
-        vmi_record(s, method, first, x);
-        if (first->action != ODE_RECORD) {
-            first->next = VMI_NONE;
-            if (first->action == ODE_STOP) s->event = (int)(first - events);
-            vmi_cut_step(s, method, x);
-            if (first->action == ODE_RESTART && first->change) first->change(s->t, s->y, first->ctx);
-            return s->event < 0 ? ODE_OK : ODE_EVENT;
+    for (i = 0; i < n_events; i++) events[i].from = 0;
+    if (status == ODE_OK) status = vmi_find_cut(s, method, &cut, &owner);
+    for (i = 0; i < n_events && status == ODE_OK; i++)
+        if (events[i].action == ODE_RECORD)
+            status = vmi_record_until(s, method, events + i, VMI_SMALLER(cut, VM_C(1.0)));
+    if (status) return status;
+    for (i = 0; i < n_events && status == ODE_OK; i++) {
+        ode_event *e = events + i;
+        e->happens = i == owner;
+        if (cut != VMI_NONE && i != owner) status = vmi_happens_at_cut(s, method, e, cut);
+        if (cut == VMI_NONE && e->action != ODE_RECORD) {
+            e->side = e->side_ahead;
+            e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
         }
-        first->side = first->slack == 0 ? 0 : -first->side;
-        status = vmi_next_event(s, method, first, x);
     }
-    return status;
+    return status || cut == VMI_NONE ? status : vmi_cut_step(s, method, cut);
 }
 
 /* ---- Adaptive runs: from step to step ----------------------------------------------------------------------- */
@@ -1479,12 +1659,18 @@ VMI_APART int vmi_after_step(rk45 *s, int method)
     return s->options.n_events ? vmi_events(s, method) : (int)ODE_OK;
 }
 
+/* Is y not yet at t_end, be it by less than t resolves? */
+VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end)
+{
+    return s->t != t_end || -s->t_low * s->h > 0;
+}
+
 VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
 {
     const int was_stiff = s->stiff, one = single || s->options.n_events; /* a step, then what it calls for */
     int status = ODE_OK;
     s->event = -1;
-    while (status == ODE_OK && s->t != t_end) {
+    while (status == ODE_OK && vmi_is_before(s, t_end)) {
         status = vmi_prepare(s, method, t_end);
         if (status) break;
         if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, f, n, t_end, one);
