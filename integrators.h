@@ -1330,9 +1330,11 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 */
+#define VMI_WIDER 64
 #else
 #define VMI_FIRST_LOOK VM_C(2.44140625e-4) /* 2^-12 */
-#define VMI_QUIET VM_C(0.015625)           /* 2^-6 */
+#define VMI_QUIET VM_C(0.0009765625)       /* 2^-10 */
+#define VMI_WIDER 8
 #endif
 
 /* Before the first step from a state that no step led to: on which side of each event is it? On neither where g is 0,
@@ -1380,7 +1382,7 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, int method, const ode_event 
     int i;
     vmi_state_inside(s, method, x, z);
     for (i = 0; i < s->n; i++) {
-        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + VM_FABS(s->y[i]), share = phase - VM_C(0.5);
+        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + x * VM_FABS(s->y[i]), share = phase - VM_C(0.5);
         z[i] += rounding * size * (share + VM_COPYSIGN(VM_C(0.5), share));
         phase += golden;
         if (phase >= 1) phase -= 1;
@@ -1408,14 +1410,16 @@ VM_API int vmi_counts_from(const ode_event *e, int side)
 }
 
 /* The end of [a, b], shrunk to what x resolves, on which g = gb has left the side that it has at a: false position in
-   the Illinois form, every third time bisection */
+   the Illinois form; bisection every third time, and where g is 0 over a distance. A g that is 0 at b and before it for
+   no longer than t resolves is 0 at b. */
 VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb)
 {
-    const vm_real resolution = 2 * VM_EPSILON;
+    const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
     int count, kept = 0;
-    for (count = 1; gb != 0 && b - a > resolution; count++) {
-        vm_real x = count % 3 ? b - gb * ((b - a) / (gb - ga)) : a + (b - a) / 2, g;
+    for (count = 1; b - a > resolution; count++) {
+        const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
+        vm_real x = bisect ? a + (b - a) / 2 : b - gb * ((b - a) / (gb - ga)), g;
         x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
         g = vmi_event_value(s, method, e, x);
         if (vmi_sign(g) == side) {
@@ -1430,7 +1434,7 @@ VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real
             kept = -1;
         }
     }
-    return b;
+    return g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look) ? look : b;
 }
 
 /* The place of the next look at g after e->from: one of the points that divide the step evenly, or `to`; before that
@@ -1443,7 +1447,7 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
     vm_real next = even > e->from ? even : (before + 2) / parts; /* a quotient is rounded */
     next = VMI_SMALLER(next, to);
     if (start + *gap < next) next = start + *gap;
-    *gap *= 64;
+    *gap *= VMI_WIDER;
     return next;
 }
 
@@ -1528,9 +1532,9 @@ VM_API int vmi_record_until(const rk45 *s, int method, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens: does e happen where the step is cut, at x? Its g has changed sign there, or will later in the step
-   and is so small that rounding decides on which side of the cut: events at one instant have to happen together, since
-   what one of them changes may keep the others from happening. */
+/* Sets e->happens: does e happen where the step is cut, at x? Its g has changed sign there, or will at once, and is so
+   small that rounding decides on which side of the cut: events at one instant have to happen together, since what one
+   of them changes may keep the others from happening. */
 VM_API int vmi_happens_at_cut(const rk45 *s, int method, ode_event *e, vm_real x)
 {
     ode_event look;
@@ -1544,7 +1548,7 @@ VM_API int vmi_happens_at_cut(const rk45 *s, int method, ode_event *e, vm_real x
         vmi_quieten_event(s, method, e, x);
         return ODE_OK;
     }
-    status = vmi_follow_event(s, method, &look, 1, &at);
+    status = vmi_follow_event(s, method, &look, VMI_SMALLER(x + VMI_QUIET, VM_C(1.0)), &at);
     e->happens = at != VMI_NONE;
     return status;
 }
