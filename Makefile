@@ -13,6 +13,7 @@
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
 #   make test-cross   the same bits and the tests on every target (half an hour)
 #   make test-fuzz SECONDS=n   all functions fuzzed      make evaluations COUNT=n   n of each special function
+#   make test-events RUNS=n   n random runs whose events coincide (a minute for 300000)
 #   make test-threads   everything from many threads, under ThreadSanitizer
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
@@ -27,14 +28,14 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard refusals ladder
+TESTS = jacobi ateb integrators events coincidences varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard refusals ladder
 SCRIPTS = headers plans package scene_cost golden sweep errata first_steps languages readme fuzz hard_cases sanitize
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -117,6 +118,11 @@ evaluations:
 	    $(COMPILE) -fopenmp $$precision tests/evaluations.c -o build/tests/evaluations -lm && \
 	    ./build/tests/evaluations $(COUNT) $(SEED) $(LINES) >>build/evaluations.md || { cat build/evaluations.md; exit 1; }; done; \
 	cat build/evaluations.md >docs/evaluations.md
+
+# a campaign of minutes: random runs whose events coincide, jump or vanish, each known beforehand
+RUNS = 1000000
+test-events: build/tests/double/coincidences build/tests/float/coincidences
+	for precision in double float; do ./build/tests/$$precision/coincidences $(RUNS) || exit 1; done
 
 # everything from many threads at once, under ThreadSanitizer
 test-threads:

@@ -45,11 +45,21 @@
      an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they
      come to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
 
+   TIME
+     A step ends at a time that the type can hold, and is exactly as long as the difference of the two times: the clock
+     does not drift away from the motion, however far from 0 it began and however many steps it takes. Where steps are
+     so short that this would change them by more than 1/64, and after an event, y belongs to a time between two
+     numbers; s.t is the nearest, and what it lacks is carried along.
+
    EVENTS
-     Zeros of functions g(t, y), found on the continuous extension: recorded, ending the run, or restarting it there.
-     They come in order, each once, also several in one step, on its end, and after rk45_restart. At a stop s.t, s.y
-     are on the far side of the zero (or on it), as near as t resolves. Between two looks at g an even number of zeros
-     is not seen: `checks` looks more often, h_max steps less far.
+     An event happens when g(t, y) reaches zero or changes its sign; it is found on the continuous extension, and is
+     recorded, ends the run, or restarts it there. Each happens once: also several in one step, on its end, at the
+     same instant, and after rk45_restart. Those at one instant, as far as rounding can tell, happen together: all are
+     counted, and what they change is changed in the order of the list, before the run stops or goes on. At a stop
+     s.y is on the far side of the zero (or on it). A g that is 0 over a while happens when it gets there, not when it
+     leaves; one that jumps happens at the jump. After an event the sign of g counts again once rounding cannot have
+     made it: a motion that is reversed on contact does not touch twice. Between two looks at g an even number of
+     zeros is not seen: `checks` looks more often, h_max steps less far.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
      The control finds the bad points, where it takes some short steps: at alpha = 0.5, rk45, tolerance 1e-7, 4922
@@ -223,7 +233,8 @@ enum {
     ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
     ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
     ODE_STEP_TOO_SMALL = -4, /* the tolerance asks for a step below h_min, or below what t can resolve */
-    ODE_MAX_STEPS = -5       /* max_steps attempts did not reach t_end; call again to go on */
+    ODE_MAX_STEPS = -5,      /* max_steps attempts did not reach t_end; call again to go on */
+    ODE_WORK_TOO_SMALL = -6  /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
 VM_API const char *ode_strerror(int status);
 
@@ -279,6 +290,7 @@ typedef struct VM_TAG(rk45_options) {
     const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol; 0 is none */
     ode_event *events;        /* n_events of them, or null */
     int n_events;
+    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
 } rk45_options;
 
 typedef struct VM_TAG(rk45) {
@@ -350,6 +362,7 @@ VM_API const char *ode_strerror(int status)
     case ODE_NOT_FINITE: return "the right-hand side, the state or an event function is not finite";
     case ODE_STEP_TOO_SMALL: return "the step size became too small";
     case ODE_MAX_STEPS: return "max_steps was reached";
+    case ODE_WORK_TOO_SMALL: return "work is too small: it needs RK45_WORK(n) or RK87_WORK(n) numbers";
     default: return "unknown status";
     }
 }
@@ -512,7 +525,7 @@ VM_API vm_real vmi_least_rtol(int method) { return (vm_real)(method == VMI_RK45 
 VM_API rk45_options vmi_defaults(int method, const rk45_options *options_or_NULL)
 {
     const vm_real least = vmi_least_rtol(method);
-    rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0};
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
     if (options_or_NULL) o = *options_or_NULL;
     if (o.rtol == 0) o.rtol = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-4);
     if (o.rtol > 0 && o.rtol < least) o.rtol = least;
@@ -558,6 +571,11 @@ enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from o
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 13; }
 
+VM_API long vmi_work_size(int method, int n)
+{
+    return method == VMI_RK45 ? RK45_WORK((long)n) : RK87_WORK((long)n);
+}
+
 VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                        const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -567,6 +585,7 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
         !vmi_options_good(&o, n))
         return ODE_BAD_ARGUMENT;
+    if (o.work_size && o.work_size < vmi_work_size(method, n)) return ODE_WORK_TOO_SMALL;
     for (i = 0; i < o.n_events; i++) {
         o.events[i].count = 0;
         o.events[i].quiet = 0;
@@ -1368,7 +1387,8 @@ VM_API void vmi_state_inside(const rk45 *s, int method, vm_real x, vm_real *y)
 VM_API vm_real vmi_event_value(const rk45 *s, int method, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
-    vmi_state_inside(s, method, x, z);
+    if (x == 1) return e->g(s->t, s->y, e->ctx);
+    vmi_inside(s, method, x, z);
     return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
@@ -1443,8 +1463,9 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
 {
     const int checks = e->checks == 0 ? 3 : VMI_SMALLER(VMI_LARGER(e->checks, 0), 9999);
     const vm_real parts = (vm_real)(checks + 1);
-    const vm_real before = VM_FLOOR(e->from * parts), even = (before + 1) / parts;
-    vm_real next = even > e->from ? even : (before + 2) / parts; /* a quotient is rounded */
+    const int before = (int)(e->from * parts);
+    const vm_real even = (vm_real)(before + 1) / parts;
+    vm_real next = even > e->from ? even : (vm_real)(before + 2) / parts; /* a quotient is rounded */
     next = VMI_SMALLER(next, to);
     if (start + *gap < next) next = start + *gap;
     *gap *= VMI_WIDER;
@@ -1472,6 +1493,7 @@ VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to,
         e->from = x;
         e->quiet = VMI_LARGER(e->quiet - (x - before) * h, VM_C(0.0));
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
+        if (e->side && start > 0) gap = 1; /* nothing was changed in the middle of a step: no short excursion begins */
     }
     return ODE_OK;
 }
@@ -1504,10 +1526,11 @@ VM_API int vmi_find_cut(const rk45 *s, int method, vm_real *cut, int *owner)
     for (pass = 0; found; pass++) {
         found = 0;
         for (i = 0; i < s->options.n_events; i++) {
-            ode_event *e = s->options.events + i, look = *e;
+            ode_event *e = s->options.events + i, look;
             vm_real at;
             int status;
             if (e->action == ODE_RECORD || i == *owner) continue;
+            look = *e;
             status = vmi_follow_event(s, method, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
             if (status) return status;
             e->side_ahead = look.side;

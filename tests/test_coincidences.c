@@ -202,8 +202,98 @@ static void test_random_runs(long runs)
     printf("%ld random runs, %ld with a lost or doubled event\n", runs, wrong);
 }
 
+/* ---- balls that bounce together ---- */
+
+enum { BALLS = 4 };
+
+static vm_real balls_weight; /* of the run at hand, m/s^2 */
+
+static int fall(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const int balls = *(const int *)ctx;
+    int i;
+    (void)t;
+    for (i = 0; i < balls; i++) {
+        dydt[2 * i] = y[2 * i + 1];
+        dydt[2 * i + 1] = -balls_weight;
+    }
+    return 0;
+}
+
+/* ctx points at the ball's number */
+static vm_real height(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    return y[2 * *(const int *)ctx];
+}
+
+static void bounce(vm_real t, vm_real *y, void *ctx)
+{
+    vm_real *v = y + 2 * *(const int *)ctx + 1;
+    (void)t;
+    *v = -*v;
+}
+
+/* Balls, some of them from the same height, without loss. Each has to bounce as often as it should, and to be above the
+   floor at the end, where it should be. */
+static void test_random_bounces(long runs)
+{
+    static const double starts[6] = {0, 1, 1e3, 1e5, 1e9, 1e12}, float_starts[6] = {0, 0, 1, 3, 10, 30};
+    long run_number, wrong = 0;
+    for (run_number = 0; run_number < runs; run_number++) {
+        const int order = choose(2) && !is_float ? 8 : 5, which = choose(6);
+        const double t0 = (is_float ? float_starts : starts)[which], weight = exp(uniform(-1, 3));
+        const double gentle = uniform(0, 0.99), length = t0 >= 1e12 ? 20 : uniform(1, 20);
+        vm_real y0[2 * BALLS], work[RK87_WORK(2 * BALLS)];
+        int balls = 1 + choose(BALLS), number[BALLS], i, good, status;
+        ode_event e[BALLS];
+        rk45_options o = {0};
+        rk45 s;
+        memset(e, 0, sizeof e);
+        balls_weight = R(weight);
+        for (i = 0; i < balls; i++) {
+            number[i] = i;
+            y0[2 * i] = i && choose(2) ? y0[0] : R(exp(uniform(0, 3)));
+            y0[2 * i + 1] = 0;
+            e[i].g = height;
+            e[i].ctx = number + i;
+            e[i].direction = choose(2) - 1;
+            e[i].action = ODE_RESTART;
+            e[i].change = bounce;
+        }
+        o.rtol = R(is_float ? 1e-5 : pow(10, uniform(-12, -5)));
+        o.atol = o.rtol;
+        o.h_max = R(gentle < 0.5 ? 0.2 / sqrt(weight) : pow(10, -2 * gentle)); /* shorter than a bounce */
+        o.events = e;
+        o.n_events = balls;
+        o.max_steps = 300000;
+        (order == 5 ? rk45_init : rk87_init)(&s, fall, &balls, 2 * balls, R(t0), y0, &o, work);
+        status = order == 5 ? rk45_solve(&s, R(t0 + length)) : rk87_solve(&s, R(t0 + length));
+        good = status == ODE_OK;
+        for (i = 0; i < balls; i++) {
+            const double h = (double)y0[2 * i], v = sqrt(2 * (double)balls_weight * h), first = v / (double)balls_weight;
+            const double elapsed = (double)R(t0 + length) - t0, since = fmod(elapsed + first, 2 * first);
+            const double wanted = since * (v - (double)balls_weight * since / 2);
+            const double error = fabs((double)s.y[2 * i] - wanted) / (v * elapsed);
+            const long bounces = (long)floor((elapsed + first) / (2 * first));
+            const double clear = 1e-4 * elapsed; /* the end is not within a contact */
+            if (since < clear || since > 2 * first - clear) continue;
+            if (e[i].count != bounces || error > (is_float ? 3e-3 : 1e-9)) good = 0;
+            if (!good && wrong < 5)
+                printf("ball %d of %d, t0 %g, order %d: %ld bounces, should be %ld; height %g, should be %g\n", i, balls,
+                       t0, order, e[i].count, bounces, (double)s.y[2 * i], wanted);
+        }
+        check_passed += good;
+        check_failed += !good;
+        wrong += !good;
+    }
+    printf("%ld random runs of balls, %ld with a wrong bounce\n", runs, wrong);
+}
+
 int main(int argc, char **argv)
 {
-    test_random_runs(argc > 1 ? atol(argv[1]) : 3000);
+    const long runs = argc > 1 ? atol(argv[1]) : 3000;
+    test_random_runs(runs);
+    test_random_bounces(runs / 10);
     return check_finish("coincidences");
 }

@@ -323,6 +323,90 @@ static void test_unresolvable(void)
     CHECK(fabs((double)(s.h / o.h0) - 10) < 1e-5);
 }
 
+/* ---- the clock ---- */
+
+static int turn_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* y = (cos, sin) of *ctx (t - t0) */
+{
+    const vm_real speed = *(const vm_real *)ctx;
+    (void)t;
+    dydt[0] = -speed * y[1];
+    dydt[1] = speed * y[0];
+    return 0;
+}
+
+/* The error at the end of a run of `span`, by rk45 (order 5) or rk87; *worst is the largest at the end of any step */
+static double clock_error(int order, double speed, double t0, double span, double tol, double h_max, double *worst)
+{
+    vm_real y0[2] = {1, 0}, work[RK87_WORK(2)], rate = R(speed);
+    const double end = (double)R(t0 + span);
+    rk45_options o = {0};
+    rk45 s;
+    o.rtol = o.atol = R(tol), o.h_max = R(h_max), o.max_steps = -1;
+    *worst = 0;
+    CHECK((order == 5 ? rk45_init : rk87_init)(&s, turn_rhs, &rate, 2, R(t0), y0, &o, work) == ODE_OK);
+    s.h = R(h_max);
+    while ((double)s.t + (double)s.h < end) {
+        const int status = order == 5 ? rk45_step(&s) : rk87_step(&s);
+        const double angle = (double)rate * ((double)s.t - t0);
+        if (status != ODE_OK) FAIL("a step failed");
+        if (status != ODE_OK) break;
+        *worst = fmax(*worst, fmax(fabs((double)s.y[0] - cos(angle)), fabs((double)s.y[1] - sin(angle))));
+    }
+    CHECK((order == 5 ? rk45_solve(&s, R(end)) : rk87_solve(&s, R(end))) == ODE_OK && (double)s.t == end);
+    return fmax(fabs((double)s.y[0] - cos((double)rate * (end - t0))),
+                fabs((double)s.y[1] - sin((double)rate * (end - t0))));
+}
+
+/* The time in s.t and the time that the motion has taken are the same, after any number of steps, at any time on the
+   clock. In parentheses what the error was while t + h was rounded and h was not. */
+static void test_clock(void)
+{
+    static const struct {
+        int order;
+        double speed, t0, span, tol, h_max, bound;
+    } run[] = {
+        {5, 1, 1.7e9, 1000, 1e-10, 0, 9e-9},            /* (2.4e-4) */
+        {5, 1, 0, 3600, 1e-10, 1e-3, 2e-11},            /* (2.8e-7) */
+        {5, 1, 0, 2000, 1e-13, 0, 2e-11},               /* (4e-9) */
+        {8, 6.283185307179586, 0, 1000, 1e-12, 0, 2e-10}, /* (1.2e-9) */
+        {8, 6.283185307179586, 1e6, 100, 1e-12, 0, 2e-11}, /* (1.3e-6) */
+        {8, 6.283185307179586, 1.7e9, 100, 1e-12, 0, 2e-11}, /* (1.6e-3) */
+        {5, 1, 1e12, 100, 1e-13, 0, 2e-12},             /* (0.08) */
+        {8, 6.283185307179586, 1e12, 10, 1e-13, 0, 2e-12}, /* (0.06) */
+    };
+    double worst;
+    size_t i;
+    if (is_float) { /* (4.8e-3) */
+        const double error = clock_error(5, 1, 0, 100, 1e-4, 0.02, &worst);
+        check_error("clock", "h_max = 0.02", "", error, 3e-5, 100, 0);
+        check_error("clock", "any step", "", worst, 3e-5, 100, 0);
+        return;
+    }
+    for (i = 0; i < sizeof run / sizeof *run; i++) {
+        const double error = clock_error(run[i].order, run[i].speed, run[i].t0, run[i].span, run[i].tol, run[i].h_max, &worst);
+        check_error("clock: error over bound", run[i].order == 5 ? "rk45" : "rk87", "", error / run[i].bound, 1, run[i].t0, run[i].tol);
+        check_error("any step", run[i].order == 5 ? "rk45" : "rk87", "", worst / run[i].bound, 1, run[i].t0, run[i].tol);
+    }
+}
+
+/* The option work_size is looked at */
+static void test_work_size(void)
+{
+    vm_real y0[2] = {1, 0}, work[RK87_WORK(2)];
+    rk45_options o = {0};
+    rk45 s;
+    o.work_size = 8;
+    CHECK(rk45_init(&s, oscillator_rhs, NULL, 2, 0, y0, &o, work) == ODE_WORK_TOO_SMALL);
+    o.work_size = RK45_WORK(2);
+    CHECK(rk45_init(&s, oscillator_rhs, NULL, 2, 0, y0, &o, work) == ODE_OK);
+    CHECK(rk87_init(&s, oscillator_rhs, NULL, 2, 0, y0, &o, work) == ODE_WORK_TOO_SMALL);
+    o.work_size = (long)(sizeof work / sizeof *work);
+    CHECK(rk87_init(&s, oscillator_rhs, NULL, 2, 0, y0, &o, work) == ODE_OK);
+    o.work_size = -1;
+    CHECK(rk45_init(&s, oscillator_rhs, NULL, 2, 0, y0, &o, work) == ODE_WORK_TOO_SMALL);
+    CHECK(strstr(ode_strerror(ODE_WORK_TOO_SMALL), "RK45_WORK") != NULL);
+}
+
 /* ---- long runs, standard problems, proportionality ---- */
 
 static int cubic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -724,6 +808,8 @@ int main(void)
     test_stiffness();
     test_power();
     test_unresolvable();
+    test_clock();
+    test_work_size();
     test_refusals();
     test_tolerances();
     test_endings();
