@@ -222,7 +222,9 @@ enum {
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
     ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
-    ODE_STEP_TOO_SMALL = -4, /* the tolerance asks for a step below h_min, or below what t can resolve */
+    /* Two steps of the smallest size (h_min, or what t can resolve), nearly in a row, missed the tolerance: f is singular
+       there, or too stiff for t. A jump of f is not: there one step misses, is counted in s->missed, and the run goes on. */
+    ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5       /* max_steps attempts did not reach t_end; call again to go on */
 };
 VM_API const char *ode_strerror(int status);
@@ -286,6 +288,7 @@ typedef struct VM_TAG(rk45) {
     long steps;     /* accepted */
     long rejected;  /* and rejected steps */
     long evals;     /* of f */
+    long missed;    /* steps of the smallest size that were accepted though their error was above the tolerance */
     int rhs_status; /* what f returned last */
     int event;      /* index of the terminal event that ended the last call, else -1 */
     int stiff;      /* nonzero once the run has looked stiff */
@@ -300,6 +303,7 @@ typedef struct VM_TAG(rk45) {
     long attempts;         /* left; negative: no limit */
     int k1, extended;      /* state of the derivatives in work */
     int failure;           /* of the attempt before: VMI_REJECTED, VMI_NOT_FINITE */
+    long next_miss;        /* from so many steps on, one of the smallest size may miss the tolerance again */
     int stiff_wait, stiff_hits, stiff_misses;
 } rk45;
 
@@ -550,6 +554,8 @@ enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K }; /* parts of work: y, y at t_old, an arg
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of the attempt before */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+enum { VMI_BETWEEN_MISSES = 3 }; /* steps within the tolerance that must lie between two that may miss it: behind a jump
+                                    they are 1, 10 and 100 times the smallest step, next to a singularity there are none */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 13; }
 
@@ -568,7 +574,8 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
     s->y = work;
     vmi_copy(n, y0, s->y);
     s->h = o.h0;
-    s->steps = s->rejected = s->evals = 0;
+    s->steps = s->rejected = s->evals = s->missed = 0;
+    s->next_miss = 0;
     s->rhs_status = s->stiff = s->stiff_hits = s->stiff_misses = s->extended = 0;
     s->stiff_wait = VMI_STIFF_WAIT;
     s->event = -1;
@@ -606,6 +613,7 @@ VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
     if (y != s->y) vmi_copy(s->n, y, s->y);
     s->k1 = VMI_K1_MISSING;
     s->failure = VMI_NONE_FAILED;
+    s->next_miss = s->steps;
     return ODE_OK;
 }
 
@@ -917,21 +925,21 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
     const rk45_options o = s->options;
     const vm_real direction = t_end < s->t ? -1 : 1, nearly = VM_C(0.999999);
     const vm_real keep_from = method == VMI_RK45 ? VM_C(0.25) : VM_C(0.1), keep_to = VM_C(0.75);
-    vm_real t = s->t, t_old = t, h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
-    long attempts = s->attempts, steps = 0, rejections = 0, evals = 0;
-    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait;
+    vm_real t = s->t, t_old = t, t_before = t, h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
+    long attempts = s->attempts, steps = 0, rejections = 0, evals = 0, missed = 0, next_miss = s->next_miss - s->steps;
+    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait, k1_is_known = 1;
     void *ctx = s->ctx;
     for (;;) {
-        const vm_real left = t_end - t;
+        const vm_real left = t_end - t, least = vmi_least_step(&o, t);
         vm_real h, t_new, error, factor;
         int last;
         t_old = t;
+        if (VM_FABS(h_next) < least) h_next = direction * least;
         if (VM_FABS(h_next) > o.h_max) h_next = direction * o.h_max;
         last = VM_FABS(h_next) >= nearly * VM_FABS(left);
         h = last ? left : h_next;
         t_new = last ? t_end : t + h;
-        if (!last && !(VM_FABS(h) >= vmi_least_step(&o, t)))
-            status = failure == VMI_NOT_FINITE ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+        if (!last && !(VM_FABS(h) >= least)) status = ODE_STEP_TOO_SMALL; /* h_max is too small */
         if (attempts == 0) status = ODE_MAX_STEPS;
         if (status) break;
         attempts -= attempts > 0;
@@ -939,11 +947,24 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
                                      : vmi_rk87_stages(f, ctx, n, t, t_new, h, w, m, &evals);
         if (stopped) break;
         error = method == VMI_RK45 ? vmi_rk45_error(&o, n, h, w, m) : vmi_rk87_error(&o, n, h, w, m);
+        if (error > 1 && VM_FABS(h) <= least && steps >= next_miss) {
+            missed++;
+            next_miss = steps + 1 + VMI_BETWEEN_MISSES;
+            error = 1;
+        }
         if (!(error <= 1)) {
             rejections++;
             failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
             h_next = h * vmi_shrink(method, error);
-            continue;
+            if (VM_FABS(h) > least) continue;
+            status = error != error ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+            if (missed > 0 && steps == next_miss - VMI_BETWEEN_MISSES) { /* the last step missed too: it says little */
+                vmi_copy(n, w + VMI_Y_OLD * m, w + VMI_Y * m);
+                t = t_old = t_before;
+                k1_is_known = 0;
+                steps--, missed--, rejections++;
+            }
+            break;
         }
         if (method == VMI_RK87) {
             evals++;
@@ -963,14 +984,16 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
         inverse_error = 1 / error;
         vmi_copy(n, w + VMI_Y * m, w + VMI_Y_OLD * m);
         vmi_copy(n, w + VMI_Z * m, w + VMI_Y * m);
+        t_before = t;
         t = t_new, h_done = h, failure = VMI_NONE_FAILED;
         if (--stiff_wait <= 0 || single || last) break;
         vmi_copy(n, w + vmi_last_k(method) * m, w + VMI_K * m);
     }
     s->t = t, s->t_old = t_old, s->h = h_next, s->h_done = h_done, s->inverse_error = inverse_error;
     s->steps += steps, s->rejected += rejections, s->evals += evals;
+    s->missed += missed, s->next_miss = s->steps - steps + next_miss;
     s->attempts = attempts, s->stiff_wait = stiff_wait, s->rhs_status = stopped, s->failure = failure;
-    s->k1 = t == t_old ? VMI_K1_READY : VMI_K1_IS_LAST;
+    s->k1 = !k1_is_known ? VMI_K1_MISSING : t == t_old ? VMI_K1_READY : VMI_K1_IS_LAST;
     s->extended = 0;
     return stopped ? (int)ODE_RHS_STOPPED : status;
 }
