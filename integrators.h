@@ -925,7 +925,7 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
     const rk45_options o = s->options;
     const vm_real direction = t_end < s->t ? -1 : 1, nearly = VM_C(0.999999);
     const vm_real keep_from = method == VMI_RK45 ? VM_C(0.25) : VM_C(0.1), keep_to = VM_C(0.75);
-    vm_real t = s->t, t_old = t, t_before = t, h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
+    vm_real t = s->t, t_old = t, t_missed = t, h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
     long attempts = s->attempts, steps = 0, rejections = 0, evals = 0, missed = 0, next_miss = s->next_miss - s->steps;
     int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait, k1_is_known = 1;
     void *ctx = s->ctx;
@@ -935,11 +935,13 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
         int last;
         t_old = t;
         if (VM_FABS(h_next) < least) h_next = direction * least;
-        if (VM_FABS(h_next) > o.h_max) h_next = direction * o.h_max;
+        if (VM_FABS(h_next) > o.h_max) {
+            h_next = direction * o.h_max;
+            if (o.h_max < least && o.h_max < VM_FABS(left)) status = ODE_STEP_TOO_SMALL;
+        }
         last = VM_FABS(h_next) >= nearly * VM_FABS(left);
         h = last ? left : h_next;
         t_new = last ? t_end : t + h;
-        if (!last && !(VM_FABS(h) >= least)) status = ODE_STEP_TOO_SMALL; /* h_max is too small */
         if (attempts == 0) status = ODE_MAX_STEPS;
         if (status) break;
         attempts -= attempts > 0;
@@ -947,24 +949,26 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
                                      : vmi_rk87_stages(f, ctx, n, t, t_new, h, w, m, &evals);
         if (stopped) break;
         error = method == VMI_RK45 ? vmi_rk45_error(&o, n, h, w, m) : vmi_rk87_error(&o, n, h, w, m);
-        if (error > 1 && VM_FABS(h) <= least && steps >= next_miss) {
-            missed++;
-            next_miss = steps + 1 + VMI_BETWEEN_MISSES;
-            error = 1;
-        }
         if (!(error <= 1)) {
-            rejections++;
-            failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
-            h_next = h * vmi_shrink(method, error);
-            if (VM_FABS(h) > least) continue;
-            status = error != error ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
-            if (missed > 0 && steps == next_miss - VMI_BETWEEN_MISSES) { /* the last step missed too: it says little */
-                vmi_copy(n, w + VMI_Y_OLD * m, w + VMI_Y * m);
-                t = t_old = t_before;
-                k1_is_known = 0;
-                steps--, missed--, rejections++;
+            if (error > 1 && VM_FABS(h) <= least && steps >= next_miss) {
+                missed++;
+                t_missed = t;
+                next_miss = steps + 1 + VMI_BETWEEN_MISSES;
+                error = 1;
+            } else {
+                rejections++;
+                failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
+                h_next = h * vmi_shrink(method, error);
+                if (VM_FABS(h) > least) continue;
+                status = error != error ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+                if (missed > 0 && steps == next_miss - VMI_BETWEEN_MISSES) { /* the last step missed: it says little */
+                    vmi_copy(n, w + VMI_Y_OLD * m, w + VMI_Y * m);
+                    t = t_old = t_missed;
+                    k1_is_known = 0;
+                    steps--, missed--, rejections++;
+                }
+                break;
             }
-            break;
         }
         if (method == VMI_RK87) {
             evals++;
@@ -984,7 +988,6 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
         inverse_error = 1 / error;
         vmi_copy(n, w + VMI_Y * m, w + VMI_Y_OLD * m);
         vmi_copy(n, w + VMI_Z * m, w + VMI_Y * m);
-        t_before = t;
         t = t_new, h_done = h, failure = VMI_NONE_FAILED;
         if (--stiff_wait <= 0 || single || last) break;
         vmi_copy(n, w + vmi_last_k(method) * m, w + VMI_K * m);
