@@ -22,7 +22,7 @@
             rk4_solve_compensated keeps the roundings of millions of steps from adding up, for 10 % more time.
      rk45   Tsitouras' pair of orders 5 and 4 [1]: 7 stages of which the last is the next step's first, PI step size
             control [2], continuous extension of order 4 for nothing. The default: for float, for f that is not
-            smooth, for many events or much dense output.
+            smooth at loose tolerances, for many events or much dense output.
      rk87   Verner's pair of orders 8 and 7 [4]: 13 stages, continuous extension of order 8 for 7 more evaluations.
             The fastest for a smooth f in double; its roundings are larger: rtol >= 256 eps, no use in float.
      microseconds to an error of   1e-4   1e-6   1e-8   1e-10
@@ -44,6 +44,9 @@
      error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1 .. 0.75) is followed by one of the same size. Options:
      an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they
      come to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
+     No step is shorter than h_min or than what t resolves, 2 eps |t|. Where even the shortest step misses the
+     tolerance, f jumps, and the run goes on behind it: s.missed counts these steps. But when another one misses within
+     the next three steps, f is singular there, or too stiff for t: ODE_STEP_TOO_SMALL, and s.t, s.y are those before.
 
    TIME
      A step ends at a time that the type can hold, and is exactly as long as the difference of the two times: the clock
@@ -62,12 +65,13 @@
      zeros is not seen: `checks` looks more often, h_max steps less far.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
-     The control finds the bad points, where it takes some short steps: at alpha = 0.5, rk45, tolerance 1e-7, 4922
-     evaluations against 2102 of alpha = 1; but the error estimate is too small there, the end error is 1e4 tolerances
-     for alpha < 1, whatever the tolerance: tighten it and check. rk87 makes that 1e5 and more: use rk45. Where f has
-     branches that are smooth (a sign, x|x|), keep the branch in ctx and change it at an ODE_RESTART event: alpha = 0
-     then takes 160 evaluations instead of 5264, and the end error is 5e-4 tolerances, not 4400. A restart alone, f
-     looking for its branch itself, does not pay.
+     The control finds the bad points, where it takes some short steps: at alpha = 0.5 and tolerance 1e-7, rk45 takes
+     4922 evaluations, against 2102 at alpha = 1, and rk87 7793, against 1146. An error estimate cannot be right in a
+     step in which f jumps; the end error is up to 2e4 tolerances by rk45 and 1e4 by rk87 whatever the tolerance:
+     tighten it and check. Where f has branches that are smooth (a sign, x|x|), keep the branch in ctx and change it at
+     an ODE_RESTART event: rk45 at alpha = 0 then takes 160 evaluations instead of 5264, and the end error is 5e-4
+     tolerances, not 4400. A restart alone, f looking for its branch itself, does not pay. docs/toronto.md has the
+     errors and evaluations of both methods on the Toronto test set, whose class F has jumps.
 
    STATUS
      0 (ODE_OK) success, positive numbers information, negative ones errors; ode_strerror() names them. After an error
@@ -232,9 +236,11 @@ enum {
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
     ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
-    ODE_STEP_TOO_SMALL = -4, /* the tolerance asks for a step below h_min, or below what t can resolve */
-    ODE_MAX_STEPS = -5,      /* max_steps attempts did not reach t_end; call again to go on */
-    ODE_WORK_TOO_SMALL = -6  /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
+    /* Two steps of the smallest size (h_min, or what t can resolve), nearly in a row, missed the tolerance: f is singular
+       there, or too stiff for t. A jump of f is not: there one step misses, is counted in s->missed, and the run goes on. */
+    ODE_STEP_TOO_SMALL = -4,
+    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; call again to go on */
+    ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
 VM_API const char *ode_strerror(int status);
 
@@ -301,6 +307,7 @@ typedef struct VM_TAG(rk45) {
     long steps;     /* accepted */
     long rejected;  /* and rejected steps */
     long evals;     /* of f */
+    long missed;    /* steps of the smallest size that were accepted though their error was above the tolerance */
     int rhs_status; /* what f returned last */
     int event;      /* index of the terminal event that ended the last call, else -1 */
     int stiff;      /* nonzero once the run has looked stiff */
@@ -317,6 +324,7 @@ typedef struct VM_TAG(rk45) {
     long attempts;         /* left; negative: no limit */
     int k1, extended;      /* state of the derivatives in work */
     int failure;           /* of the attempt before: VMI_REJECTED, VMI_NOT_FINITE */
+    long next_miss;        /* from so many steps on, one of the smallest size may miss the tolerance again */
     int stiff_wait, stiff_hits, stiff_misses;
 } rk45;
 
@@ -568,6 +576,8 @@ enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K }; /* parts of work: y, y at t_old, an arg
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of the attempt before */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+enum { VMI_BETWEEN_MISSES = 3 }; /* steps within the tolerance that must lie between two that may miss it: behind a jump
+                                    they are 1, 10 and 100 times the smallest step, next to a singularity there are none */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 13; }
 
@@ -598,7 +608,8 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
     s->y = work;
     vmi_copy(n, y0, s->y);
     s->h = o.h0;
-    s->steps = s->rejected = s->evals = 0;
+    s->steps = s->rejected = s->evals = s->missed = 0;
+    s->next_miss = 0;
     s->rhs_status = s->stiff = s->stiff_hits = s->stiff_misses = s->extended = 0;
     s->stiff_wait = VMI_STIFF_WAIT;
     s->event = -1;
@@ -647,6 +658,7 @@ VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
     if (y != s->y) vmi_copy(s->n, y, s->y);
     s->k1 = VMI_K1_MISSING;
     s->failure = VMI_NONE_FAILED;
+    s->next_miss = s->steps;
     return ODE_OK;
 }
 
@@ -899,7 +911,22 @@ VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const 
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* The same by that of orders 8 and 7 */
+/* What a jump of f inside a step of size 1 may do to a component whose derivatives are k1 ... k13. The estimate of orders
+   8 and 7 does not see a jump between the stages at c = 0 and 0.9: on either side of it its weights add up to 4e-4 at
+   most, where the error is a quarter of the jump. Here the weights, of order 5, add up to 0.1, -0.17 and 0.25 there. In a
+   step where f is smooth that is much less than the change of f along the step; so what is returned, it times its share
+   in their sum, is of order 9 and below the first estimate for all but loose tolerances. */
+VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
+{
+    const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
+                                 VM_C(1.2953622033829957737) * (k10 - k6) + VM_C(1.5453622033829957737) * (k13 - k6) +
+                                 VM_C(30.024202087387960709) * (k9 - k10));
+    const vm_real change = VM_FABS(k1 - k6) + VM_FABS(k13 - k6);
+    return seen * (seen / (seen + change + VM_MIN));
+}
+
+/* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders
+   8 and 7, or by what a jump of f may do, whichever is larger */
 VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
 {
     const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k6 = k1 + 5 * m, *k7 = k6 + m,
@@ -907,13 +934,15 @@ VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const 
     vm_real worst = 0, bad = 0;
     int i;
     VMI_EACH(i, n)
-    vmi_weigh(o, i,
-              h * (VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
-                   VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
-                   VM_C(5.2371785994398289141) * k9[i] - VM_C(8.1567444087946580486) * k10[i] +
-                   VM_C(22.938283273988783952) * k11[i] - VM_C(0.23613246330715421453) * k12[i] +
-                   VM_C(0.36016794372897751621) * k13[i]),
-              y[i], z[i], &worst, &bad);
+    {
+        const vm_real smooth = VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
+                               VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
+                               VM_C(5.2371785994398289141) * k9[i] - VM_C(8.1567444087946580486) * k10[i] +
+                               VM_C(22.938283273988783952) * k11[i] - VM_C(0.23613246330715421453) * k12[i] +
+                               VM_C(0.36016794372897751621) * k13[i];
+        const vm_real jump = vmi_rk87_jump(k1[i], k6[i], k7[i], k9[i], k10[i], k13[i]);
+        vmi_weigh(o, i, h * (jump > VM_FABS(smooth) ? jump : smooth), y[i], z[i], &worst, &bad);
+    }
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
@@ -950,27 +979,30 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
     const rk45_options o = s->options;
     const vm_real direction = vmi_time_left(s, t_end) < 0 ? -1 : 1, nearly = VM_C(0.999999);
     const vm_real keep_from = method == VMI_RK45 ? VM_C(0.25) : VM_C(0.1), keep_to = VM_C(0.75);
-    vm_real t = s->t, t_low = s->t_low, t_old = t, t_old_low = t_low, h_next = s->h, h_done = s->h_done;
-    vm_real inverse_error = s->inverse_error;
-    long attempts = s->attempts, steps = 0, rejections = 0, evals = 0;
-    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait, made = 0;
+    vm_real t = s->t, t_low = s->t_low, t_old = t, t_old_low = t_low, t_missed = t, t_missed_low = t_low;
+    vm_real h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
+    long attempts = s->attempts, steps = 0, rejections = 0, evals = 0, missed = 0, next_miss = s->next_miss - s->steps;
+    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait, k1 = VMI_K1_READY;
     void *ctx = s->ctx;
     for (;;) {
-        const vm_real left = (t_end - t) - t_low;
+        const vm_real left = (t_end - t) - t_low, least = vmi_least_step(&o, t);
         vm_real h, h_to_t_new, t_new, t_new_low, error, factor;
-        int last, lands;
+        int last, lands, shortest;
         t_old = t;
         t_old_low = t_low;
-        made = 0;
-        if (VM_FABS(h_next) > o.h_max) h_next = direction * o.h_max;
+        k1 = VMI_K1_READY;
+        if (VM_FABS(h_next) < least) h_next = direction * least;
+        if (VM_FABS(h_next) > o.h_max) {
+            h_next = direction * o.h_max;
+            if (o.h_max < least && o.h_max < VM_FABS(left)) status = ODE_STEP_TOO_SMALL;
+        }
         last = VM_FABS(h_next) >= nearly * VM_FABS(left);
         t_new = last ? t_end : t + (t_low + h_next);
         h_to_t_new = (t_new - t) - t_low;
         lands = last || VM_FABS(h_to_t_new - h_next) <= VMI_LANDING * VM_FABS(h_next);
         h = lands ? h_to_t_new : h_next;
         t_new_low = lands ? 0 : h_next - h_to_t_new;
-        if (!last && !(VM_FABS(h) >= vmi_least_step(&o, t)))
-            status = failure == VMI_NOT_FINITE ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+        shortest = VM_FABS(h_next) <= least || VM_FABS(h) <= least;
         if (attempts == 0) status = ODE_MAX_STEPS;
         if (status) break;
         attempts -= attempts > 0;
@@ -979,10 +1011,31 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
         if (stopped) break;
         error = method == VMI_RK45 ? vmi_rk45_error(&o, n, h, w, m) : vmi_rk87_error(&o, n, h, w, m);
         if (!(error <= 1)) {
-            rejections++;
-            failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
-            h_next = h * vmi_shrink(method, error);
-            continue;
+            if (error > 1 && shortest && steps >= next_miss) {
+                missed++;
+                t_missed = t;
+                t_missed_low = t_low;
+                next_miss = steps + 1 + VMI_BETWEEN_MISSES;
+                error = 1;
+            } else {
+                rejections++;
+                failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
+                h_next = h * vmi_shrink(method, error);
+                if (!shortest) continue;
+                status = error != error ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
+                if (missed > 0 && steps == next_miss - VMI_BETWEEN_MISSES) { /* the last step missed: it says little */
+                    vmi_copy(n, w + VMI_Y_OLD * m, w + VMI_Y * m);
+                    t = t_missed;
+                    t_old = t_missed;
+                    t_low = t_missed_low;
+                    t_old_low = t_missed_low;
+                    k1 = VMI_K1_MISSING;
+                    steps--;
+                    missed--;
+                    rejections++;
+                }
+                break;
+            }
         }
         if (method == VMI_RK87) {
             evals++;
@@ -1006,7 +1059,7 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
         t_low = t_new_low;
         h_done = h;
         failure = VMI_NONE_FAILED;
-        made = 1;
+        k1 = VMI_K1_IS_LAST;
         if (--stiff_wait <= 0 || single || last) break;
         vmi_copy(n, w + vmi_last_k(method) * m, w + VMI_K * m);
     }
@@ -1018,8 +1071,9 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
     s->h_done = h_done;
     s->inverse_error = inverse_error;
     s->steps += steps, s->rejected += rejections, s->evals += evals;
+    s->missed += missed, s->next_miss = s->steps - steps + next_miss;
     s->attempts = attempts, s->stiff_wait = stiff_wait, s->rhs_status = stopped, s->failure = failure;
-    s->k1 = made ? VMI_K1_IS_LAST : VMI_K1_READY;
+    s->k1 = k1;
     s->extended = 0;
     return stopped ? (int)ODE_RHS_STOPPED : status;
 }
@@ -1643,8 +1697,8 @@ VM_API int vmi_events(rk45 *s, int method)
 
 /* ---- Adaptive runs: from step to step ----------------------------------------------------------------------- */
 
-/* Hairer's test [2, IV.2]: two stages at the end of the step, whose states differ by dz and whose derivatives by dk,
-   show h |dk|/|dz|, about h times the largest eigenvalue. Stiff: 15 times beyond the end of the stability region,
+/* Hairer's test [2, IV.2]: two stages at the end of the step, whose states differ by h dz and whose derivatives by dk,
+   show |dk|/|dz|, about h times the largest eigenvalue. Stiff: 15 times beyond the end of the stability region,
    not 6 times within it in between. */
 VM_API void vmi_look_for_stiffness(rk45 *s, int method)
 {
@@ -1664,7 +1718,7 @@ VM_API void vmi_look_for_stiffness(rk45 *s, int method)
                                     VM_C(-0.23613246330715421453),
                                     0};
     const int last = vmi_last_k(method), count = last - VMI_K;
-    const vm_real edge = method == VMI_RK45 ? VM_C(3.4) : VM_C(5.69), h = VM_FABS(s->h_done);
+    const vm_real edge = method == VMI_RK45 ? VM_C(3.4) : VM_C(5.69);
     vm_real dk = 0, dz = 0;
     int i, j;
     for (i = 0; i < s->n; i++) {
@@ -1673,7 +1727,7 @@ VM_API void vmi_look_for_stiffness(rk45 *s, int method)
         for (j = 0; j < count; j++) sum += (method == VMI_RK45 ? rk45_dz : rk87_dz)[j] * vmi_part(s, VMI_K + j)[i];
         dz = VMI_LARGER(dz, VM_FABS(sum));
     }
-    if (dk > edge / h * dz * h) {
+    if (dk > edge * dz) {
         s->stiff_misses = 0;
         if (s->stiff_hits < 15 && ++s->stiff_hits == 15) s->stiff = 1;
     } else if (s->stiff_misses < 6 && ++s->stiff_misses == 6) s->stiff_hits = 0;

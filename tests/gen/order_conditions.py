@@ -26,7 +26,8 @@ def body(name):
 def terms(text):
     """{j: coefficient of k_j} of a C sum"""
     found = {}
-    pattern = r"([+-]?)\s*(?:h \*\s*)?\(?\s*VM(?:I_H|_C)\((" + NUMBER + r")\) \* \(?k(\d+)\[i\](?: - k(\d+)\[i\]\))?"
+    k = r"k(\d+)(?:\[i\])?"
+    pattern = r"([+-]?)\s*(?:h \*\s*)?\(?\s*VM(?:I_H|_C)\((" + NUMBER + r")\) \* \(?" + k + r"(?: - " + k + r"\))?"
     for sign, number, j, minus in re.findall(pattern, text):
         value = mpf(number) * (-1 if sign == "-" else 1)
         found[int(j)] = found.get(int(j), mpf(0)) + value
@@ -115,6 +116,18 @@ def check(what, residuals, order, tolerance):
           f"{float(residuals[order]) if len(residuals) > order else float('nan'):.1e}{'' if good else '   FAILED'}")
 
 
+def check_jumps(pair, weights):
+    """A jump of f between two stages shows in the sum of the weights behind it: none of these sums may be small"""
+    global failures
+    time = pair.phi(((),))
+    moments = sorted(set(time[j - 1] for j in weights))[1:]
+    sums = [sum(w for j, w in weights.items() if time[j - 1] >= moment) for moment in moments]
+    good = min(abs(s) for s in sums) > 0.1 and abs(sums[2] - mpf("0.25")) < mpf("1e-15")
+    failures += not good
+    print("    jumps before c =", ", ".join(f"{float(c):.3g}: {float(s):.3f}" for c, s in zip(moments, sums)),
+          "" if good else "  FAILED")
+
+
 def rk45_weights(x):
     b = [mpf(0)] * 7
     env = {"x": x, "xx": x * x, "b": b, "mpf": mpf}
@@ -145,6 +158,9 @@ def main():
     check("rk87", [pair.residual(rows[-1], r) for r in range(1, 10)], 8, mpf("1e-16"))
     error = terms(body("vmi_rk87_error"))
     check("rk87, error estimate", [pair.residual(error, r, error=True) for r in range(1, 9)], 7, mpf("1e-16"))
+    jump = terms(body("vmi_rk87_jump"))
+    check("rk87, estimate of jumps", [pair.residual(jump, r, error=True) for r in range(1, 7)], 5, mpf("1e-16"))
+    check_jumps(pair, jump)
     for x in (mpf("0.3"), mpf("0.77")):
         check(f"rk87, continuous extension at {x}", [pair.residual(rk87_weights(x), r, x) for r in range(1, 10)], 8,
               mpf("1e-16"))
