@@ -34,6 +34,38 @@ planted unwritten '<!-- table summary -->\n<!-- end -->\n'
 printf '| a | b |\n|---|---|\n| NaN is refused, x infinite | `isnan` 1 |\n\ninf is a word\n' >"$build/good.md"
 check "NaN in a sentence is none" sound "$build/good.md"
 
+# numbers of the README against the documents that they are from
+in_readme() { grep -qF -e "$1" README.md || { echo "README.md does not say: $1"; false; }; }
+hard_cases() { # cases; those where the naive formula gives no number; those where it is 1000 times worse, or gives none
+    awk -F' *[|] *' '/^\| / && $2 != "what would go wrong" {n++; if ($7 == "no number") none++
+            if ($7 == "no number" || $7 >= 1000 * $5) worse++} END {print n, none, worse}' docs/hard-cases.md
+}
+set -- $(hard_cases)
+check "README: number of hard cases" in_readme "has $1 points at which"
+check "README: naive formulas without a number" in_readme "it gives no number in $2 of them"
+check "README: naive formulas far off" in_readme "a thousand times worse, or more, in $3."
+set -- $(awk -F' *[|] *' '$2 == "`GSL rk8pd`, 1e-09" {sub(",", "", $6); print $6}' docs/cost.md)
+check "README: GSL's attitude after 1e6 turns" in_readme "$1 rad in $2 $3"
+ratios() { # ratios PROBLEMS GOAL ROUTE PEER: least and largest time of the route over the peer's, in the table of docs/cost.md
+    awk -F' *[|] *' -v problems="^($1)\$" -v column="$2" -v route="\`$3\`" -v peer="\`$4\`" '
+        /^<!-- table integrators/ {on = 1}
+        /^<!-- end/ {on = 0}
+        on && $2 ~ problems && ($3 == route || $3 == peer) {time[$2, $3] = $column + 0; seen[$2] = 1}
+        END {
+            for (p in seen) {
+                ratio = time[p, route] / time[p, peer]
+                if (least == "" || ratio < least) least = ratio
+                if (ratio > most) most = ratio
+            }
+            if (sprintf("%.2f", least) == sprintf("%.2f", most)) printf "%.2f\n", least
+            else printf "%.2f to %.2f\n", least, most
+        }' docs/cost.md
+}
+all='cubic|mass|momentum|body|orbit' smooth='cubic|mass|momentum|body'
+check "README: rk45 beside a loop" in_readme "$(ratios "$all" 5 rk45_solve dp54_loop) of a hand-written Dormand-Prince loop"
+check "README: rk45 beside GSL" in_readme "$(ratios "$all" 5 rk45_solve gsl_rkf45) of GSL rkf45"
+check "README: rk87 beside GSL" in_readme "$(ratios "$smooth" 7 rk87_solve gsl_rk8pd); $(ratios orbit 6 rk87_solve gsl_rk8pd) of GSL rk8pd"
+
 # bench/count.sh with a valgrind and a callgrind_annotate of the test's own
 tool() { # tool NAME BODY
     printf '#!/bin/sh\n%s\n' "$2" >"$build/bin/$1"
