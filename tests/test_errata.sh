@@ -1,6 +1,6 @@
 #!/bin/sh
 # docs/errata.md from tests/data/errata.txt, each row with the tests that show it. A test shows a row where it calls
-# ERRATUM("the row's name", ...) (tests/check.h), outside of comments: an equation's number elsewhere does not count. As a
+# ERRATUM("the row's name", ...) (tests/check.h), in code that is compiled: an equation's number elsewhere does not count. As a
 # test: every row that is wrong, ambiguous or a misprint has its test, but for those that were checked by reading alone
 # and are misprints; every ERRATUM names such a row; and the document is up to date.
 # usage: test_errata.sh BUILD_FOLDER [write], from the top of the project; ERRATA=file and TESTS=folder for other ones
@@ -9,10 +9,12 @@ build=$1/errata
 errata=${ERRATA:-tests/data/errata.txt}
 folder=${TESTS:-tests}
 
-marks() { # of each ERRATUM("row", ...) outside of comments: the row, the test
+marks() { # of each ERRATUM("row", ...) outside of comments and of #if 0: the row, the test
     awk '
         function name_of(file) { sub(/.*\/test_/, "", file); sub(/\.c$/, "", file); return file }
-        FNR == 1 { in_comment = 0 }
+        FNR == 1 { in_comment = left_out = 0 }
+        /^ *# *if 0/ { left_out = 1 }
+        left_out { if (/^ *# *(else|endif)/) left_out = 0; next }
         {
             line = $0; code = ""
             while (line != "") {
