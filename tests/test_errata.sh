@@ -3,11 +3,10 @@
 # ERRATUM("the row's name", ...) (tests/check.h), in code that is compiled: an equation's number elsewhere does not count. As a
 # test: every row that is wrong, ambiguous or a misprint has its test, but for those that were checked by reading alone
 # and are misprints; every ERRATUM names such a row; and the document is up to date.
-# usage: test_errata.sh BUILD_FOLDER [write], from the top of the project; ERRATA=file and TESTS=folder for other ones
+# usage: test_errata.sh BUILD_FOLDER [write], from the top of the project
 build=$1/errata
 . tests/check.sh
-errata=${ERRATA:-tests/data/errata.txt}
-folder=${TESTS:-tests}
+errata=tests/data/errata.txt
 
 marks() { # of each ERRATUM("row", ...) outside of comments and of #if 0: the row, the test
     awk '
@@ -36,7 +35,7 @@ marks() { # of each ERRATUM("row", ...) outside of comments and of #if 0: the ro
                 sub(/^.*ERRATUM\("/, "", mark); sub(/"$/, "", mark)
                 print mark "\t" name_of(FILENAME)
             }
-        }' "$folder"/test_*.c | sort -u
+        }' tests/test_*.c | sort -u
 }
 list() { # each row with a last column: the tests that show it, separated by commas
     awk -F'\t' '
