@@ -66,6 +66,13 @@ check "README: rk45 beside a loop" in_readme "$(ratios "$all" 5 rk45_solve dp54_
 check "README: rk45 beside GSL" in_readme "$(ratios "$all" 5 rk45_solve gsl_rkf45) of GSL rkf45"
 check "README: rk87 beside GSL" in_readme "$(ratios "$smooth" 7 rk87_solve gsl_rk8pd); $(ratios orbit 6 rk87_solve gsl_rk8pd) of GSL rk8pd"
 
+counted_functions() { # the rows of docs/counts.md are the functions of bench/count.c
+    grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c | sed 's/^COUNT(//; s/.*count_//' |
+        grep -vx nothing >"$build/functions"
+    sed -n 's/^| `\([a-zA-Z0-9_]*\)` |.*/\1/p' docs/counts.md | diff "$build/functions" -
+}
+check "docs/counts.md has every function of bench/count.c" counted_functions
+
 # bench/count.sh with a valgrind and a callgrind_annotate of the test's own
 tool() { # tool NAME BODY
     printf '#!/bin/sh\n%s\n' "$2" >"$build/bin/$1"
