@@ -1,8 +1,8 @@
 #!/bin/sh
 # Instructions of a call of every public function, counted by callgrind, so that they are the same in every run.
 # usage: CC=compiler FLAGS=flags count.sh FOLDER, with FOLDER/double and FOLDER/float from bench/count.c; the table
-# goes to FOLDER/counts.md and to the screen. Where a program, valgrind or callgrind_annotate fails, or a function has no
-# count above that of the empty loop, the script fails with a reason and there is no FOLDER/counts.md.
+# goes to FOLDER/counts.md and to the screen. Where a program, valgrind or callgrind_annotate fails, or a function has
+# no count above that of the empty loop, the script fails with a reason and there is no FOLDER/counts.md.
 folder=$1
 fail() {
     echo "count.sh: $*" >&2
@@ -11,7 +11,8 @@ fail() {
 
 count() { # count PRECISION : FOLDER/PRECISION.counts, of lines "calls NUMBER" and "function instructions"
     out=$folder/$1
-    LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file="$out.out" "$out" >"$out.said" 2>"$out.errors" ||
+    LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file="$out.out" "$out" \
+        >"$out.said" 2>"$out.errors" ||
         fail "valgrind $out ended with status $?: $(tail -n 1 "$out.errors")"
     grep -Eq '^[1-9][0-9]* calls$' "$out.said" || fail "$out did not say how many calls it made"
     callgrind_annotate --inclusive=yes --threshold=100 "$out.out" >"$out.annotated" 2>"$out.errors" ||
@@ -30,7 +31,8 @@ count() { # count PRECISION : FOLDER/PRECISION.counts, of lines "calls NUMBER" a
 }
 
 table() { # the rows, in the order of bench/count.c; fails where a number is missing or cannot be one
-    names=$(grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c | sed 's/^COUNT(//; s/.*count_//')
+    names=$(grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c |
+        sed 's/^COUNT(//; s/.*count_//')
     awk -v order="$names" '
         $1 == "calls" {precision++; calls[precision] = $2; next}
         {instructions[$1, precision] = $2}
@@ -44,7 +46,8 @@ table() { # the rows, in the order of bench/count.c; fails where a number is mis
                     counted = instructions[name[i], p]
                     empty = instructions["nothing", p]
                     if (counted !~ /^[0-9]+$/ || empty !~ /^[1-9][0-9]*$/ || counted <= loop * empty) {
-                        printf "count.sh: %s has no count (%s, the empty loop %s)\n", name[i], counted, empty >"/dev/stderr"
+                        print "count.sh: " name[i] " has no count (" counted ", the empty loop " empty ")" \
+                            >"/dev/stderr"
                         exit 1
                     }
                     row = row sprintf(" %.0f |", (counted - loop * empty) / calls[p])
@@ -69,8 +72,9 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
 {
     echo '# Instructions of a call'
     echo
-    echo "Written by \`make bench-count\`: $(uname -m), $(echo "$compiler" | head -n 1), $FLAGS, counted by callgrind, the same in every"
-    echo 'run. Means over 200 calls, with arguments as bench/count.c has them; a step of x'"''"' = -x^3 for the integrators.'
+    echo "Written by \`make bench-count\`: $(uname -m), $(echo "$compiler" | head -n 1), $FLAGS, counted by"
+    echo 'callgrind, the same in every run. Means over 200 calls, with arguments as bench/count.c has them; a step of'
+    echo "x'' = -x^3 for the integrators."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'

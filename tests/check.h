@@ -25,7 +25,7 @@ static inline void check_count(int good, const char *file, int line, const char 
 #define FAIL(text) check_count(0, __FILE__, __LINE__, text)
 
 /* A test of a row of tests/data/errata.txt, which it calls by its name there: in numbers, the printed form misses the
-   truth and the corrected one meets it. tests/test_errata.sh finds the tests of a row by this macro and by nothing else. */
+   truth and the corrected one meets it. tests/test_errata.sh finds the tests of a row by this macro alone. */
 #define ERRATUM(row, printed_misses, corrected_holds)                                                             \
     do {                                                                                                          \
         check_count((printed_misses) != 0, __FILE__, __LINE__, "erratum " row ", printed: " #printed_misses);     \

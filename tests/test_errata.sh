@@ -1,7 +1,7 @@
 #!/bin/sh
 # docs/errata.md from tests/data/errata.txt, each row with the tests that show it. A test shows a row where it calls
-# ERRATUM("the row's name", ...) (tests/check.h), in code that is compiled: an equation's number elsewhere does not count. As a
-# test: every row that is wrong, ambiguous or a misprint has its test, but for those that were checked by reading alone
+# ERRATUM("the row's name", ...) (tests/check.h), in code that is compiled: an equation's number elsewhere does not
+# count. As a test: every row that is wrong, ambiguous or a misprint has its test, but for those that were checked by reading alone
 # and are misprints; every ERRATUM names such a row; and the document is up to date.
 # usage: test_errata.sh BUILD_FOLDER [write], from the top of the project
 build=$1/errata
@@ -57,11 +57,14 @@ Omega_r; P(d) = |d|^2 E - d d^T; a or alpha: the exponent; J: the adiabatic inva
 
 END
     awk -F'\t' '$2 != "verified" {n[$2]++; if ($6 == "") none++} $2 == "verified" {v++} END {
-        printf "Of %d items %d hold as printed; %d are wrong, %d misprints, %d ambiguous.", NR, v, n["wrong"], n["misprint"], n["ambiguous"]
-        printf " %d misprints of words, which have nothing to compute, have no test.\n\n", none}' "$build/rows"
+        printf "Of %d items %d hold as printed; %d are wrong, %d misprints, ", NR, v, n["wrong"], n["misprint"]
+        printf "%d ambiguous. %d misprints of words, which\n", n["ambiguous"], none
+        print "have nothing to compute, have no test.\n"}' "$build/rows"
     echo '| equation | what is printed | | what is true | how it was checked | tests |'
     echo '|---|---|---|---|---|---|'
-    awk -F'\t' '$2 != "verified" {for (i = 1; i <= 5; i++) gsub(/\|/, "\\|", $i); print "| " $1 " | " $3 " | " $2 " | " $4 " | " $5 " | " $6 " |"}' "$build/rows"
+    awk -F'\t' '$2 != "verified" {
+        for (i = 1; i <= 5; i++) gsub(/\|/, "\\|", $i)
+        print "| " $1 " | " $3 " | " $2 " | " $4 " | " $5 " | " $6 " |"}' "$build/rows"
 }
 every_row_is_shown() {
     awk -F'\t' '$2 != "verified" && $6 == "" && !($2 == "misprint" && $5 == "reading") {print "no test shows " $1; n++}

@@ -37,7 +37,8 @@ static void test_virtual_work(void)
         least_printed = fmin(least_printed,
                              fabs(printed - right) / fabs((double)vmi_dot(vmi_spin_momentum(&whole), turn)));
     }
-    ERRATUM("(86)", least_printed > 1.9 && least_printed < 2.1, check_holds("(86)")); /* 2 I_S O dphi is left over */
+    /* 2 I_S O dphi is left over */
+    ERRATUM("(86)", least_printed > 1.9 && least_printed < 2.1, check_holds("(86)"));
 }
 
 /* ---- (87)-(96), free bodies ---- */

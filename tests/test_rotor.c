@@ -172,7 +172,8 @@ static void test_case_C3(void)
     check_case("s = SS1", "C3", b.rest.s, 0.8 * 0.6 / 4.2, 1, 1);
 
     vr = C3[2] * C3[1]; /* (62) as printed, +Omega x SS2: v_S1 = v_Sb + Omega x SS1 - m/(M - m) v_r */
-    ERRATUM("(62)", fabs(-share * vr - share * vr + 0.457) < 1e-3, check_holds("v_r (62)") && check_holds("v_S1 (64)"));
+    ERRATUM("(62)", fabs(-share * vr - share * vr + 0.457) < 1e-3,
+            check_holds("v_r (62)") && check_holds("v_S1 (64)"));
     printed = C3[2] * (1 - C3[7] * C3[1] / (C3[6] * (1 - C3[1])));
     omega = printed + C3[2] * (C3[5] * C3[4] / (C3[4] - C3[5]) * C3[1] * C3[1]) / C3[6];
     check_case("(64) second form", "C3", b.state[5], omega, 1, 3);
@@ -240,7 +241,8 @@ static void test_break_angles(void)
             fabs((double)b.beta - 0.0015) < 1e-6 && check_holds("tan beta (56)"));
     CHECK(break_C3(C3[6], C3[7], 0, &b) == VM_OK); /* (55) as printed turns T the other way, and (57) by it Omega_r */
     printed = 1.5 * sin((double)(b.beta - b.gamma));
-    ERRATUM("(53)-(55)", fabs(printed + 1.2) < 10 * eps, b.tangential > 0 && check_holds("(53)") && check_holds("T (55)"));
+    ERRATUM("(53)-(55)", fabs(printed + 1.2) < 10 * eps,
+            b.tangential > 0 && check_holds("(53)") && check_holds("T (55)"));
     ERRATUM("(57)", fabs(printed / 0.4 + 3) < 30 * eps, b.spin_piece > 0 && check_holds("Omega_r (57)"));
 }
 
@@ -542,7 +544,8 @@ static void test_linear_printed(void)
     r = rotor_of(1, 0.5, 4, 1, 0.625);
     set(start, 0, 0, 0.5, 0, 0, 0);
     CHECK(vm_rotor_linear_uncoupled(3, &r, start, y) == VM_OK && vm_rotor_linear(3, &r, start, z) == VM_OK);
-    ERRATUM("(71),(72)", fabs((double)(y[1] - z[1]) - 0.14764) < 1e-4 && fabs((double)(y[5] - z[5]) + 1.20598) < 1e-4,
+    ERRATUM("(71),(72)",
+            fabs((double)(y[1] - z[1]) - 0.14764) < 1e-4 && fabs((double)(y[5] - z[5]) + 1.20598) < 1e-4,
             check_holds("(69)"));
     for (t = 0.5; t < 4; t += 2.5) {
         memcpy(z, start, sizeof z);

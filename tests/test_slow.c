@@ -213,7 +213,8 @@ static void test_vdp_reference(void)
         near("A_S (425)", "Jacobi", (double)vm_vdp_steady(&jacobi, R(0.01 * m0), NULL), growing[i][1], 3e-15, 6e-6);
         near("A_S (425)", "Ateb", (double)vm_vdp_steady(&ateb, R(0.01 * m0), NULL), growing[i][2], 3e-15, 6e-6);
         CHECK(growing[i][3] > 0.996 * growing[i][1] - 1e-3);
-        ERRATUM("text: 1.691/1.381/.976", growing[i][3] < 0.9975 * growing[i][1] && growing[i][3] < 0.9975 * growing[i][2],
+        ERRATUM("text: 1.691/1.381/.976",
+                growing[i][3] < 0.9975 * growing[i][1] && growing[i][3] < 0.9975 * growing[i][2],
                 check_holds("A_S (425)"));
     }
     ateb = vdp(1, 1, 1, 0, VM_VDP_ATEB); /* 2 sqrt 3 after (438) */
@@ -447,7 +448,7 @@ static void test_vdp_no_reactive(void)
     A = (double)vm_vdp_amplitude(&v, p.t, R(0.3), linear(1, 0.01));
     near("(432)", "direct", A, (double)p.x, 2e-5, steep);
     near("(432)", "stated", (double)p.x, 0.83961, 3e-5, 5e-3);
-    grown = 2 * log((double)p.x / 0.3) / log(M); /* q1: 2b a2/(m0 a1) in (428), (2b + m0) a2/(m0 a1) is true; b = m0 = 1 */
+    grown = 2 * log((double)p.x / 0.3) / log(M); /* q1, b = m0 = 1: (428) 2b a2/(m0 a1), true (2b + m0) a2/(m0 a1) */
     ERRATUM("(428)", fabs(grown - 2 * a2) > 0.4, fabs(grown - 3 * a2) < (is_float ? 0.02 : 2e-4));
     ERRATUM("(432)", printed_fails("(432)", 0.3 * pow(M, 2 * a2), (double)p.x, 1.18322 / 0.83961 - 1),
             check_holds("(432)"));
@@ -631,7 +632,8 @@ static void test_rotor_exchange(void)
     CHECK(vm_laval_split(&r, R(t1), motion, y[4], direct) == VM_OK);
     check_error("(474)-(477)", "direct: A1", "", hypot((double)direct[0], (double)direct[1]), 1e-3, 0, 0);
     near("(474)-(477)", "direct: A2", hypot((double)direct[2], (double)direct[3]), 1, 0.01, 0.02);
-    ERRATUM("(474)-(477)", hypot((double)direct[0], (double)direct[1]) < 0.01, check_holds("(474)-(477)")); /* not 1 */
+    /* the means over psi1 and psi2 apart leave it at 1 */
+    ERRATUM("(474)-(477)", hypot((double)direct[0], (double)direct[1]) < 0.01, check_holds("(474)-(477)"));
 }
 
 /* Averaged two-frequency motion with everything at once, growing mass: errors fall as eps */
@@ -913,7 +915,8 @@ static void test_rotor_gyro(void)
             r.mass = vm_slow_mass_linear, r.mass_ctx = &m, y[3] = R(W);
             CHECK(vm_laval_rhs(0, y, d, &r) == VM_OK);
             near_eps("W", "of a circle", -(double)d[2], W * W, 40);
-            ERRATUM("gyroscopic remark: frequency", fabs(g + sense * sqrt(g * g + 1.5 * 1.5) - W) > 0.1, check_holds("W"));
+            ERRATUM("gyroscopic remark: frequency", fabs(g + sense * sqrt(g * g + 1.5 * 1.5) - W) > 0.1,
+                    check_holds("W"));
         }
     }
 }
@@ -985,7 +988,8 @@ static void test_pair_example(void)
     check_error("(523)", "phase of p0 > 0", "", fabs((double)modes[1]), 0, 0,
                 0);
     ERRATUM("(523)", fabs((1 - 3) - (double)modes[0]) > 3, check_holds("(523)")); /* half a period off */
-    ERRATUM("(524),(528),(529)", fabs((4 - (1 - 3)) / 2. - (double)start[0]) > 1, check_holds("(520), (524)")); /* (523)'s p0 */
+    /* x = (q - p)/2 with the p0 of (523) */
+    ERRATUM("(524),(528),(529)", fabs((4 - (1 - 3)) / 2. - (double)start[0]) > 1, check_holds("(520), (524)"));
     solve(vm_pair_rhs, &p, 4, 0, 5, 1e-12, y);
     near("(530), (531)", "E2, x", (double)y[0], 1.357393389013328054, 2e-12, 1e-4);
     near("(530), (531)", "E2, y", (double)y[1], 2.642606610986671946, 2e-12, 1e-4);
