@@ -58,7 +58,7 @@
                   beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
                   comes on top of the relative error; it is felt where s is within an ulp of the zero.
      Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 2 ulp, 1.8 found (float 1.97), for all of these s and alpha to 1e6; or the accuracy that was
+     plan         <= 2 ulp, 1.93 found (float 1.97), for all of these s and alpha to 1e6; or the accuracy that was
                   asked for
      phase        within 4 ulp and what an ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
@@ -67,18 +67,18 @@
      sa(n, m), ca(m, n)     <= 8 ulp, 2.2 found, but for an error of phase of 2^-102 |s| (float 2^-44)
      integrals    some 10 ulp
 
-   COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on a Xeon, where sin takes 7 ns and has
-   fused multiply-adds whatever the flags; make bench shows it by alpha
+   COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on two Xeons and an EPYC, where sin takes
+   7 to 9 ns and has fused multiply-adds whatever the flags; make bench shows it by alpha, docs/cost.md one of the runs
                                               -O2         -O3 -march=native, contracted   float, -O2
-     Pi_alpha                                 1.4 to 1.7  1.2           1.1           2.2
-     sa+ca, any alpha, Pi_alpha included      11 to 14    9.5 to 12.5   8.3 to 11     15 to 20
+     Pi_alpha                                 1.2 to 1.7  0.9 to 1.2    1.1           2.2 to 2.4
+     sa+ca, any alpha, Pi_alpha included      8 to 14     7.5 to 12.5   8.3 to 11     15 to 24
        for |s| < 1/2, times of sin there      7.5         6.4
        the same for |s| > 128 Pi_alpha        27
        on a zero of sa or ca, to an ulp       250
-     plan, alpha = 0, 1/2, 1, ..., 7          1.3 to 2.6  1 to 2.2      1 to 1.9      2.4 to 3.8
-       to 1e-4                                1.2 to 1.6  1 to 1.5      1 to 1.5      2.2 to 3.4
-       in arrays (with -fno-math-errno)       the same    0.66 to 1.1   0.6 to 0.8    the same
-     plan, any other alpha                    3.9 to 7.2  3.7 to 5.6    2.6 to 4      5.1 to 9.1
+     plan, alpha = 0, 1/2, 1, ..., 7          1.2 to 3.2  1 to 2.8      1 to 1.9      2.4 to 4.8
+       to 1e-4                                1.1 to 2.3  0.9 to 2.1    1 to 1.5      2.2 to 4.3
+       in arrays (with -fno-math-errno)       the same    0.23 to 1.1   0.6 to 0.8    the same
+     plan, any other alpha                    3.3 to 7.2  3 to 5.6      2.6 to 4      5.1 to 9.2
      ateb_plan is 552 bytes (float 184), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
      ateb_phase 10 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
      ateb_saca_nm 19 us.

@@ -55,10 +55,10 @@
      others       K and E <= 2 ulp, k'K <= 4 ulp, means of cn^2, cn^4, cn^6 <= 8 ulp, quotients and am 8 ulp;
                   solvers: m and m1 within 4 ulp and what one ulp of c moves them.
      Time         in units of the C library's sin in a row of independent calls (in a chain, where each waits for the
-                  one before), gcc -O2, without fused multiply-adds: K 1.4 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
-                  2.5 to 2.8 (2), for |u| < 2K 6.3 to 6.8 (3.6), to 1e9 13 to 15 (6); by a plan 2.5 (1.6), for
+                  one before), gcc -O2, without fused multiply-adds: K 1.3 (1.5), E 1.5 (1.4); sn+cn+dn for |u| < K/2
+                  2.5 to 2.8 (2), for |u| < 2K 6.3 to 6.9 (3.6), to 1e9 13 to 15 (6); by a plan 2.5 (1.6), for
                   m > 0.955 and m < -21.5 5.2 (3.1); in an array 0.6, or there 1.1, by gcc -O3 -march=native, 1.2
-                  or 5.7 by -O2; solve_kpK 5 to 49; preparing a plan about 180.
+                  or 5.7 by -O2; solve_kpK 4.4 to 43; preparing a plan about 180.
      Size         a plan has 304 bytes (float 112); the largest stack frame is about 1 kB.
 
    REFERENCES

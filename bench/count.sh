@@ -1,12 +1,24 @@
 #!/bin/sh
 # Instructions of a call of every public function, counted by callgrind, so that they are the same in every run.
 # usage: CC=compiler FLAGS=flags count.sh FOLDER, with FOLDER/double and FOLDER/float from bench/count.c; the table
-# goes to FOLDER/counts.md and to the screen
+# goes to FOLDER/counts.md and to the screen. Where a program, valgrind or callgrind_annotate fails, or a function has
+# no count above that of the empty loop, the script fails with a reason and there is no FOLDER/counts.md.
 folder=$1
-count() { # count PRECISION : lines "function instructions"
-    LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file="$folder/$1.out" "$folder/$1" 2>/dev/null |
-        awk '{print "calls", $1}'
-    callgrind_annotate --inclusive=yes --threshold=100 "$folder/$1.out" |
+fail() {
+    echo "count.sh: $*" >&2
+    exit 1
+}
+
+count() { # count PRECISION : FOLDER/PRECISION.counts, of lines "calls NUMBER" and "function instructions"
+    out=$folder/$1
+    LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file="$out.out" "$out" \
+        >"$out.said" 2>"$out.errors" ||
+        fail "valgrind $out ended with status $?: $(tail -n 1 "$out.errors")"
+    grep -Eq '^[1-9][0-9]* calls$' "$out.said" || fail "$out did not say how many calls it made"
+    callgrind_annotate --inclusive=yes --threshold=100 "$out.out" >"$out.annotated" 2>"$out.errors" ||
+        fail "callgrind_annotate $out.out ended with status $?: $(tail -n 1 "$out.errors")"
+    {
+        awk '{print "calls", $1}' "$out.said"
         awk 'match($0, /:count_[a-z]/) {
             instructions = $1
             gsub(/,/, "", instructions)
@@ -14,33 +26,58 @@ count() { # count PRECISION : lines "function instructions"
             sub(/ .*/, "", name)
             sub(/\.(constprop|part|isra).*/, "", name)
             print name, instructions
-        }'
+        }' "$out.annotated"
+    } >"$out.counts"
 }
-for precision in double float; do
-    echo "callgrind: $precision" >&2
-    count $precision >"$folder/$precision.counts"
-    grep -q '^calls' "$folder/$precision.counts" || { echo "$folder/$precision did not come to its end" >&2; exit 1; }
-done
-{
-    echo '# Instructions of a call'
-    echo
-    echo "Written by \`make bench-count\`: $(uname -m), $($CC --version | head -n 1), $FLAGS, counted by callgrind, the same in every"
-    echo 'run. Means over 200 calls, with arguments as bench/count.c has them; a step of x'"''"' = -x^3 for the integrators.'
-    echo
-    echo '| function | double | float |'
-    echo '|---|---|---|'
-    awk -v order="$(grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c | sed 's/^COUNT(//; s/.*count_//')" '
-        $1 == "calls" {file++; calls = $2; next}
-        {instructions[$1, file] = $2}
+
+table() { # the rows, in the order of bench/count.c; fails where a number is missing or cannot be one
+    names=$(grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c |
+        sed 's/^COUNT(//; s/.*count_//')
+    awk -v order="$names" '
+        $1 == "calls" {precision++; calls[precision] = $2; next}
+        {instructions[$1, precision] = $2}
         END {
             n = split(order, name, "\n")
             for (i = 1; i <= n; i++) {
                 if (name[i] == "nothing") continue
-                printf "| `%s` |", name[i]
+                row = "| `" name[i] "` |"
                 loop = name[i] ~ /array/ ? 0 : 1
-                for (f = 1; f <= 2; f++)
-                    printf " %.0f |", (instructions[name[i], f] - loop*instructions["nothing", f])/calls
-                print ""
+                for (p = 1; p <= 2; p++) {
+                    counted = instructions[name[i], p]
+                    empty = instructions["nothing", p]
+                    if (counted !~ /^[0-9]+$/ || empty !~ /^[1-9][0-9]*$/ || counted <= loop * empty) {
+                        print "count.sh: " name[i] " has no count (" counted ", the empty loop " empty ")" \
+                            >"/dev/stderr"
+                        exit 1
+                    }
+                    row = row sprintf(" %.0f |", (counted - loop * empty) / calls[p])
+                }
+                print row
+                rows++
+            }
+            if (rows == 0) {
+                print "count.sh: no function was found in bench/count.c" >"/dev/stderr"
+                exit 1
             }
         }' "$folder/double.counts" "$folder/float.counts"
-} | tee "$folder/counts.md"
+}
+
+rm -f "$folder/counts.md"
+for precision in double float; do
+    echo "callgrind: $precision" >&2
+    count $precision
+done
+table >"$folder/rows" || exit 1
+compiler=$($CC --version) || fail "the compiler $CC does not say its version"
+{
+    echo '# Instructions of a call'
+    echo
+    echo "Written by \`make bench-count\`: $(uname -m), $(echo "$compiler" | head -n 1), $FLAGS, counted by"
+    echo 'callgrind, the same in every run. Means over 200 calls, with arguments as bench/count.c has them; a step of'
+    echo "x'' = -x^3 for the integrators."
+    echo
+    echo '| function | double | float |'
+    echo '|---|---|---|'
+    cat "$folder/rows"
+} >"$folder/counts.md"
+cat "$folder/counts.md"

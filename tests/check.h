@@ -24,6 +24,14 @@ static inline void check_count(int good, const char *file, int line, const char 
 #define CHECK(condition) check_count((condition) != 0, __FILE__, __LINE__, #condition)
 #define FAIL(text) check_count(0, __FILE__, __LINE__, text)
 
+/* A test of a row of tests/data/errata.txt, which it calls by its name there: in numbers, the printed form misses the
+   truth and the corrected one meets it. tests/test_errata.sh finds the tests of a row by this macro alone. */
+#define ERRATUM(row, printed_misses, corrected_holds)                                                             \
+    do {                                                                                                          \
+        check_count((printed_misses) != 0, __FILE__, __LINE__, "erratum " row ", printed: " #printed_misses);     \
+        check_count((corrected_holds) != 0, __FILE__, __LINE__, "erratum " row ", corrected: " #corrected_holds); \
+    } while (0)
+
 /* One observation: the row of this function, region and unit keeps the worst and its inputs. NaN is the worst. */
 static inline void check_error(const char *function, const char *region, const char *unit, double error,
                                double bound, double x, double parameter)
@@ -47,6 +55,18 @@ static inline void check_error(const char *function, const char *region, const c
         row->worst = error;
         row->at[0] = x, row->at[1] = parameter;
     }
+}
+
+/* Have the errors of this function been observed, and are all of them within their bounds? */
+static inline int check_holds(const char *function)
+{
+    int i, found = 0;
+    for (i = 0; i < check_row_count; i++) {
+        if (strcmp(check_rows[i].function, function) != 0) continue;
+        if (!(check_rows[i].worst <= check_rows[i].bound)) return 0;
+        found = 1;
+    }
+    return found;
 }
 
 /* |got - (high + low)| in units of eps scale */

@@ -77,6 +77,7 @@ static void test_table5(void)
     } table[] = {
 #include "../examples/table5_data.h"
     };
+    static const double listed[17] = {0, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8, 1.1, 1.2, 1.4, 1.8, 1.9, 20, 40, 50, 70, 80};
     const char *names[] = {"Omega_alpha", "k^2", "Omega_1*"};
     int i, k, rows_off = 0, numbers_off = 0, gross = 0;
     for (i = 0; i < 38; i++) {
@@ -91,10 +92,12 @@ static void test_table5(void)
             gross += fabs(defect) > 1;
             if (fabs(defect) > 1) CHECK(fabs(table[i].alpha - 1.4) < 1e-9 && k == 2 && fabs(defect + 2.85) < 0.01);
         }
+        if (off > 0) CHECK(rows_off < 17 && listed[rows_off] == table[i].alpha);
         rows_off += off > 0, numbers_off += off;
     }
     CHECK(sizeof table / sizeof *table == 38);
-    CHECK(rows_off == 17 && numbers_off == 24 && gross == 1);
+    ERRATUM("Table 5", rows_off == 17 && numbers_off == 24 && gross == 1,
+            check_holds("Omega_alpha") && check_holds("k^2") && check_holds("Omega_1*"));
 }
 
 /* ---- R5: period (262), largest velocity (267), that of the trigonometric approximation (296) ---- */
@@ -146,7 +149,7 @@ static void test_examples(void)
                       {"(335) mended", 1. / 6, 0.84721308, 5. / 6, 0, 0}};
     envelope two[] = {{"corrected", 2. / 9, 0.89442719, 7. / 9, 0, 0},
                       {"(403)", 1. / 9, 0.89442719, 3.5 / 9, 0, 0}};
-    int points;
+    int points, right;
     one[0].a = -log((double)vm_osc_amplitude_law(2, 0, 1, 3)) / log(2),
     one[0].v = -log((double)vm_osc_velocity_law(2, 0, 1, 3)) / log(2);
     two[0].a = -log((double)vm_osc_amplitude_law(2, 0, 1, R(1.5))) / log(2);
@@ -156,9 +159,16 @@ static void test_examples(void)
     check_stated(one[1].amplitude_error, 0.426), check_stated(one[1].velocity_error, 0.632);
     check_stated(one[2].amplitude_error, 1.7e-2), check_stated(one[2].velocity_error, 3.7e-2);
     check_stated(one[3].amplitude_error, 1.4e-4), check_stated(one[3].velocity_error, 0.198);
+    right = one[0].amplitude_error < (is_float ? 5e-3 : 2e-4) && one[0].velocity_error < (is_float ? 5e-3 : 6e-4);
+    ERRATUM("(400)", one[1].amplitude_error > 0.4 && one[1].velocity_error > 0.6, right);
+    ERRATUM("(401)", one[2].amplitude_error > 0.01 && one[2].velocity_error > 0.03, right);
+    /* of the three solutions the trigonometric one, though corrected, is not appropriate: its velocity */
+    ERRATUM("text end of 7.4.3, 7.8 intro", one[3].velocity_error > 0.19, right);
     CHECK(envelope_errors(&root, 50, two, 2, NULL, &points) == ODE_OK && points == 9);
     check_stated(two[0].amplitude_error, 1.3e-4), check_stated(two[0].velocity_error, 6.4e-4);
     check_stated(two[1].amplitude_error, 0.372), check_stated(two[1].velocity_error, 2.54);
+    right = two[0].amplitude_error < (is_float ? 5e-3 : 2e-4) && two[0].velocity_error < (is_float ? 5e-3 : 7e-4);
+    ERRATUM("(403)", two[1].amplitude_error > 0.3 && two[1].velocity_error > 2, right);
 }
 
 /* m x'' + x|x|^(alpha-1) = -(r m' + b) x', m = 1 + m' t; ctx is {alpha, m', r, b} */

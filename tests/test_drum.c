@@ -147,7 +147,6 @@ static void test_geometry(void)
     /* (183), and (185) as printed, where R is lost */
     close_to("SS1 (183)", "F1", (double)g.offset, mu * phi / 20.945 * (double)g.arc_centre, 0.0112);
     CHECK(fabs(2 * mu / 20.945 * sin(phi / 2) - printed_offset) < 1e-7);
-    CHECK(printed_offset > 3.3 * (double)g.offset);
     for (k = 0; k < n; k++) {
         const double angle = (k + 0.5) * phi / n, m = mu * phi / n, rx = radius * cos(angle),
                      ry = radius * sin(angle);
@@ -155,6 +154,7 @@ static void test_geometry(void)
     }
     x /= 20.945, y /= 20.945;
     CHECK(fabs(hypot(x, y) - (double)g.offset) < 1e-8 && fabs(atan2(y, x) - phi / 2) < 1e-9);
+    ERRATUM("(185)", printed_offset > 3.3 * hypot(x, y), check_holds("SS1 (185)"));
     CHECK(fabs(1.1 + own - (double)g.axle_inertia) < (is_float ? 1e-6 : 1e-12));
     CHECK(fabs(1.1 + own - 20.945 * (x * x + y * y) - (double)g.inertia) < 1e-6);
     CHECK(vm_drum_at(R(0.5), &d, &g) == VM_OK);
@@ -332,7 +332,8 @@ static void test_printed_motion(void)
            "%.3g\n",
            printed, torque, both);
     check_error("S1 (177), (191)", "mended", "", both, is_float ? 2e-5 : 1e-14, 0, 0);
-    CHECK(fabs(printed - 0.0111) < 1e-4 && fabs(torque - 0.00525) < 1e-4);
+    ERRATUM("(191)", fabs(printed - 0.0111) < 1e-4, check_holds("S1 (177), (191)"));
+    ERRATUM("(177) 1,2", fabs(torque - 0.00525) < 1e-4, check_holds("S1 (177), (191)"));
 }
 
 /* F2: the torque about S1 of the spring force (189), which acts in S */
@@ -423,8 +424,9 @@ static void test_reduced(void)
     }
     printf("(192) less the exact equation, over mu: %.3g, %.3g; with the unbalance %.3g, %.3g; (193): %.3g, %.3g\n",
            dropped[0], dropped[1], left[0], left[1], turn[0], turn[1]);
-    CHECK(dropped[0] > 1.3 && dropped[1] > 1.4); /* mu R phi'^2/M0 = 1.44 mu */
-    CHECK(left[0] < 0.1 && left[1] < 0.01 && (is_float || left[1] > 1e-4));
+    CHECK(is_float || left[1] > 1e-4);
+    /* mu R phi'^2/M0 = 1.44 mu is dropped */
+    ERRATUM("(192)", dropped[0] > 1.3 && dropped[1] > 1.4, left[0] < 0.1 && left[1] < 0.01);
     CHECK(turn[0] < 1.5 && turn[1] < 0.15);
 }
 
@@ -485,8 +487,8 @@ static void test_rigid_cases(void)
         close_to("time (197)", "F3", (double)vm_drum_time(R(phi), &d), t, t);
         CHECK(fabs(r - k1 * log(r) - f1) < 1e-15 * 8); /* (199) corrected, with (198), (201) */
         if (fabs(k1) < 1e-9 || e == 0) continue;
-        CHECK(fabs(r + k1 * log(r) - f1) >
-              0.13); /* (199) as printed: D/(j Omega_b) = k1 here, with the wrong sign */
+        ERRATUM("(199)", fabs(r + k1 * log(r) - f1) > 0.13, /* D/(j Omega_b) = k1 here, with the wrong sign */
+                fabs(r - k1 * log(r) - f1) < 1e-15 * 8);
         if (e < 0) CHECK(fabs(r + k1 * log(r) - f1 + 0.592) < 1e-3);
         CHECK(fabs(w - (-log(r) - f1 / k1)) < 1e-14 * 4);            /* (200) is the w of (205), r = -k1 w */
         CHECK(fabs(w * exp(w) / (-exp(-f1 / k1) / k1) - 1) < 1e-13); /* (202) with (203) corrected */
@@ -497,7 +499,8 @@ static void test_rigid_cases(void)
         const double k1 = 0.5, f1 = 1.075, argument = exp(-f1 / k1) / k1;
         const double printed = (-k1 * (double)vm_lambert_w0(R(argument)) - 1) * 10;
         const double branch = (-k1 * (double)vm_lambert_w0(R(-argument)) - 1) * 10;
-        CHECK(fabs(printed + 10.96) < 0.01 && fabs(branch + 8.39) < 0.01);
+        CHECK(fabs(branch + 8.39) < 0.01);
+        ERRATUM("(203),(204)", fabs(printed + 10.96) < 0.01, check_holds("Lambert (198)-(206)")); /* true: 1.409 */
     }
     { /* (207): v = Omega_b R, no damping */
         const vm_drum d = drum_of(0.3, 1, 0.02, 0.45, 0.9375, 0, 1, 3.125);
@@ -717,9 +720,9 @@ static void test_coefficients(void)
                     scale, 0);
         check_error("forcing (214)", "second order", "", fabs(forcing - (double)s.shift * k2) / (scale * scale),
                     5e-3, scale, 0);
-        CHECK(fabs(drag - (2 * mu - j - D)) / scale > 0.004);                /* 2 delta as printed */
-        CHECK(fabs(square - 1 + (3 * mu - 2 * j - D) * phi) / scale > 0.02); /* A as printed */
-        CHECK(fabs(forcing - mu * 0.3) / scale > 5e-4);                      /* (mu/M0) R, for v = 0.7 */
+        ERRATUM("2 delta", fabs(drag - (2 * mu - j - D)) / scale > 0.004, check_holds("2 delta (213)"));
+        ERRATUM("A", fabs(square - 1 + (3 * mu - 2 * j - D) * phi) / scale > 0.02, check_holds("A (213)"));
+        ERRATUM("(214) rhs", fabs(forcing - mu * 0.3) / scale > 5e-4, check_holds("forcing (214)")); /* v = 0.7 */
     }
 }
 
@@ -769,8 +772,8 @@ static void test_averaging(void)
                                       vm_drum_deflection(R(phi - h), &s, 0, 0, s.shift)) /
                              (2 * h);
         const double square = (1 - A * phi) * (1 - A * phi), k2 = (double)(s.k * s.k);
-        CHECK(fabs(slope - A * (double)s.shift / square) < (is_float ? 2e-8 : 1e-12));
-        CHECK(fabs(slope + mu * mu * 0.3 / (k2 * square)) > 2e-6); /* as printed: -2.7e-6, not -7.3e-6 / square */
+        ERRATUM("(218)", fabs(slope + mu * mu * 0.3 / (k2 * square)) > 2e-6, /* -2.7e-6, not -7.3e-6 / square */
+                fabs(slope - A * (double)s.shift / square) < (is_float ? 2e-8 : 1e-12));
     }
     for (i = 0; i < 200; i++) {
         const double psi = (double)VM_PI * i / 100, a = 0.01, w = 1.1, w1 = -0.04, t = a * cos(psi);
@@ -781,7 +784,9 @@ static void test_averaging(void)
         const double alpha1 = -w1 / (2 * w) * sin(2 * psi);
         CHECK(fabs(a1 + a * w1 / w * sin(psi) * sin(psi)) <= a * delta * delta / w + 1e-15);
         CHECK(fabs(psi1 - w - alpha1) <= delta * delta / w + 1e-12);
-        if (i % 50 == 25) CHECK(fabs(psi1 - w + alpha1) > 0.9 * fabs(w1 / w)); /* (221) as printed */
+        if (i % 50 == 25)
+            ERRATUM("(221) alpha", fabs(psi1 - w + alpha1) > 0.9 * fabs(w1 / w),
+                    fabs(psi1 - w - alpha1) <= delta * delta / w + 1e-12);
         CHECK(fabs(a1 * cos(psi) - a * (psi1 - w) * sin(psi)) < 1e-15);        /* (217), (219), (220) */
         mean += a1 / a / 200;
     }
@@ -821,8 +826,8 @@ static void test_closed_forms(void)
     }
     printf("(224), (225) against (210), (211), a0 = 0.01: x within %.2g, y within %.2g; (224) as printed %.3g\n",
            worst_x, worst_y, printed_y);
-    CHECK(worst_x < 5e-5 && worst_y < 5e-5 && worst_y > 1e-6);
-    CHECK(printed_y > 0.0167 && printed_y < 0.021);
+    CHECK(worst_y > 1e-6);
+    ERRATUM("(224),(225)", printed_y > 0.0167 && printed_y < 0.021, worst_x < 5e-5 && worst_y < 5e-5);
 }
 
 /* ---- Bad input, states kept ---- */

@@ -1,78 +1,101 @@
 #!/bin/sh
-# docs/errata.md from tests/data/errata.txt, each row with the tests that name its equation; as a test, says which
-# items no test names and whether the file is up to date.
+# docs/errata.md from tests/data/errata.txt, each row with the tests that show it. A test shows a row where it calls
+# ERRATUM("the row's name", ...) (tests/check.h), in code that is compiled: an equation's number elsewhere does not
+# count. As a test: every row that is wrong, ambiguous or a misprint has its test, but for those that were checked by reading alone
+# and are misprints; every ERRATUM names such a row; and the document is up to date.
 # usage: test_errata.sh BUILD_FOLDER [write], from the top of the project
 build=$1/errata
 . tests/check.sh
-list() { # what each row needs: equations, verdict, printed, true, checked, tests that name one of its equations
-    awk -F'\t' '
-        function number(text) { gsub(/[^0-9]/, "", text); return text + 0 }
-        FILENAME != ARGV[ARGC - 1] { # a test: every (n), and every n of a range (n)-(m)
-            file = FILENAME
-            sub(/.*test_/, "", file)
-            sub(/.*tests\//, "", file) # hard/GROUP
-            sub(/\.c$/, "", file)
-            files[file] = 1
-            line = $0
-            while (match(line, /\([0-9]+[a-d]?\)(-\([0-9]+\))?/)) {
-                found = substr(line, RSTART, RLENGTH)
-                line = substr(line, RSTART + RLENGTH)
-                split(found, end, "-")
-                first = number(end[1])
-                last = end[2] == "" ? first : number(end[2])
-                for (n = first; n <= last && n <= 536; n++) seen[n, file] = 1
-            }
-            line = $0
-            while (match(line, /T[234]\.[0-9]+/)) {
-                seen[substr(line, RSTART, RLENGTH), file] = 1
-                line = substr(line, RSTART + RLENGTH)
-            }
-            next
-        }
-        /^#/ { next }
+errata=tests/data/errata.txt
+
+marks() { # of each ERRATUM("row", ...) outside of comments and of #if 0: the row, the test
+    awk '
+        function name_of(file) { sub(/.*\/test_/, "", file); sub(/\.c$/, "", file); return file }
+        FNR == 1 { in_comment = left_out = 0 }
+        /^ *# *if 0/ { left_out = 1 }
+        left_out { if (/^ *# *(else|endif)/) left_out = 0; next }
         {
-            tests = ""
-            for (file in files) {
-                rest = $1; named = 0
-                while (match(rest, /\([0-9]+[a-d]?\)(-\([0-9]+\))?/)) {
-                    found = substr(rest, RSTART, RLENGTH); rest = substr(rest, RSTART + RLENGTH)
-                    split(found, end, "-")
-                    first = number(end[1]); last = end[2] == "" ? first : number(end[2])
-                    for (n = first; n <= last; n++) if ((n, file) in seen) named = 1
+            line = $0; code = ""
+            while (line != "") {
+                if (in_comment) {
+                    end = index(line, "*/")
+                    if (!end) break
+                    line = substr(line, end + 2); in_comment = 0
+                } else {
+                    start = match(line, /\/[*\/]/)
+                    if (!start) { code = code line; break }
+                    code = code substr(line, 1, start - 1)
+                    if (substr(line, start, 2) == "//") break
+                    line = substr(line, start + 2); in_comment = 1
                 }
-                rest = $1
-                while (match(rest, /T[234]\.[0-9]+/)) {
-                    if ((substr(rest, RSTART, RLENGTH), file) in seen) named = 1
-                    rest = substr(rest, RSTART + RLENGTH)
-                }
-                if (named) tests = tests (tests == "" ? "" : ", ") file
             }
-            print $0 "\t" tests
-        }' tests/test_*.c tests/hard/*.c tests/data/errata.txt
+            while (match(code, /(^|[^A-Za-z0-9_])ERRATUM\("[^"]*"/)) {
+                mark = substr(code, RSTART, RLENGTH)
+                code = substr(code, RSTART + RLENGTH)
+                sub(/^.*ERRATUM\("/, "", mark); sub(/"$/, "", mark)
+                print mark "\t" name_of(FILENAME)
+            }
+        }' tests/test_*.c | sort -u
+}
+list() { # each row with a last column: the tests that show it, separated by commas
+    awk -F'\t' '
+        FILENAME == ARGV[1] { tests[$1] = tests[$1] (tests[$1] == "" ? "" : ", ") $2; next }
+        /^#/ || NF == 0 { next }
+        { print $1 "\t" $2 "\t" $3 "\t" $4 "\t" $5 "\t" tests[$1] }' "$build/marks" "$errata"
 }
 write() {
     cat <<'END'
 # Errata
 
 What [1], L. Cveticanin, *Dynamics of Mass Variable System*, prints, and what is true. Written by `sh tests/test_errata.sh build
-write` from tests/data/errata.txt; the last column names the tests (tests/test_NAME.c) in which the equation is tested.
+write` from tests/data/errata.txt; the last column names the tests (tests/test_NAME.c) that show it in numbers, by
+ERRATUM("equation", ...): the printed form misses, the corrected one holds.
 
 wrong: a formula or number that gives wrong results where it is used; misprint: a slip that goes no further; ambiguous: right
 in one reading. S: mass centre of the initial body, S1 of the final, S2 of the part; Om1, Or: angular velocities Omega_1,
 Omega_r; P(d) = |d|^2 E - d d^T; a or alpha: the exponent; J: the adiabatic invariant; ODE: direct integration.
 
 END
-    awk -F'\t' '$2 != "verified" {n[$2]++} $2 == "verified" {v++} END {
-        printf "Of 250 items %d hold as printed; %d are wrong, %d misprints, %d ambiguous.\n\n", v, n["wrong"], n["misprint"], n["ambiguous"]}' "$build/rows"
+    awk -F'\t' '$2 != "verified" {n[$2]++; if ($6 == "") none++} $2 == "verified" {v++} END {
+        printf "Of %d items %d hold as printed; %d are wrong, %d misprints, ", NR, v, n["wrong"], n["misprint"]
+        printf "%d ambiguous. %d misprints of words, which\n", n["ambiguous"], none
+        print "have nothing to compute, have no test.\n"}' "$build/rows"
     echo '| equation | what is printed | | what is true | how it was checked | tests |'
     echo '|---|---|---|---|---|---|'
-    awk -F'\t' '$2 != "verified" {for (i = 1; i <= 5; i++) gsub(/\|/, "\\|", $i); print "| " $1 " | " $3 " | " $2 " | " $4 " | " $5 " | " $6 " |"}' "$build/rows"
+    awk -F'\t' '$2 != "verified" {
+        for (i = 1; i <= 5; i++) gsub(/\|/, "\\|", $i)
+        print "| " $1 " | " $3 " | " $2 " | " $4 " | " $5 " | " $6 " |"}' "$build/rows"
 }
-every_equation_is_tested() { awk -F'\t' '$1 ~ /\([0-9]|T[234]\./ && $6 == "" {print "no test names " $1; n++} END {exit n > 0}' "$build/rows"; }
+every_row_is_shown() {
+    awk -F'\t' '$2 != "verified" && $6 == "" && !($2 == "misprint" && $5 == "reading") {print "no test shows " $1; n++}
+        END {exit n > 0}' "$build/rows"
+}
+every_mark_is_a_row() {
+    awk -F'\t' 'FILENAME == ARGV[1] {verdict[$1] = $2; next}
+        !($1 in verdict) {print "tests/test_" $2 ".c names no row of the errata: " $1; n++}
+        verdict[$1] == "verified" {print "tests/test_" $2 ".c names a row that holds as printed: " $1; n++}
+        END {exit n > 0}' "$build/rows" "$build/marks"
+}
+rows_are_whole() { # five columns, a known verdict, a name of its own without quotes
+    awk -F'\t' '/^#/ || NF == 0 {next}
+        NF != 5 {print "not five columns: " $0; n++}
+        $2 !~ /^(verified|misprint|ambiguous|wrong)$/ {print "no verdict: " $0; n++}
+        seen[$1]++ {print "twice: " $1; n++}
+        $1 ~ /["\\]/ {print "a quote in the name: " $1; n++}
+        END {exit n > 0}' "$errata"
+}
+readme_counts() { # the README says how many items there are
+    items=$(awk -F'\t' '$2 != "verified"' "$build/rows" | wc -l)
+    grep -q "has the $((items)) items" README.md || { echo "README.md does not say: has the $((items)) items"; false; }
+}
 
+marks >"$build/marks"
 list >"$build/rows"
 write >"$build/errata.md"
 [ "$2" = write ] && cp "$build/errata.md" docs/errata.md
-check "a test names every equation of the errata" every_equation_is_tested
+check "the rows are whole" rows_are_whole
+check "a test shows every row" every_row_is_shown
+check "every ERRATUM names a row" every_mark_is_a_row
 check "docs/errata.md is up to date" cmp "$build/errata.md" docs/errata.md
+check "the README counts the errata" readme_counts
 check_finish errata

@@ -96,6 +96,14 @@ static void off_by(const char *number, double amount, double size)
     failures[i].largest = fmax(failures[i].largest, fabs(amount) / size);
 }
 
+static int was_off(const char *number)
+{
+    size_t i;
+    for (i = 0; i < failure_count; i++)
+        if (strcmp(failures[i].number, number) == 0) return failures[i].largest > 0.01;
+    return 0;
+}
+
 /* ---- Chapter 2 ---- */
 
 static void check_chapter_2(const jump *x)
@@ -210,6 +218,7 @@ static void check_six_equations(const jump *x)
     right = vmi_add(right, scaled(M1, vmi_cross(x->SS1, sum(turned1, x->vr1, S->v))));
     equal(x, "(105) 4-6", LS, right, x->L); /* the fifth with its bracket closed */
     equal(x, "(106)", S2->omega, vmi_add(S->omega, x->Or), size_of(S->omega) + size_of(x->Or));
+    off_by("(106)", (double)S->omega.y, size_of(S->omega)); /* Omega_2y, starred or not, for Omega*_y: by Omega_y */
     equal(x, "(107)", scaled(M, S->v), vmi_add(scaled(m, S2->v), scaled(M1, S1->v)), x->K);
     right = sum(times(S1, S1->omega), times(S2, S2->omega), scaled(m, vmi_cross(x->SS2, S2->v)));
     right = vmi_add(right, scaled(M1, vmi_cross(x->SS1, S1->v)));
@@ -300,11 +309,18 @@ static void test_space(void)
         check_energies(&x);
         check_theorem(&x, with_impulse);
     }
-    CHECK(failure_count == 6);
-    for (f = 0; f < failure_count; f++) {
+    CHECK(failure_count == 7);
+    for (f = 0; f < failure_count; f++)
         printf("%s as printed is off by up to %.2g of its size\n", failures[f].number, failures[f].largest);
-        CHECK(failures[f].largest > 0.01);
-    }
+    ERRATUM("(16)", was_off("(16), (18), (19)"), check_holds("(16)"));
+    ERRATUM("(18),(19)", was_off("(16), (18), (19)"), check_holds("(18), (19)"));
+    ERRATUM("(23a),(32)", was_off("(23a), (32)"), check_holds("(23a)") && check_holds("(32)"));
+    ERRATUM("(97),(100),(103),(112)", was_off("(97), I_xy read as a product of inertia"),
+            check_holds("(93), (97)") && check_holds("(100)") && check_holds("(103)"));
+    ERRATUM("(106)", was_off("(106)"), check_holds("(106)"));
+    ERRATUM("(114)", was_off("(114)"), check_holds("(114)"));
+    ERRATUM("(116)", was_off("(116)"), check_holds("(116)"));
+    ERRATUM("(117)", was_off("(117)"), check_holds("(117)"));
 }
 
 /* ---- Chapter 3.3: in the plane ---- */
@@ -400,7 +416,7 @@ static void test_planar_equations(void)
         wrong = (-I2_S * p.Or - p.m * cross(p.SS2, b)) / I1_S;
         about_S = fmax(about_S, fabs(wrong - p.Or1));
     }
-    CHECK(about_S > 1);
+    ERRATUM("(40)", about_S > 1, check_holds("(40)") && check_holds("(41)-(43)"));
 }
 
 /* ---- Tables 2-4 ---- */
@@ -434,6 +450,7 @@ static void answers(const plane *p, const char *row, const double *v, double ome
 static void test_table2(void)
 {
     const double still[2] = {0, 0};
+    double truncated5 = 0, truncated7 = 0, least_v_r1 = HUGE_VAL;
     int i;
     for (i = 0; i < 200; i++) {
         vm_body2 whole, part;
@@ -455,6 +472,8 @@ static void test_table2(void)
         part.omega = R(-p.m * p.M / (p.I2 * p.M1) * cross(p.SS2, p.vr)), p = separated(whole, part);
         moves(&p, "T2.5", p.v[0] - k * p.vr[0], p.v[1] - k * p.vr[1], 0);
         answers(&p, "T2.5", NULL, 0);
+        part.omega = R(-p.m * p.M / (p.I2 * p.M1)), p = separated(whole, part); /* what is printed of row 5 */
+        truncated5 = fmax(truncated5, fabs(p.O1));
 
         set_v(&part, 0, 0), part.omega = R(any()), p = separated(whole, part);
         d[0] = p.M / p.M1 * p.v[0], d[1] = p.M / p.M1 * p.v[1];
@@ -462,8 +481,8 @@ static void test_table2(void)
 
         part.omega = 0, p = separated(whole, part);
         moves(&p, "T2.4", d[0], d[1], p.m * p.M / p.M1 * cross(p.SS2, p.v) / p.I1);
-        same("3.3.1 concl. 1", "T2.4 has v_r1", p.vr1[0], k * p.v[0],
-             p.u); /* not 0, as conclusion 1 claims of it */
+        same("3.3.1 concl. 1", "T2.4 has v_r1", p.vr1[0], k * p.v[0], p.u); /* not 0, as conclusion 1 claims of it */
+        least_v_r1 = fmin(least_v_r1, hypot(p.vr1[0], p.vr1[1]));
 
         set_v(&part, p.M / p.m * p.v[0], p.M / p.m * p.v[1]), part.omega = R(any()), p = separated(whole, part);
         moves(&p, "T2.6", 0, 0, (-p.M * cross(p.SS2, p.v) - p.I2 * p.O2) / p.I1);
@@ -471,18 +490,23 @@ static void test_table2(void)
         part.omega = R(p.M / p.I2 * cross(p.v, p.SS2)), p = separated(whole, part);
         moves(&p, "T2.7", 0, 0, 0);
         answers(&p, "T2.7", still, 0);
+        part.omega = R(p.M / p.I2), p = separated(whole, part); /* what is printed of row 7 */
+        truncated7 = fmax(truncated7, fabs(p.O1));
 
         set_v(&part, p.v[0], p.v[1]), part.omega = R(any()), p = separated(whole, part);
         moves(&p, "T2.8", p.v[0], p.v[1], -p.I2 * p.O2 / p.I1);
         part.omega = 0, p = separated(whole, part);
         moves(&p, "3.3.1 concl. 1", p.v[0], p.v[1], 0);
     }
+    ERRATUM("T2.5,7", truncated5 > 1 && truncated7 > 1, check_holds("T2.5") && check_holds("T2.7"));
+    ERRATUM("3.3.1 concl. 1", least_v_r1 > 0.01, check_holds("3.3.1 concl. 1"));
 }
 
 /* Table 3: the whole rotates about S */
 static void test_table3(void)
 {
     const double still[2] = {0, 0};
+    double row8 = 0;
     int i;
     for (i = 0; i < 200; i++) {
         vm_body2 whole, part, found;
@@ -514,6 +538,7 @@ static void test_table3(void)
         moves(&p, "T3.6", 0, 0, p.O + turn / p.I1 - p.I2 / p.I1 * p.Or);
         same("T3.6 printed", "off by 2 I2 Or", turn / p.I1 + p.I2 / p.I1 * p.Or - p.Or1, 2 * p.I2 / p.I1 * p.Or,
              p.w);
+        ERRATUM("T3.6", fabs(turn / p.I1 + p.I2 / p.I1 * p.Or - p.Or1) > 0.01, check_holds("T3.6"));
 
         kept[0] = any(), kept[1] = any(), c = p.M * cross(p.SS1, kept);
         set_relative(&whole, &part, kept[0], kept[1], c / p.I2), p = separated(whole, part);
@@ -527,6 +552,7 @@ static void test_table3(void)
         }
         set_relative(&whole, &part, kept[0], kept[1], (c + p.I1 * p.O) / p.I2), p = separated(whole, part);
         same("T3.7 printed", "Omega_1 = 0", p.O1, 0, p.w); /* Or1 = -Omega, where it says Or1 = 0 */
+        ERRATUM("T3.7", fabs(p.Or1) > 0.2, check_holds("T3.7"));
 
         set_relative(&whole, &part, stop[0], stop[1], turn / p.I2), p = separated(whole, part);
         moves(&p, "T3.8", 0, 0, p.O);
@@ -536,7 +562,9 @@ static void test_table3(void)
         answers(&p, "T3.8 Omega_1 = 0", still, 0);
         set_relative(&whole, &part, stop[0], stop[1], (p.I1 * p.O - turn) / p.I2), p = separated(whole, part);
         same("T3.8 printed", "Or1", p.Or1, 2 * turn / p.I1 - p.O, p.w);
+        row8 = fmax(row8, fabs(p.Or1)); /* where it says 0 */
     }
+    ERRATUM("T3.8", row8 > 1, check_holds("T3.8") && check_holds("T3.8 Omega_1 = 0"));
 }
 
 /* Table 4: plane motion */
@@ -567,7 +595,7 @@ static void test_table4(void)
         moves(&p, "T4.4", p.v[0], p.v[1], p.O * (1 + p.m * p.M * d2 / (p.M1 * p.I1)));
         moves(&p, "T4.4", p.v[0], p.v[1], (p.I - p.I2) * p.O / p.I1);
         same("T4.4 printed", "Or1 is not 0", p.Or1, p.O * p.m * p.M * d2 / (p.M1 * p.I1), p.w);
-        CHECK(fabs(p.Or1) > 1e-3);
+        ERRATUM("T4.4", fabs(p.Or1) > 1e-3, check_holds("T4.4"));
 
         set_relative(&whole, &part, 0, 0, 0), p = separated(whole, part);
         moves(&p, "T4.5", p.v[0] - p.O * p.SS1[1], p.v[1] + p.O * p.SS1[0], p.O);

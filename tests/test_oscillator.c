@@ -16,12 +16,14 @@ static void near(const char *equation, const char *what, double got, double want
     check_error(equation, what, "tol", fabs(got - wanted) / scale, 1, got, wanted);
 }
 
-/* A printed form misses the truth by this, to the digits that are stated (5 %) */
-static void misses(const char *equation, double printed, double truth, double by)
+/* A printed form misses the truth by this, to the digits that are stated (5 %): does it? In float that is told only
+   where the miss is large beside the errors of differences and integrations, else that the two differ at all. */
+static int misses(const char *equation, double printed, double truth, double by)
 {
-    if (is_float && by < 0.5 * fabs(truth)) return; /* near the errors of differences and integrations in float */
-    check_error(equation, "printed", "5 %", fabs(fabs(printed - truth) / by - 1) / (is_float ? 0.1 : 0.05), 1,
-                printed, truth);
+    const double error = fabs(fabs(printed - truth) / by - 1) / (is_float ? 0.1 : 0.05);
+    if (is_float && by < 0.5 * fabs(truth)) return printed != truth;
+    check_error(equation, "printed", "5 %", error, 1, printed, truth);
+    return error <= 1;
 }
 
 static double signed_power(double x, double alpha) { return copysign(pow(fabs(x), alpha), x); }
@@ -144,7 +146,30 @@ static void test_model(void)
             CHECK(vm_osc_by_variation(&o, 10, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
             near("(318)", "x(10), m^2", (double)motion.x, 0.5884587582788442776, is_float ? 3e-3 : 1e-9);
         }
-        CHECK(vmi_osc_elastic(R(-0.3), R(alphas[i])) == -vmi_osc_elastic(R(0.3), R(alphas[i]))); /* (250) */
+        ERRATUM("(250)", vmi_osc_elastic(R(-0.3), R(alphas[i])) != vmi_osc_elastic(R(0.3), R(alphas[i])),
+                vmi_osc_elastic(R(-0.3), R(alphas[i])) == -vmi_osc_elastic(R(0.3), R(alphas[i])));
+    }
+}
+
+/* Any alpha > 0, not quotients of odd numbers only, if the power has the sign of x: the energy stays, by hand, on both
+   sides of x = 0; the power without the sign is not even a number for x < 0 */
+static void test_any_alpha(void)
+{
+    const double alphas[] = {1e-3, 0.25, 1.4142135623730951, 2, 3.141592653589793, 100};
+    int i;
+    for (i = 0; i < 6; i++) {
+        const double a = (double)R(alphas[i]);
+        double t, T = (double)vm_osc_period(1, 1, R(a)), least = 1;
+        for (t = 0.01 * T; t < T; t += 0.07 * T) {
+            vm_real x, v;
+            double energy;
+            vm_osc_exact(R(t), 1, 1, R(a), &x, &v);
+            energy = (double)(v * v) * (a + 1) / 2 + pow(fabs((double)x), a + 1);
+            least = fmin(least, (double)x);
+            check_error("any alpha", "energy", "eps*", fabs(energy - 1) / eps / (a + 4), 4, a, t);
+        }
+        CHECK(least < -0.8);
+        if (a != floor(a)) ERRATUM("item 2 of 7.1", isnan(pow(-0.3, a)), check_holds("any alpha"));
     }
 }
 
@@ -183,6 +208,10 @@ static void test_period(void)
         near("(265)", "T",
              pow(x0, (1 - a) / 2) / omega0 * (2 * sqrt(2.) * pi / sqrt(a + 1)) * (ratio / sqrt(pi)) / T, 1, 1e-13);
         if (a == 1.5) near("(262)", "alpha = 3/2", T, 7.20466270504046, 1e-13);
+        { /* with 1 for c1, which has no meaning but omega0 */
+            const double without = pow(x0, (1 - a) / 2) * (2 * sqrt(2.) * pi / sqrt(a + 1)) * (ratio / sqrt(pi));
+            ERRATUM("(265)", fabs(without / T - 1) > 0.1, check_holds("(265)"));
+        }
     }
 }
 
@@ -228,6 +257,7 @@ static void test_any_start(void)
             near("(269)", "x0 < 0", (double)(x1 - x2), 0, 1e-12 * (1 + a));
         }
     }
+    ERRATUM("(258),(269)", isnan(pow(-1.4, (1.5 - 1) / 2)), check_holds("(258)") && check_holds("(269)"));
 }
 
 /* ---- 7.3.1: (270)-(290) ---- */
@@ -252,11 +282,13 @@ static void test_exact_solution(void)
     z = pow((double)x, a + 1), B = P * (double)ateb_beta_inc(R(z), R(q), R(0.5));
     /* (269)-(273): L = K t, and |x| 2F1 = x0/(a+1) B_z; (272)'s series with the (-1)^n that its first form lost */
     near("(272)", "2F1", (a + 1) * (double)x * hypergeometric(q, 0.5, 1 + q, z, 1), B, 1e-11);
-    CHECK(fabs((a + 1) * (double)x * hypergeometric(q, 0.5, 1 + q, z, -1) - B) > 0.1); /* alternating: printed */
+    ERRATUM("(272)", fabs((a + 1) * (double)x * hypergeometric(q, 0.5, 1 + q, z, -1) - B) > 0.1, /* alternating */
+            check_holds("(272)"));
     near("(273)", "slope", sqrt(2 * (a + 1)) * t, P - B, 1e-12);
     near("(274)", "B_z, t > 0", B, 2.784666789, 1e-9);
     near("(274)", "minus", P - sqrt(2 * (a + 1)) * t, B, 1e-12);
-    misses("(274)", P + sqrt(2 * (a + 1)) * t, B, 4.573521171 - 2.784666789);
+    ERRATUM("(274)", misses("(274)", P + sqrt(2 * (a + 1)) * t, B, 4.573521171 - 2.784666789),
+            check_holds("(274)"));
     /* (275): signs of u beyond a quarter */
     for (t = 0.3; t < 9; t += 0.9) {
         saca(t, a, &sa, &ca);
@@ -266,27 +298,36 @@ static void test_exact_solution(void)
         near("(279)", "", sa * sa + pow(fabs(ca), a + 1), 1, 1e-14);
     }
     saca(2, a, &sa, &ca);
-    CHECK(ca < 0 && isnan(pow(ca, a + 1)) && isnan(pow(ca, a))); /* the printed powers */
+    ERRATUM("(275)", ca < 0 && isnan(pow(ca, a)), check_holds("(275)"));
+    ERRATUM("(279)", ca < 0 && isnan(pow(ca, a + 1)), check_holds("(279)"));
+    ERRATUM("derivatives after (282)", isnan(pow(ca, a)), check_holds("(275)")); /* v is sa, u is ca */
     saca(s, a, &sa, &ca);
     near("(276), (277)", "v^2", P / 2 * (double)ateb_beta_inc(R(sa * sa), R(0.5), R(q)), s, 1e-13);
-    misses("(277) text", P / 2 * (double)ateb_beta_inc(R(sa), R(0.5), R(q)), s, 0.952 - 0.7);
+    ERRATUM("text before (277)",
+            misses("(277) text", P / 2 * (double)ateb_beta_inc(R(sa), R(0.5), R(q)), s, 0.952 - 0.7),
+            check_holds("(276), (277)"));
     near("(277)", "Pi", P, (double)ateb_beta(R(q), R(0.5)), 1e-13);
     /* (278), (280): rows that hold, and those that need the swapped pair */
     saca(-s, a, &v, &c2), near("(278), (280)", "row 1", fabs(v + sa) + fabs(c2 - ca), 0, 1e-14);
     saca(2 * P - s, a, &v, &c2), near("(278), (280)", "row 4", fabs(v + sa) + fabs(c2 - ca), 0, 1e-13);
     saca(P + s, a, &v, &c2), near("(278), (280)", "Pi + s", fabs(v + sa) + fabs(c2 + ca), 0, 1e-13);
-    misses("(278) row 3", v, sa, 2 * 0.635289);
+    up = v;
     saca(P - s, a, &v, &c2), near("(278)", "Pi - s", v, sa, 1e-13);
+    ERRATUM("(278) row 3", misses("(278) row 3", up, sa, 2 * 0.635289),
+            check_holds("(278)") && check_holds("(278), (280)"));
+    ateb_saca_nm(R(s), R(a), 1, &n_sa, &n_ca); /* odd and even too, but not the functions of the solution */
+    ERRATUM("text after (278),(279)", fabs((double)n_sa - sa) > 0.01 && fabs((double)n_ca - ca) > 0.01,
+            check_holds("(278), (280)"));
     ateb_saca_nm(R(P / 2 + s), R(a), 1, &n_sa, &n_ca); /* sa(a,1,.), ca(1,a,.) */
     near("(278)", "row 2", -(double)n_ca, sa, 1e-12);
     near("(280)", "row 2", (double)n_sa, ca, 1e-12);
     saca(P / 2 + s, a, &v, &c2);
-    misses("(278) row 2", -c2, 0.635289, 0.635289 - 0.541498);
-    misses("(280) row 2", v, 0.813238, 0.885567 - 0.813238);
+    ERRATUM("(278) row 2", misses("(278) row 2", -c2, 0.635289, 0.635289 - 0.541498), check_holds("(278)"));
+    ERRATUM("(280) row 2", misses("(280) row 2", v, 0.813238, 0.885567 - 0.813238), check_holds("(280)"));
     /* (281) with the pair swapped, at the t of that s; the printed one has another shape */
     vm_osc_exact(R(s / sqrt((a + 1) / 2)), 1, 1, R(a), &x, &xdot);
     near("(281)", "", (double)n_sa, (double)x, 1e-12);
-    misses("(281)", v, (double)x, 0.885567 - 0.813238);
+    ERRATUM("(281)", misses("(281)", v, (double)x, 0.885567 - 0.813238), check_holds("(281)"));
     near("(282)", "", (double)x, 0.813238, 1e-6);
     near("(284)", "", (double)vm_osc_vmax(1, 1, R(a)), 2 / sqrt(5.), 1e-14);
 }
@@ -312,8 +353,9 @@ static void test_special_cases(void)
     }
     saca(0.3, 3, &sa, &ca);
     jacobi_sncndn(R(0.3 / sqrt(2.)), R(0.5), &sn, &cn, &dn);
-    CHECK(fabs(fabs(sa - (double)sn) - 0.084) < 0.004);
+    ERRATUM("text after (289)", fabs(fabs(sa - (double)sn) - 0.084) < 0.004, check_holds("(289) text"));
     near("(290)", "", (double)vm_osc_vmax(R(x0), R(0.9), 3), sqrt(0.5) * x0 * x0 * 0.9, 1e-13);
+    ERRATUM("(290)", fabs(sqrt(0.5) * x0 * x0 * 0.9 - x0) > 0.2, check_holds("(290)")); /* x_max is x0 */
     /* (287): s^(-1/4) sn^-1(s^(1/4)|-1), sn^-1 = F by its series; printed sn^-1(s) */
     s = 0.3;
     {
@@ -325,13 +367,20 @@ static void test_special_cases(void)
         near("(287)", "sn F", (double)sn, s, 1e-12);
         near("(287)", "", F / r, 1.034566, 1e-6);
         near("(287)", "printed", F_printed / r, 0.405690, 1e-6);
+        ERRATUM("(287)", fabs(F_printed - F) / r > 0.6, check_holds("(287)"));
     }
     /* (288): C = x0 K(-1), at x = x0; and then K(-1) - |omega0| x0 t/sqrt 2 is the argument */
     vm_osc_exact(R(0.8), R(x0), R(0.9), 3, &x, &v);
     jacobi_sncndn(R(K1 - 0.9 * x0 * 0.8 / sqrt(2.)), -1, &sn, &cn, &dn);
     near("(288)", "", x0 * (double)sn, (double)x, 1e-12);
+    {
+        const double r = (double)x / x0, inverse = x0 * r * hypergeometric(0.25, 0.5, 1.25, pow(r, 4), 1);
+        const double by_t = 0.9 * x0 * x0 * 0.8 / sqrt(2.);
+        near("(288)", "inverse of sn", inverse, x0 * K1 - by_t, 1e-12);
+        ERRATUM("(288)", misses("(288)", x0 * K1 + by_t, inverse, 2 * by_t), check_holds("(288)"));
+    }
     near("4 K(-1)", "", 4 * K1, 5.244115108584239, 1e-13);
-    CHECK(fabs(4 * K1 - 5.244116) > 5e-7); /* printed: off by one digit of the last place */
+    ERRATUM("4K(-1) value", fabs(4 * K1 - 5.244116) > 5e-7, check_holds("4 K(-1)")); /* its last digit */
     near("am(K - s)", "", (double)jacobi_am(R(K - 0.4), R(0.5)), pi / 2 - (double)jacobi_am(R(sqrt(0.5) * 0.4), -1),
          1e-13);
 }
@@ -350,7 +399,7 @@ static void test_approximations(void)
     static const double ratio[][2] = {{0.5, 0.910744}, {1, 1}, {1.5, 1.067380}, {3, 1.198140}, {10, 1.401537}};
     static const double largest[][2] = {{4, 1.0115}, {5, 1.0308}, {10, 1.1069}, {100, 1.2435}};
     vm_osc_comparison c;
-    int i;
+    int i, balanced;
     double t;
     for (i = 0; i < 9; i++) {
         c = vm_osc_compare(R(table[i][0]));
@@ -390,7 +439,7 @@ static void test_approximations(void)
         near("(306)", "k^2 > 1/2", seen / vmax, largest[i][1], 1e-4);
         near("(306)", "Omega_1/(2k)", (double)vm_osc_compare(R(largest[i][0])).jacobi_vmax,
              O / (2 * sqrt(m)) / vmax, 1e-12);
-        CHECK(seen / v0 > 1.01); /* as printed they would be equal */
+        ERRATUM("(306)", seen / v0 > 1.01, check_holds("(306)")); /* as printed they would be equal */
     }
     for (t = -3; t < 9; t += 0.77) { /* (291)-(293), (295), (297)-(302), for x0 < 0 */
         const double a = 1.5, x0 = -1.4, w = 0.7, O = (double)vm_osc_omega_trig(R(a)) * w * pow(1.4, 0.25),
@@ -405,14 +454,12 @@ static void test_approximations(void)
             near("(302)", "", (double)v, -x0 * O1 * (double)(sn * dn), 1e-12);
         near("(298)", "", O1 / O, 2 * (double)jacobi_K(vm_osc_m_jacobi(R(a))) / pi, 1e-13);
     }
-    for (t = 0; t < 7;
-         t += 0.9) { /* (294): the restoring term is of power alpha, so that <.> of its balance vanishes for cos */
+    for (t = 0, balanced = 1; t < 7; t += 0.9) { /* (294): the restoring term is of power alpha, and has x's sign */
         double k = (double)vm_osc_omega_trig(2), left = -k * k * 0.6 * cos(t),
                right = signed_power(0.6 * cos(t), 2) / 0.6;
-        CHECK(left * right <= 0 &&
-              fabs(left + right) < 0.3); /* with the printed (alpha-1)/2 = 1/2, without sign, not so */
+        balanced = balanced && left * right <= 0 && fabs(left + right) < 0.3;
     }
-    CHECK(isnan(pow(0.6 * cos(2), 0.5)));
+    ERRATUM("(294)", isnan(pow(0.6 * cos(2), (2 - 1) / 2.)), balanced);
     { /* (308): cn of m < 0 is cd; the limits, and (309) */
         const double ms[] = {-0.5, -1.8078, -1e3};
         for (i = 0; i < 3; i++) {
@@ -568,9 +615,16 @@ static void test_closed_forms(void)
                 if (a == 1) near("(358)", "psi", c.psi, 2 * sqrt(k) / m1 * (sqrt(m) - sqrt(m0)), 1e-11 * 100);
                 if (a == 1 && r) near("(357), (362)", "A", c.A, A0 * pow(m0 / m, 0.25 * (1 + 2 * b / m1)), 1e-13);
                 if (a == 3 && r && d == 0) near("(363)", "A", c.A, A0 * pow(ratio, -1. / 6), 1e-13);
-                if (a != 5 && d == 0 &&
-                    fabs(a - 1) > 0.4) /* the printed 5 - alpha: not the solution of the mended (335) */
-                    CHECK(fabs(A0 * pow(ratio, -(2 * r - 1) / (5 - a)) - c.A) > 0.01 * c.A);
+                if (a != 5 && fabs(a - 1) > 0.4) { /* the printed 5 - alpha: not the solution of the mended (335) */
+                    const double P5 = ((2 * r - 1) + 2 * b / m1) / (5 - a), n5 = (a - 1) / 2 * P5;
+                    const double grown = fabs(0.5 - n5) > 1e-9 ? (pow(ratio, 0.5 - n5) - 1) / (0.5 - n5) : log(ratio);
+                    const double psi5 = O * sqrt(k * m0) * pow(A0, (a - 1) / 2) / m1 * grown;
+                    const int off = fabs(A0 * pow(ratio, -P5) - c.A) > 0.01 * c.A && fabs(psi5 - c.psi) > 0.1;
+                    if (r) ERRATUM("(352)-(354)", off, check_holds("(352), (344)") && check_holds("(353), (345)"));
+                    if (r && d == 0) ERRATUM("(360),(361)", off, check_holds("(352), (344)"));
+                    if (r == 0 && d == 0)
+                        ERRATUM("(365),(367)-(369)", off, check_holds("(367)") && check_holds("(368)"));
+                }
             }
         }
     }
@@ -585,7 +639,10 @@ static void test_closed_forms(void)
              2 / (-2 * b) * O * sqrt(m0) * (sqrt(m0 - 2 * b * t) - sqrt(m0)), 1e-10);
         near("(350)", "psi", closed_form(&o, 1e-3).psi / (O * 1e-3), 1, 1e-5);
         T = 2 * pi / O, T_true = (double)vm_osc_period(R(A0), R(sqrt(k / m0)), R(a));
-        near("(351)", "T", T / T_true, 1, 1e-13), misses("(351)", T / 2, T, T / 2);
+        near("(351)", "T", T / T_true, 1, 1e-13);
+        ERRATUM("(350),(351)",
+                misses("(351)", T / 2, T, T / 2) && fabs(closed_form(&o, 1e-3).psi / (2 * O * 1e-3) - 1) > 0.4,
+                check_holds("(350)") && check_holds("(351)"));
     }
     { /* the exponent 1/2 - n = 0 of (353), at which it is a logarithm, and the way there */
         double gap;
@@ -610,6 +667,12 @@ static void test_closed_forms(void)
             closed c = closed_form(o + i, 80), q = averaged_solution(o + i, 80);
             vm_osc_plan p;
             near("(344), (345)", "other laws", fabs(c.A / q.A - 1) + fabs(c.psi / q.psi - 1), 0, 1e-9);
+            if (i == 0 || i == 2 || i == 3) { /* reactive, constant stiffness; printed with 5 - alpha */
+                const double a = (double)o[i].alpha;
+                const double D = i == 3 ? 2 * 0.01 * 80 : log(mass_at(o + i, 80)), A5 = exp(-D / (5 - a));
+                ERRATUM("(344),(345)", fabs(A5 - c.A) > 0.05 && fabs(exp(-D / (a + 3)) - c.A) < 1e-4,
+                        check_holds("(344), (345)"));
+            }
             CHECK(vm_osc_plan_init(&p, o + i) == VM_OK && p.closed);
         }
         o[0].damping = R(0.01); /* not closed: by integration */
@@ -654,8 +717,10 @@ static void test_variation(void)
         th315 = -sqrt((a + 1) / 2) * pow(A, (1 - a) / 2) / w * f * ca / A;
         near("(314)", "with the term of w'", A314 - 2 * A / (a + 1) * wr / w * sa * sa, Ar, tolerance);
         near("(315)", "with the term of w'", rate + th315 - wr / w * sa * ca, pr, tolerance * (1 + rate));
-        misses("(314)", A314, Ar, 2 * A / (a + 1) * wr / w * sa * sa);
-        misses("(315)", rate + th315, pr, wr / w * sa * ca);
+        ERRATUM("(313)-(315)",
+                misses("(314)", A314, Ar, 2 * A / (a + 1) * wr / w * sa * sa) &&
+                    misses("(315)", rate + th315, pr, wr / w * sa * ca),
+                check_holds("(314)") && check_holds("(315)"));
         { /* (312), (313): with the missing term on the right, the pair is the same */
             double Ap = Ar, th = pr - rate;
             near("(312)", "", Ap * ca - 2 * A * th / (a + 1) * sa, 0, tolerance * 2);
@@ -665,10 +730,12 @@ static void test_variation(void)
         { /* (319), (320): f = -(m'/m) x', w'/w = -m'/(2m): half of what is printed */
             double mr = 0.3, x_rate = -sqrt(2 / (a + 1)) * w * pow(A, (a + 1) / 2) * sa;
             exact_rates(a, w, -w * mr / 2, A, psi, -mr * x_rate, &Ar, &pr);
-            near("(319)", "halved", -A / (a + 1) * mr * sa * sa, Ar, tolerance),
-                misses("(319)", -2 * A / (a + 1) * mr * sa * sa, Ar, A / (a + 1) * mr * sa * sa);
-            near("(320)", "halved", -mr / 2 * sa * ca, pr - rate, tolerance * (1 + rate)),
-                misses("(320)", -mr * sa * ca, pr - rate, mr / 2 * sa * ca);
+            near("(319)", "halved", -A / (a + 1) * mr * sa * sa, Ar, tolerance);
+            near("(320)", "halved", -mr / 2 * sa * ca, pr - rate, tolerance * (1 + rate));
+            ERRATUM("(319)-(321)",
+                    misses("(319)", -2 * A / (a + 1) * mr * sa * sa, Ar, A / (a + 1) * mr * sa * sa) &&
+                        misses("(320)", -mr * sa * ca, pr - rate, mr / 2 * sa * ca),
+                    check_holds("(319)") && check_holds("(320)"));
         }
         { /* (333), (334) solved: (335), (336) with + A dOmega/dA sin^2 */
             double O = 0.9 * w * pow(A, (a - 1) / 2), dO = O * (a - 1) / 2, s = sin(psi), c = cos(psi),
@@ -682,9 +749,11 @@ static void test_variation(void)
             A_true = (double)rhs[0];
             near("(335)", "+", right_A / bracket, A_true, 1e-12),
                 near("(336)", "+", right_th / bracket / A, (double)rhs[1], 1e-12);
-            misses("(335)", right_A / wrong, A_true, fabs(right_A) * 2 * dO * s * s / fabs(bracket * wrong));
-            misses("(336)", right_th / wrong / A, (double)rhs[1],
-                   fabs(right_th) / A * 2 * dO * s * s / fabs(bracket * wrong));
+            ERRATUM("(335),(336)",
+                    misses("(335)", right_A / wrong, A_true, fabs(right_A) * 2 * dO * s * s / fabs(bracket * wrong)) &&
+                        misses("(336)", right_th / wrong / A, (double)rhs[1],
+                               fabs(right_th) / A * 2 * dO * s * s / fabs(bracket * wrong)),
+                    check_holds("(335)") && check_holds("(336)"));
         }
         { /* (375), (377) solved: (378), (379), where (376) holds with A^alpha cn|cn|^(alpha-1) for A cn */
             double m = (double)vm_osc_m_jacobi(R(a)),
@@ -704,7 +773,21 @@ static void test_variation(void)
                  (double)rhs[1], 1e-12);
             Ar = (-F * (double)(sn * dn) - (mr * w + Or) * A * pow((double)(sn * dn), 2)) /
                  (O * bracket); /* printed omega */
-            misses("(378)", Ar, (double)rhs[0], fabs(mr * (w - O) * A * pow((double)(sn * dn), 2) / (O * bracket)));
+            ERRATUM("(378)",
+                    misses("(378)", Ar, (double)rhs[0],
+                           fabs(mr * (w - O) * A * pow((double)(sn * dn), 2) / (O * bracket))),
+                    check_holds("(378)"));
+        }
+        { /* (377) for alpha = 3 and a mass of 2: with f as (254) has it, f1/m, its f/m divides by the mass twice */
+            const double mass = 2, f1 = f, u = psi / sqrt(2.);
+            vm_real sn, cn, dn;
+            jacobi_sncndn(R(u), R(0.5), &sn, &cn, &dn);
+            exact_rates(3, w, 0, A, psi, f1 / mass, &Ar, &pr);
+            near("(377)", "f1/m", -f1 / mass * (double)(sn * dn) / (A * w), Ar, tolerance);
+            ERRATUM("(377)",
+                    misses("(377)", -f1 / (mass * mass) * (double)(sn * dn) / (A * w), Ar,
+                           fabs(f1) / 4 * (double)(sn * dn) / (A * w)),
+                    check_holds("(377)"));
         }
     }
     { /* (376): the generating relation for cn of alpha = 3, where it is exact; printed with omega^2 A cn it is not */
@@ -712,7 +795,8 @@ static void test_variation(void)
         vm_real sn, cn, dn;
         jacobi_sncndn(R(u), R(0.5), &sn, &cn, &dn);
         left = A * O * O * (double)cn * (1 - 2 * 0.5 + 2 * 0.5 * (double)(cn * cn));
-        near("(376)", "A^a cn^a", pow(A * (double)cn, 3), left, 1e-13), CHECK(fabs(A * (double)cn - left) > 0.2);
+        near("(376)", "A^a cn^a", pow(A * (double)cn, 3), left, 1e-13);
+        ERRATUM("(376)", fabs(A * (double)cn - left) > 0.2, check_holds("(376)"));
     }
 }
 /* ---- Averages: (316), (321)-(324), (337)-(339), (380)-(384) ---- */
@@ -753,7 +837,8 @@ static void test_averages(void)
             near("(322)", "theta'", (double)th, 0, 1e-18);
         }
         near("(321), (323)", "P", P, 1 / (a + 3), 1e-14);
-        misses("(321)", 2 / (a + 1) * S, 1 / (a + 3), 1 / (a + 3)); /* exponent 2/(a+3) as printed */
+        ERRATUM("(319)-(321)", misses("(321)", 2 / (a + 1) * S, 1 / (a + 3), 1 / (a + 3)), /* exponent 2/(a+3) */
+                check_holds("(321), (323)"));
         o.force = cubic_force, o.ctx = force;
         CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
         Om = sqrt((a + 1) / 2) * w * pow(A, (a - 1) / 2), V = 2 * A * Om / (a + 1);
@@ -764,6 +849,9 @@ static void test_averages(void)
              1e-12);
         near("(315), (316)", "averaged", (double)th, -force[1] * pow(A, 3) / V * (double)ateb_mean(R(a), 0, 4),
              1e-12);
+        ERRATUM("averaged forms before (316)", /* without the mean of the term of w' = -m' w/(2 m) */
+                misses("(314), (316)", (double)Ar - A * mr / (a + 3), (double)Ar, A * mr / (a + 3)),
+                check_holds("(314), (316)"));
         near("psi'", "Ateb", (double)pr, Om + (double)th, 1e-14);
         { /* trigonometric: (337), (338) with alpha + 3 and 4; <sin^4> = 3/8 */
             double O = (double)vm_osc_omega_trig(R(a)) * w * pow(A, (a - 1) / 2), f_sin, f_cos, w_rate = -mr / 2;
@@ -774,11 +862,15 @@ static void test_averages(void)
             near("(338)", "4/(a + 3)", (double)th * A, -4 / ((a + 3) * O) * f_cos, 1e-12);
             near("(339)", "", (double)pr, O + (double)th, 1e-13);
             if (a != 5)
-                misses("(338)", -2 / ((5 - a) * O) * f_cos, (double)th * A,
-                       fabs(2 / (5 - a) - 4 / (a + 3)) / O * f_cos);
+                ERRATUM("(338),(339)",
+                        misses("(338)", -2 / ((5 - a) * O) * f_cos, (double)th * A,
+                               fabs(2 / (5 - a) - 4 / (a + 3)) / O * f_cos),
+                        check_holds("(338)") && check_holds("(339)"));
             if (a != 5 && a != 1)
-                misses("(337)", -2 * A * w_rate / (5 - a) - 4 / ((5 - a) * O) * f_sin, (double)Ar,
-                       fabs((1 / (5 - a) - 1 / (a + 3)) * (2 * A * w_rate + 4 / O * f_sin)));
+                ERRATUM("(337)",
+                        misses("(337)", -2 * A * w_rate / (5 - a) - 4 / ((5 - a) * O) * f_sin, (double)Ar,
+                               fabs((1 / (5 - a) - 1 / (a + 3)) * (2 * A * w_rate + 4 / O * f_sin))),
+                        check_holds("(337)"));
         }
         { /* Jacobi: (380)-(382), <.> by the trapezoidal rule, with Omega_1' that has the A' part */
             double k2 = (double)vm_osc_m_jacobi(R(a)),
@@ -801,7 +893,7 @@ static void test_averages(void)
                 double O_rate = -mr / 2 + (a - 1) / 2 * (double)Ar / A;
                 near("(382)", "first line", (double)Ar * bracket, -Fs / O - A * (mr + O_rate) * S2, 1e-11);
                 near("(382)", "second line, A theta'", A * (double)th * bracket, -Fc / O, 1e-11);
-                CHECK(fabs((double)Ar * bracket + Fc / O) > 1e-3); /* as printed, A' twice */
+                ERRATUM("(382)", fabs((double)Ar * bracket + Fc / O) > 1e-3, check_holds("(382)")); /* A' twice */
             }
             near("psi'", "Jacobi", (double)pr, O + (double)th, 1e-13);
         }
@@ -825,6 +917,8 @@ static void test_averages(void)
             check_error("(383) series", "printed", "1/8", fabs((0.5 + s / 16 - mean2) / (s / 8) - 1), 0.2, s, 0);
             check_error("(384) series", "printed", "3/32", fabs((3. / 8 + s / 32 - mean4) / (3 * s / 32) - 1), 0.2,
                         s, 0);
+            ERRATUM("(383) series", fabs(0.5 + s / 16 - mean2) > 0.09 * s, check_holds("(383)"));
+            ERRATUM("(384) series", fabs(3. / 8 + s / 32 - mean4) > 0.07 * s, check_holds("(384)"));
         }
     }
 }
@@ -849,6 +943,7 @@ static void test_measured_exponents(void)
 {
     const double alphas[] = {0.5, 1, 4. / 3, 3, 7};
     static trajectory j;
+    double last = 0;
     int i;
     for (i = 0; i < 5; i++) {
         double a = alphas[i], x, tolerance = is_float ? 2e-2 : 1e-4;
@@ -860,28 +955,36 @@ static void test_measured_exponents(void)
         near("(326), (327)", "measured", measured_velocity_exponent(&j), -(a + 2) / (a + 3), tolerance);
         near("(326), (395)", "vm_osc_velocity_law", log((double)vm_osc_velocity_law(5, 0, 1, R(a))) / log(5),
              -(a + 2) / (a + 3), 1e-13);
-        misses("(321)", -2 / (a + 3), x, 1 / (a + 3)), CHECK(a == 1 || fabs(-1 / (5 - a) - x) > 0.035);
-        if (a != 1) misses("(360)", -1 / (5 - a), x, fabs(1 / (5 - a) - 1 / (a + 3)));
+        ERRATUM("(319)-(321)", misses("(321)", -2 / (a + 3), x, 1 / (a + 3)), check_holds("(325)"));
+        CHECK(a == 1 || fabs(-1 / (5 - a) - x) > 0.035);
+        if (a != 1)
+            ERRATUM("(360),(361)", misses("(360)", -1 / (5 - a), x, fabs(1 / (5 - a) - 1 / (a + 3))),
+                    check_holds("(325)"));
         if (a == 3) { /* (328); and what is printed in (363), (364), (396), (397) for the cubic oscillator */
             near("(328)", "1/6", x, -1. / 6, tolerance),
                 near("(328)", "5/6", measured_velocity_exponent(&j), -5. / 6, tolerance);
-            misses("(363)", -0.5, x, 0.5 - 1. / 6),
-                misses("(364)", -3. / 2, measured_velocity_exponent(&j), 1.5 - 5. / 6);
-            misses("(396)", -5. / 32, x, 1. / 6 - 5. / 32),
-                misses("(397)", -13. / 16, measured_velocity_exponent(&j), 5. / 6 - 13. / 16);
+            ERRATUM("(363)", misses("(363)", -0.5, x, 0.5 - 1. / 6), check_holds("(328)"));
+            ERRATUM("(364)", misses("(364)", -3. / 2, measured_velocity_exponent(&j), 1.5 - 5. / 6),
+                    check_holds("(328)"));
+            ERRATUM("(396)", misses("(396)", -5. / 32, x, 1. / 6 - 5. / 32), check_holds("(328)"));
+            ERRATUM("(397)", misses("(397)", -13. / 16, measured_velocity_exponent(&j), 5. / 6 - 13. / 16),
+                    check_holds("(328)"));
             near("(328)", "m/m0 = 6", (double)vm_osc_amplitude_law(6, 0, 1, 3), 0.7418363755904023121, 1e-15);
             near("(328)", "m/m0 = 6", (double)vm_osc_velocity_law(6, 0, 1, 3), 0.2246676924328796112, 1e-15);
         }
-        if (i > 0)
-            CHECK(fabs(x) < 1. / (alphas[i - 1] + 3)); /* text after (363): slower for higher order, not faster */
+        if (i > 0) ERRATUM("text after (363)", fabs(x) < last, check_holds("(325)")); /* slower for higher order */
+        last = fabs(x);
         o.reactive = 0;
         start(&j, &o), follow(&j, 200), x = measured_exponent(&j);
         near("(367)", "measured", x, 1 / (a + 3), tolerance);
         near("(386)", "s = 1/2", log((double)vm_osc_amplitude_law(5, 0, 0, R(a))) / log(5), 1 / (a + 3), 1e-13);
-        if (a != 1) misses("(367)", 1 / (5 - a), x, fabs(1 / (5 - a) - 1 / (a + 3)));
+        if (a != 1)
+            ERRATUM("(365),(367)-(369)", misses("(367)", 1 / (5 - a), x, fabs(1 / (5 - a) - 1 / (a + 3))),
+                    check_holds("(367)"));
         if (a == 1) near("(387)", "1/4", x, 0.25, tolerance);
         if (a == 3) {
-            misses("(388)", 0.28586, x, 0.28586 - 1. / 6);
+            ERRATUM("(388)", misses("(388)", 0.28586, x, 0.28586 - 1. / 6),
+                    check_holds("(386)") && check_holds("(367)"));
         }
     }
     { /* damping alone, constant mass: (342); printed with 5 - alpha */
@@ -897,7 +1000,8 @@ static void test_measured_exponents(void)
             measured = log(fabs((double)j.turn[2 * n] / (double)j.turn[0])) / (double)(j.turn_t[n] - j.turn_t[0]);
             near("(342)", "measured", measured, rates[i][1], is_float ? 5e-4 : 1e-6),
                 near("(342)", "-2b/(a+3)", -0.02 / (a + 3), measured, is_float ? 5e-4 : 1e-6);
-            misses("(342)", -0.02 / (5 - a), measured, fabs(rates[i][2] - rates[i][1]));
+            ERRATUM("(342),(347)", misses("(342)", -0.02 / (5 - a), measured, fabs(rates[i][2] - rates[i][1])),
+                    check_holds("(342)") && check_holds("(347)"));
         }
     }
     for (i = 0; i < 5; i++) { /* s = 1/2 for every k^2, (390); (389), (391), (392), (395) follow */
@@ -919,6 +1023,8 @@ static void test_measured_exponents(void)
             near("(391), (394)", "q", (double)mean.ratio, pow(1. / 3, exponent), 1e-12);
             near("(386)", "q of this case", pow(3, -(0.5 - s * (a - 1) / (2 * (2 + (a - 1) * s))) * -s),
                  pow(3, 1 / (a + 3)), 1e-12);
+            if (a != 1)
+                ERRATUM("(386)", fabs(pow(3, exponent * s) - pow(3, 1 / (a + 3))) > 0.02, check_holds("(386)"));
         }
     }
     near("(393)", "1/4", (double)vm_osc_amplitude_law(16, 0, 1, 1), 0.5, 1e-14);
@@ -966,14 +1072,15 @@ static void test_linear_mass(void)
                  i == 0 ? 0.004 : 0.002, is_float ? 0.1 : 1e-3);
             near("(356)", "printed phase error", phase_error(&j, 90, 0.5 * (1 - 0.0909 * (1 - 2 * b)), 66.028),
                  i == 0 ? 0.59 : 0.52, is_float ? 0.1 : 0.01);
+            ERRATUM("(356)", printed > 0.07, corrected < (is_float ? 1e-2 : 6e-5) && check_holds("(356)"));
         }
     }
     { /* (350), (351): the first period */
         vm_osc_problem o = problem(4. / 3, vm_law_linear(1, R(-0.001)), 1, 0.0005);
         double T = (double)vm_osc_period(1, 1, R(4. / 3));
         start(&j, &o), follow(&j, 8);
-        near("(351)", "measured", (double)j.turn_t[1], 6.467, 1e-2), near("(351)", "corrected", T, 6.483, 1e-3),
-            misses("(351)", T / 2, (double)j.turn_t[1], 6.467 - 3.242);
+        near("(351)", "measured", (double)j.turn_t[1], 6.467, 1e-2), near("(351)", "corrected", T, 6.483, 1e-3);
+        ERRATUM("(350),(351)", misses("(351)", T / 2, (double)j.turn_t[1], 6.467 - 3.242), check_holds("(351)"));
     }
     { /* (355): its right side lacks the division by m; then at b = 1/2 the amplitude is not constant */
         vm_osc_problem o = problem(4. / 3, vm_law_linear(1, R(-0.01)), 1, 0.005);
@@ -982,6 +1089,7 @@ static void test_linear_mass(void)
         o.reactive = o.damping = 0, o.force = printed_force; /* x'' + x|x|^(1/3)/m = 0.005 x' */
         start(&j, &o), follow(&j, 90);
         near("(355)", "printed", fabs((double)j.turn[2 * (j.events[0].count - 1)]), 0.0731, 1e-3);
+        ERRATUM("(355)", fabs((double)j.turn[2 * (j.events[0].count - 1)]) < 0.08, check_holds("(355)"));
     }
     { /* (346): the mass itself; (340), (341), (359): the forces of a problem */
         vm_osc_problem o = problem(2, vm_law_linear(2, R(0.1)), 1, 0.03);
@@ -994,6 +1102,9 @@ static void test_linear_mass(void)
         o.damping = 0, o.reactive = 0; /* (385): no reactive force, the relative velocity is zero */
         CHECK(!vm_osc_plan_init(&p, &o) && !vmi_osc_rates_at(&p, 5, 1, 1, &r));
         near("(385)", "q = 2 w'/w", (double)r.q, -0.1 / 2.5, 1e-15);
+        o.reactive = 1; /* the absolute velocity is zero, as (385) says of this case */
+        CHECK(!vm_osc_plan_init(&p, &o) && !vmi_osc_rates_at(&p, 5, 1, 1, &r));
+        ERRATUM("(385)", fabs((double)r.q + 0.1 / 2.5) > 0.07, check_holds("(385)"));
     }
 }
 
@@ -1031,7 +1142,7 @@ static void test_accuracy_table(void)
                {"trig, 1/(5-a)", 2. / 7, 0.95469357, 6. / 7, {0.165, 0.175, 0.287, 0.325}},
                {"trig, (335) mended", 2. / 9, 0.95469357, 7. / 9, {1.3e-4, 6.8e-2, 2.9e-4, 6.8e-2}}};
     vm_osc_problem o = problem(3, vm_law_linear(1, R(0.1)), 1, 0);
-    errors e;
+    errors e, cubic;
     int i, k;
     start(&j, &o), follow(&j, 200);
     for (i = 0; i < 4; i++) {
@@ -1054,6 +1165,9 @@ static void test_accuracy_table(void)
                         is_float ? 0 : fabs(e.velocity / two[i].wanted[2 * k + 1] - 1) / 0.05, 1, k, e.velocity);
         }
     }
+    e = envelope(&j, 50, 1, two[1].a, two[1].c, two[1].v);
+    cubic = envelope(&j, 50, 1, 1. / 6, sqrt(0.5), 5. / 6); /* that of a cubic oscillator, of which the text speaks */
+    ERRATUM("(402)", cubic.amplitude > 0.15, e.amplitude < (is_float ? 5e-3 : 2e-4));
     near("(403)", "A(50)", (double)vm_osc_amplitude_law(36, 0, 1, R(1.5)), 0.4509776298725563, 1e-14);
     near("(403)", "x'max(50)", 2 / sqrt(5.) * (double)vm_osc_velocity_law(36, 0, 1, R(1.5)), 0.05509186732170900181,
          1e-14);
@@ -1257,6 +1371,7 @@ static void test_bad_input(void)
 int main(void)
 {
     test_model();
+    test_any_alpha();
     test_period();
     test_any_start();
     test_exact_solution();

@@ -24,11 +24,12 @@ static void near_eps(const char *equation, const char *what, double got, double 
     check_error(equation, what, "eps", fabs(got - want) / (want != 0 ? fabs(want) : 1) / eps, bound, got, want);
 }
 
-/* The form as printed is off by what it is stated to be off by, to a tenth of that */
-static void printed_fails(const char *equation, double printed, double truth, double stated)
+/* The form as printed is off by what it is stated to be off by, to a tenth of that: is it? */
+static int printed_fails(const char *equation, double printed, double truth, double stated)
 {
-    check_error(equation, "as printed", "share", fabs(fabs(printed / truth - 1) / stated - 1),
-                is_float ? 0.1 : 0.02, printed, truth);
+    const double error = fabs(fabs(printed / truth - 1) / stated - 1), bound = is_float ? 0.1 : 0.02;
+    check_error(equation, "as printed", "share", error, bound, printed, truth);
+    return error <= bound;
 }
 
 static int rough; /* f is not smooth, so that rk45 integrates it, as it does in float */
@@ -134,6 +135,7 @@ static void test_c6(void)
         near("C6 (408)", "series corrected", (double)C6, series, 2e-5, 2e-5);
         check_error("C6 (408)", "series as printed", "share",
                     fabs((5. / 16 + 5 * m / 256 - mean) / (20 * m / 256) - 1), 0.05, m, mean);
+        ERRATUM("(408) series", fabs(5. / 16 + 5 * m / 256 - mean) > 0.07 * fabs(m), check_holds("C6 (408)"));
     }
 }
 
@@ -167,7 +169,7 @@ static void test_vdp_equations(void)
         p = 1 / (A * A), dp = -2 * (double)d[0] / (A * A * A); /* (414) */
         want = (rate - 2 * b) / m * (double)(v.a2 / v.a1) * p + 2 * (double)v.a3 * c / ((double)v.a1 * m);
         check_error("(415)", "of (410)", "eps", fabs(dp - want) / eps / (1 + p), 8, alpha, A);
-        CHECK(fabs(one / fourths - 1) > 0.5);
+        ERRATUM("(406)", fabs(one / fourths - 1) > 0.5, check_holds("(406), (409)"));
     }
 }
 
@@ -210,13 +212,21 @@ static void test_vdp_reference(void)
         ateb = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_ATEB), jacobi = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_JACOBI);
         near("A_S (425)", "Jacobi", (double)vm_vdp_steady(&jacobi, R(0.01 * m0), NULL), growing[i][1], 3e-15, 6e-6);
         near("A_S (425)", "Ateb", (double)vm_vdp_steady(&ateb, R(0.01 * m0), NULL), growing[i][2], 3e-15, 6e-6);
-        CHECK(growing[i][3] < 0.9975 * growing[i][1] && growing[i][3] > 0.996 * growing[i][1] - 1e-3);
+        CHECK(growing[i][3] > 0.996 * growing[i][1] - 1e-3);
+        ERRATUM("text: 1.691/1.381/.976",
+                growing[i][3] < 0.9975 * growing[i][1] && growing[i][3] < 0.9975 * growing[i][2],
+                check_holds("A_S (425)"));
     }
     ateb = vdp(1, 1, 1, 0, VM_VDP_ATEB); /* 2 sqrt 3 after (438) */
-    printed_fails("text of (438)", 2 * sqrt(3), (double)vm_vdp_steady(&ateb, 0, NULL), 0.732);
+    near("text of (438)", "alpha = 1", (double)vm_vdp_steady(&ateb, 0, NULL), 2, 1e-15, 1e-6);
+    ERRATUM("text: A_S=2 sqrt3 (alpha=1)",
+            printed_fails("text of (438)", 2 * sqrt(3), (double)vm_vdp_steady(&ateb, 0, NULL), 0.732),
+            check_holds("text of (438)"));
     ateb = vdp(3, 1, 1, 0, VM_VDP_ATEB); /* 1.7076 */
     near("text of (438)", "alpha = 3", (double)vm_vdp_steady(&ateb, 0, NULL), 1.909817, 3e-7, 1e-6);
-    printed_fails("text of (438)", 1.7076, (double)vm_vdp_steady(&ateb, 0, NULL), 0.1059);
+    ERRATUM("text: A_S=1.7076 (alpha=3)",
+            printed_fails("text of (438)", 1.7076, (double)vm_vdp_steady(&ateb, 0, NULL), 0.1059),
+            check_holds("text of (438)"));
     ateb = vdp(3, 1, 1, 0, VM_VDP_TRIGONOMETRIC);
     near_eps("A_S (438)", "trigonometric", (double)vm_vdp_steady(&ateb, 0, NULL), 2, 4);
 }
@@ -313,13 +323,15 @@ static void test_vdp_direct(void)
     p = vdp_direct(v, 0.5, 0.5, T400), M = 1 + 0.01 * (double)p.t; /* (420): m0 is missing in the second term */
     A = (double)vm_vdp_amplitude(&v, p.t, R(0.5), linear(0.5, 0.005)), q = 1.5 * a2 / 0.5;
     near("(420)", "direct", A, (double)p.x, 1e-5, steep);
-    printed_fails("(420)", pow(pow(M, -q) * (4 + 2 * a3 / q * (pow(M, q) - 1)), -0.5), (double)p.x, 0.108);
+    ERRATUM("(420)",
+            printed_fails("(420)", pow(pow(M, -q) * (4 + 2 * a3 / q * (pow(M, q) - 1)), -0.5), (double)p.x, 0.108),
+            check_holds("(420)"));
 
     p = vdp_direct(v, 2, 1.5, 395); /* case a), 2b = m0: the amplitude would stay */
     A = (double)vm_vdp_amplitude(&v, p.t, R(1.5), linear(2, 0.02));
     near("(421), q = 0", "direct", A, (double)p.x, 1e-5, steep);
     near("(421), q = 0", "stated", (double)p.x, 1.26827, 1e-5, 3e-3);
-    CHECK(fabs(1.5 / (double)p.x - 1) > 0.18);
+    ERRATUM("case a), 2b=m0", fabs(1.5 / (double)p.x - 1) > 0.18, check_holds("(421), q = 0"));
     CHECK(vm_vdp_steady(&v, R(0.02), NULL) == 0);
 
     p = vdp_direct(v, 3, 1, T400), M = 1 + 0.01 * (double)p.t,
@@ -327,8 +339,10 @@ static void test_vdp_direct(void)
     A = (double)vm_vdp_amplitude(&v, p.t, 1, linear(3, 0.03));
     near("case c)", "direct", A, (double)p.x, 1e-5, steep);
     near("case c)", "stated", (double)p.x, 0.84824, 2e-5, 3e-3);
-    printed_fails("case c)", sqrt(pow(M, q) * a2 / (a2 + 2 * a3 * (1 - pow(M, -q)))), (double)p.x,
-                  0.9583 / 0.84824 - 1);
+    ERRATUM("case c) formula",
+            printed_fails("case c)", sqrt(pow(M, q) * a2 / (a2 + 2 * a3 * (1 - pow(M, -q)))), (double)p.x,
+                          0.9583 / 0.84824 - 1),
+            check_holds("case c)"));
     CHECK(vm_vdp_steady(&v, R(0.03), NULL) == 0); /* (426) */
 
     p = vdp_direct(v, 1, 2.5, T400); /* (424), Fig. 27 */
@@ -346,7 +360,7 @@ static void test_vdp_direct(void)
     near("(434)", "as printed", A, sqrt(a2 / ((a2 + 2 * a3) * pow(M, a2) - 2 * a3)), 1e-14, 1e-6);
     v.reactive = -1; /* (433) as printed */
     p = vdp_direct(v, 1, 1, T400);
-    CHECK(fabs((double)p.x / A - 1) > 0.5);
+    ERRATUM("(433)", fabs((double)p.x / A - 1) > 0.5, check_holds("(434)"));
 }
 
 /* (439), (440) at every turning point, by the three methods: largest errors as stated; and (436), (437), constant
@@ -410,7 +424,7 @@ static void test_vdp_no_reactive(void)
     const double a2 = 2 / (5. / 3 + 3), steep = 5e-3, cases[2][3] = {{1, 2.5, 0.17}, {1.5, 0.5, 0.38}};
     vm_vdp v = vdp(5. / 3, 0.01, 0.01, 0, VM_VDP_ATEB);
     const double a3 = (double)v.a3;
-    double A, M, printed;
+    double A, M, printed, grown;
     vm_point p;
     int i;
     for (i = 0; i < 2; i++) {
@@ -421,25 +435,31 @@ static void test_vdp_no_reactive(void)
         near("(427), (429)", "direct", A, (double)p.x, 2e-5, steep);
         check_error("(427)-(429)", "as printed", "share", fabs((A / printed - 1) / cases[i][2] - 1), 0.05, A,
                     printed);
+        ERRATUM("(427),(429)", check_holds("(427)-(429)"), check_holds("(427), (429)"));
     }
     near("(430)", "m0 = 1", (double)vm_vdp_steady(&v, R(0.01), NULL), sqrt(3 * a2 / (2 * a3)), 1e-14, 3e-6);
     near("(430)", "m0 = 3, stated", (double)vm_vdp_steady(&v, R(0.03), NULL), 3.1009, 2e-5, 2e-5);
     p = vdp_direct(v, 1, 2.5, 1500); /* falls towards the steady amplitude, 2.4046 -> 2.4020 */
     near("(430)", "direct", (double)p.x, (double)vm_vdp_steady(&v, R(0.01), NULL), 2e-3, 5e-3);
-    printed_fails("(430)", sqrt(a2 / a3), (double)p.x, 1 - 1.9612 / 2.402);
+    ERRATUM("(430)", printed_fails("(430)", sqrt(a2 / a3), (double)p.x, 1 - 1.9612 / 2.402), check_holds("(430)"));
 
     v = vdp(5. / 3, 0.01, 0, 0, VM_VDP_ATEB);
     p = vdp_direct(v, 1, 0.3, T400), M = 1 + 0.01 * (double)p.t;
     A = (double)vm_vdp_amplitude(&v, p.t, R(0.3), linear(1, 0.01));
     near("(432)", "direct", A, (double)p.x, 2e-5, steep);
     near("(432)", "stated", (double)p.x, 0.83961, 3e-5, 5e-3);
-    printed_fails("(432)", 0.3 * pow(M, 2 * a2), (double)p.x, 1.18322 / 0.83961 - 1);
+    grown = 2 * log((double)p.x / 0.3) / log(M); /* q1, b = m0 = 1: (428) 2b a2/(m0 a1), true (2b + m0) a2/(m0 a1) */
+    ERRATUM("(428)", fabs(grown - 2 * a2) > 0.4, fabs(grown - 3 * a2) < (is_float ? 0.02 : 2e-4));
+    ERRATUM("(432)", printed_fails("(432)", 0.3 * pow(M, 2 * a2), (double)p.x, 1.18322 / 0.83961 - 1),
+            check_holds("(432)"));
 
     v = vdp(5. / 3, 0, 0.01, 0, VM_VDP_ATEB);
     p = vdp_direct(v, 1, 1, 2000), M = 1 + 0.01 * (double)p.t;
     near("(435)", "direct", (double)vm_vdp_amplitude(&v, p.t, 1, linear(1, 0.01)), (double)p.x, 2e-5, steep);
     near("(435)", "stated", (double)p.x, 1.23999, 3e-5, 5e-3);
-    printed_fails("(435)", sqrt(1 / (1 + 2 * a3 * log(M))), (double)p.x, 1 - 0.77204 / 1.23999);
+    ERRATUM("(435)",
+            printed_fails("(435)", sqrt(1 / (1 + 2 * a3 * log(M))), (double)p.x, 1 - 0.77204 / 1.23999),
+            check_holds("(435)"));
     near("(435)", "limit", (double)vm_vdp_steady(&v, R(0.01), NULL), sqrt(a2 / (2 * a3)), 1e-14, 3e-6);
 }
 
@@ -546,13 +566,14 @@ static void test_rotor_equations(void)
                     fmax(fabs((double)d[2] - ax), fabs((double)d[3] - ay)) / eps / 20, 20, t, alpha);
         near_eps("(448)", "rho", (double)rho, hypot((double)y[0], (double)y[1]), 2);
         near_eps("(448)", "phi", (double)phi, atan2((double)y[1], (double)y[0]), 4);
-        if (y[0] < 0) CHECK(fabs(atan((double)(y[1] / y[0])) - (double)phi) > 3);
+        if (y[0] < 0) ERRATUM("(448)", fabs(atan((double)(y[1] / y[0])) - (double)phi) > 3, check_holds("(448)"));
     }
 }
 
 /* (456)-(473): z from the modes and the modes from z; the rates in A1, A2, theta1, theta2 as (470)-(473) have them */
 static void test_rotor_modes(void)
 {
+    double by_size = 0;
     int i, k;
     for (i = 0; i < 200; i++) {
         vm_linear_mass m = linear(uniform(0.5, 2), uniform(-0.1, 0.1));
@@ -585,8 +606,10 @@ static void test_rotor_modes(void)
         worst = fmax(worst, fmax(fabs((double)d[2] - (dA2 * cos(th2) - A2 * dth2 * sin(th2))),
                                  fabs((double)d[3] + (dA2 * sin(th2) + A2 * dth2 * cos(th2)))));
         check_error("(453), (454), (462)-(473)", "pointwise", "eps", worst / eps, 300, t, phi);
+        by_size = fmax(by_size, fabs((double)turn1.im + hypot((double)f.re, (double)f.im) * sin(s1)) / (2 * w * mass));
         near_eps("(462)", "phi' = omega", (double)d[4], w, 4);
     }
+    ERRATUM("(454)", by_size > 0.5, check_holds("(453), (454), (462)-(473)")); /* F, a size, for the complex F_z */
 }
 
 /* f = gamma conj z: the mean over psi1 and psi2 apart, (474)-(477), is 0, but all of A1 goes over into A2 */
@@ -609,6 +632,8 @@ static void test_rotor_exchange(void)
     CHECK(vm_laval_split(&r, R(t1), motion, y[4], direct) == VM_OK);
     check_error("(474)-(477)", "direct: A1", "", hypot((double)direct[0], (double)direct[1]), 1e-3, 0, 0);
     near("(474)-(477)", "direct: A2", hypot((double)direct[2], (double)direct[3]), 1, 0.01, 0.02);
+    /* the means over psi1 and psi2 apart leave it at 1 */
+    ERRATUM("(474)-(477)", hypot((double)direct[0], (double)direct[1]) < 0.01, check_holds("(474)-(477)"));
 }
 
 /* Averaged two-frequency motion with everything at once, growing mass: errors fall as eps */
@@ -665,6 +690,8 @@ static void test_rotor_linear(void)
         CHECK(points[i + 1].t - points[i].t > points[i].t - points[i - 1].t);
     near("text of (482)", "first half period", (double)(points[1].t - points[0].t), 3.25, 5e-3, 5e-3);
     near("text of (482)", "last half period", (double)(points[n - 1].t - points[n - 2].t), 9.15, 2e-3, 5e-3);
+    ERRATUM("text after (482)", points[n - 1].t - points[n - 2].t > 2 * (points[1].t - points[0].t),
+            check_holds("text of (482)"));
 }
 
 /* (483)-(490), f = -2 delta z': the printed averages lack 1/(2 pi) */
@@ -682,13 +709,14 @@ static void test_rotor_single(void)
     solve(vm_laval_rhs, &r, 4, 0, 400, 1e-10, direct);
     rate = log(hypot((double)direct[0], (double)direct[1])) / 400;
     near("(489), (490)", "direct", (double)d[0], rate, 2e-3, 3e-3);
-    printed_fails("(489)", -0.0628, rate, 5.28);
+    ERRATUM("(489),(490)", printed_fails("(489)", -0.0628, rate, 5.28), check_holds("(489), (490)"));
 }
 
 /* Reactive thrust on z = A e^(i psi): its moment holds Im(u e^(-i psi)) = u_y cos psi - u_x sin psi, (502) has u_z
    sin psi */
 static void test_rotor_thrust(void)
 {
+    double off = 0;
     int i;
     for (i = 0; i < 100; i++) {
         vm_linear_mass m = linear(1, 0.1);
@@ -703,8 +731,9 @@ static void test_rotor_thrust(void)
         CHECK(vm_laval_rhs(0, y, d, &r) == VM_OK);
         moment = 0.1 * h + (double)(y[0] * d[3] - y[1] * d[2]); /* d/dt (m Im(conj z z')), m = 1 */
         check_error("(502), (503)", "moment of thrust", "eps", fabs(moment - want) / eps, 100, psi, uy);
-        CHECK(fabs(printed - want) > 0.0199 * A * fabs(cos(psi)) - 1e-6);
+        off = fmax(off, fabs(printed - want));
     }
+    ERRATUM("(502),(503)", off > 0.05, check_holds("(502), (503)"));
 }
 
 /* (504)-(507) with all loads, strong nonlinearity: nearly circular motion, errors against direct integration */
@@ -806,13 +835,15 @@ static void test_rotor_law(void)
         if (i == 100)
             near("(513)", "stated, t = 100", rho, 0.891258, 1e-6, 1e-3),
                 near("(513)", "law", A, 0.890899, 1e-6, 1e-6);
-        if (i == 500) printed_fails("(500)", 1, rho, 1 / 0.741633 - 1); /* taken literally A1 would stay */
+        if (i == 500) /* taken literally A1 would stay */
+            ERRATUM("(500)", printed_fails("(500)", 1, rho, 1 / 0.741633 - 1), check_holds("(491)-(506)"));
         if (i == 500)
             near("(513)", "stated, t = 500", rho, 0.741633, 1e-6, 3e-3),
                 near("(513)", "law", A, 0.741836, 1e-6, 1e-6);
     }
     check_error("(509), (513)", "direct, t <= 500", "", worst, is_float ? 5e-3 : 7e-4, 0, 0);
     check_error("(513)", "fifth root as printed", "", fabs(printed - 0.058), is_float ? 3e-3 : 5e-4, printed, 0);
+    ERRATUM("(513)", printed > 0.05, check_holds("(509), (513)") && check_holds("(513)"));
     for (i = 0; i < 4; i++) {
         const double law = pow(5, -1 / (alphas[i] + 3));
         p.alpha = R(alphas[i]);
@@ -872,11 +903,21 @@ static void test_rotor_gyro(void)
             else low = x;
         }
         near("(506) with g", "as printed", low, cases[i][5], 1e-5, 1e-5);
-        CHECK(fabs(low / direct - 1) > 0.04);
+        ERRATUM("gyroscopic remark: amplitude (506)", fabs(low / direct - 1) > 0.04, check_holds("A^2 (m W - g)"));
         r.reactive = 0;
         CHECK(vm_laval_amplitude(&r, 1, 1, 4) != vm_laval_amplitude(&r, 1, 1, 4)); /* needs the course of m */
         p.k = R(1.5); /* F_e' holds k1 already: with k1 F_e' the frequency would be of k1^2 */
         near_eps("W", "k = 1.5", (double)vm_laval_frequency(&r, 1, 1, sense), g + sense * sqrt(g * g + 1.5), 8);
+        { /* the circle of radius 1 turns with this W: its acceleration is -W^2 */
+            vm_linear_mass m = linear(1, 0);
+            vm_real y[4] = {1, 0, 0, 0}, d[4] = {0};
+            const double W = (double)vm_laval_frequency(&r, 1, 1, sense);
+            r.mass = vm_slow_mass_linear, r.mass_ctx = &m, y[3] = R(W);
+            CHECK(vm_laval_rhs(0, y, d, &r) == VM_OK);
+            near_eps("W", "of a circle", -(double)d[2], W * W, 40);
+            ERRATUM("gyroscopic remark: frequency", fabs(g + sense * sqrt(g * g + 1.5 * 1.5) - W) > 0.1,
+                    check_holds("W"));
+        }
     }
 }
 
@@ -938,14 +979,17 @@ static void test_pair_example(void)
     vm_pair p = make_pair(3, 1, 1, &m);
     const vm_real start[4] = {1, 3, 0, 0};
     vm_real y[4], modes[4];
-    double worst = 0, printed = 0;
+    double worst = 0, printed = 0, off = HUGE_VAL;
     long i, n;
     memcpy(y, start, sizeof y);
     CHECK(vm_pair_split(&p, 0, y, modes) == VM_OK);
     near("(523)", "p0 = y0 - x0", (double)modes[0], 2, 1e-15, 1e-6);
     near("(527)", "q0", (double)modes[2], 4, 1e-15, 1e-6);
     check_error("(523)", "phase of p0 > 0", "", fabs((double)modes[1]), 0, 0,
-                0); /* printed: p0 = -2, half a period off */
+                0);
+    ERRATUM("(523)", fabs((1 - 3) - (double)modes[0]) > 3, check_holds("(523)")); /* half a period off */
+    /* x = (q - p)/2 with the p0 of (523) */
+    ERRATUM("(524),(528),(529)", fabs((4 - (1 - 3)) / 2. - (double)start[0]) > 1, check_holds("(520), (524)"));
     solve(vm_pair_rhs, &p, 4, 0, 5, 1e-12, y);
     near("(530), (531)", "E2, x", (double)y[0], 1.357393389013328054, 2e-12, 1e-4);
     near("(530), (531)", "E2, y", (double)y[1], 2.642606610986671946, 2e-12, 1e-4);
@@ -953,15 +997,19 @@ static void test_pair_example(void)
     n = track(vm_pair_rhs, &p, 4, 500, 1e-11, y, 1, 3, VM_TURNING_POINTS);
     near("(533)", "first period", (double)points[1].t, 2.645, 1e-4, 3e-3);
     near("(533)", "at t = 0", (double)vm_osc_period(2, VM_SQRT(VM_C(2.0)), 3), 2.622, 1e-4, 1e-4);
-    printed_fails("(533)", (double)vm_osc_period(2, 1, 3), (double)points[1].t, 3.708 / 2.645 - 1);
+    ERRATUM("(533)",
+            printed_fails("(533)", (double)vm_osc_period(2, 1, 3), (double)points[1].t, 3.708 / 2.645 - 1),
+            check_holds("(533)"));
     for (i = 0; i < n; i++) {
         const double law = pow(1 + 0.01 * (double)points[i].t, -1. / 6), amplitude = fabs((double)points[i].x - 2);
         worst = fmax(worst, fabs(law / amplitude - 1));
         printed = fmax(printed, fabs(-law / amplitude - 1));
         CHECK((i % 2 == 0) == (points[i].x < 2)); /* y starts at its largest, 3: (535) as printed at its smallest */
+        off = fmin(off, fabs((double)points[i].x + law));
     }
     check_error("(534)-(536)", "direct", "", worst, is_float ? 6e-3 : 1e-6, (double)n, 0);
-    CHECK(printed > 1.9);
+    ERRATUM("(535)", printed > 1.9, check_holds("(534)-(536)"));
+    ERRATUM("(536)", off > 1, check_holds("(534)-(536)")); /* no turning point is near -m^(-1/6) */
     near("(525)-(527)", "q stays", (double)(y[0] + y[1]), 4, 1e-14, 1e-5);
 }
 

@@ -95,7 +95,8 @@ static void test_e1(void)
     /* (157) as printed */
     printed = vmi_inertia_times(&loads.inertia_rate, vmi_sub(s.spin, b.omega));
     check_error("(157) printed", "E1", "abs", apart(printed, vector(-.03, .244, .148)), bound, 0, 0);
-    CHECK(apart(printed, loads.torque) > .15);
+    ERRATUM("(138) I_S2=dI, (150),(152),(155),(157),(160)", apart(printed, loads.torque) > .15,
+            check_holds("(157) R") && check_holds("(155),(160) W'"));
     /* ... which is right only where P(SS2) omega2 = 0, as here, with the stream at the mass centre */
     {
         vm_stream ring = s;
@@ -115,12 +116,14 @@ static void test_e1(void)
     spin_rate = vmi_add(vmi_add(torque, loads.moment), vmi_scale(s.rate, vmi_inertia_times(&s.gyration, s.spin)));
     check_error("(152),(228) (IW)'", "E1", "abs", apart(rates[1], spin_rate), bound, 0, 0);
     spin_rate = vmi_add(vmi_add(torque, loads.moment), vmi_inertia_times(&loads.inertia_rate, s.spin));
-    CHECK(apart(rates[1], spin_rate) > .15); /* (152), (228), (229) as printed */
+    ERRATUM("(227)-(229)", apart(rates[1], spin_rate) > .15,
+            check_holds("(151),(227) (Mv)'") && check_holds("(152),(228) (IW)'"));
     /* (153), and the term omega x I omega that (230)-(232) must have */
     spin_rate = vmi_add(vmi_inertia_times(&loads.inertia_rate, b.omega), vmi_inertia_times(&b.inertia, domega));
-    CHECK(apart(rates[1], spin_rate) > .1);
+    printed = spin_rate;
     spin_rate = vmi_add(spin_rate, vmi_cross(b.omega, vmi_inertia_times(&b.inertia, b.omega)));
     check_error("(153),(230) (IW)'", "E1", "abs", apart(rates[1], spin_rate), bound, 0, 0);
+    ERRATUM("(230)-(232)", apart(rates[1], printed) > .1, check_holds("(153),(230) (IW)'"));
 }
 
 /* (161)-(164): the components, principal axes that stay principal, own inertia rates */
@@ -147,7 +150,8 @@ static void test_components(void)
     CHECK(!vm_reactive_loads(&b, s.at, 1, &s, &loads));
     check_error("(164) + I'_xy", "principal", "abs",
                 fabs((double)loads.torque.x - k * (.25 * (p2 - p) + .0625 * (q2 - q))), 8 * eps, 0, 0);
-    CHECK(fabs((double)loads.torque.x - k * .25 * (p2 - p)) > .005);
+    ERRATUM("(163),(164)", fabs((double)loads.torque.x - k * .25 * (p2 - p)) > .005,
+            check_holds("(163),(164)") && check_holds("(164) + I'_xy"));
     /* (165): no stream, constant mass */
     CHECK(!vm_reactive_loads(&b, s.at, 0, NULL, &loads) && !vm_accelerations(&b, &loads, F, M, &dv, &dw));
     CHECK(size_of(loads.force) + size_of(loads.moment) + size_of(loads.torque) == 0);
@@ -273,6 +277,7 @@ static void test_printed_tanks(void)
         }
         check_error("r' = v", own ? "E3" : "E2", "rel", fabs(largest(vmi_load3(y + VM_RHS)) / undrifted[own] - 1),
                     .01, 0, 0);
+        ERRATUM("kinematics (not given)", largest(vmi_load3(y + VM_RHS)) > .1, check_holds("r' = v + drift"));
     }
 }
 
@@ -566,7 +571,7 @@ static void test_small_jumps(void)
                 vm_vec3 pull = vmi_cross(k.body.r, F);
                 check_error("(143)", "one jump", "abs",
                             apart(vmi_cross(k.body.r, outer.linear), vmi_scale(R(dt), pull)), 1e-6, 0, 0);
-                CHECK(apart(vmi_cross(k.body.r, outer.linear), pull) > 1);
+                ERRATUM("(143)", apart(vmi_cross(k.body.r, outer.linear), pull) > 1, check_holds("(143)"));
             }
         }
 }
@@ -821,7 +826,8 @@ static void test_carried(void)
     y[5] = 1, flow.n = 1, flow.streams = &s;
     CHECK(solve(vm_rhs2, &flow, VM_RHS2, y, 0, 2) >= 0);
     check_error("(166) omega stays", "plane", "abs", fabs((double)(y[5] / y[9]) - 1), PICK(1e-12, 1e-5), 0, 0);
-    CHECK(hypot((double)y[3], (double)y[4]) > .1); /* momentum was given off, though carried */
+    ERRATUM("(166)", hypot((double)y[3], (double)y[4]) > .1, /* momentum was given off, though carried */
+            check_holds("(166) omega stays"));
     /* printed: I omega' = SS2 x M'(omega x SS2) + I'(omega2 - omega), omega2 = omega */
     for (t = 0; t < 2; t += h) {
         double mass = 6 - .5 * t, d = .5 * 6 / mass, I = 1 - .5 * t * .1 - (6 * .5 * t / mass) * .25;
@@ -894,7 +900,8 @@ static void test_at_rest(void)
     check_error("(167)", "at rest", "eps", apart(vmi_load3(dy + VM_Y_P), k.flow.force) / eps, 4, 0, 0);
     check_error("(168),(169)", "at rest", "eps",
                 apart(vmi_load3(dy + VM_Y_H), vmi_sub(k.flow.moment, moment)) / eps, 2, 0, 0);
-    CHECK(apart(vmi_load3(dy + VM_Y_H), vmi_add(k.flow.moment, moment)) > size_of(moment)); /* as printed */
+    ERRATUM("(168),(169)", apart(vmi_load3(dy + VM_Y_H), vmi_add(k.flow.moment, moment)) > size_of(moment),
+            check_holds("(168),(169)"));
     k.stream.at = k.flow.centre;
     CHECK(!vm_rhs(0, y, dy, &k.flow));
     k.flow.n = 0;
@@ -1457,7 +1464,8 @@ static void test_drum(void)
                 fabs((double)vm_frozen_derivative(&l, 0, &q, rates, 0) - .2 * 6.25 / 2), PICK(1e-12, 1e-5), 0, 0);
     q = 0, rate = R(omega_b);
     CHECK(!vm_lagrange_start(&l, 0, &q, &rate, y) && solve(vm_lagrange_rhs, &l, 2, y, 0, .5) >= 0);
-    CHECK(fabs((double)y[0] - 1.409155091619267196387) > .05);
+    ERRATUM("(244)-(247)", fabs((double)y[0] - 1.409155091619267196387) > .05,
+            check_holds("(247) phi") && check_holds("(247) phi'"));
 }
 
 /* Six coordinates, the place of the mass centre and Euler's angles, of the draining tank: the same as by vm_rhs. Here
@@ -1604,7 +1612,7 @@ static void test_euler(void)
             }
         }
     }
-    CHECK(largest > 1.7); /* (242) as printed */
+    ERRATUM("(237)-(242)", largest > 1.7, check_holds("(242) + omega x w"));
     {
         vm_real rates[3] = {1, 2, 3};
         CHECK(vm_euler_313_rates(1, 0, vector(1, 0, 0), rates) == VM_SINGULAR && rates[0] == 1);
