@@ -205,18 +205,32 @@ enum {
     VM_NOT_FINITE = -2,          /* a number that is infinite or NaN, given or arising */
     VM_BAD_MASS = -3,            /* a mass (a stiffness) that is not positive, the rest's included */
     VM_BAD_INERTIA = -4,         /* an inertia that no body has, the rest's included */
-    VM_SINGULAR = -5,            /* linear equations without a unique solution; an effective mass not positive */
+    VM_SINGULAR = -5,            /* linear equations without a unique solution */
     VM_DOMAIN = -6,              /* a parameter outside its domain */
     VM_NO_LAW = -7,              /* the route does not exist for this problem */
-    VM_NOT_INTEGRATED = -8,      /* the integrator gave up */
+    VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator gave up */
     VM_BAD_MOTION = -9,          /* scenes: no such motion, or one on which this effect or event cannot act */
-    VM_NO_SUCH_BODY = -10,       /* no such body, or an event for one that is not there */
+    VM_NO_SUCH_BODY = -10,       /* no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* no such effect */
-    VM_TWO_MASS_LAWS = -13,      /* two laws for one mass, or two links of one body */
-    VM_BAD_ORDER = -14,          /* a mass law stands after, or a link before, another effect on its body */
+    VM_TWO_MASS_LAWS = -13,      /* two laws for one mass, or a law for a mass that is a state */
+    VM_BAD_ORDER = -14,          /* a mass law stands after another effect on its body */
     VM_MASS_IS_NO_STATE = -15,   /* a stream needs a body whose mass is a state */
-    VM_TOO_MANY_EVENTS = -16     /* events do not end */
+    VM_TOO_MANY_EVENTS = -16,    /* events do not end */
+    VM_BAD_OPTIONS = -17,        /* the integrator refuses its options; this and all that follow are of scenes, */
+    VM_STEP_TOO_SMALL = -18,     /* the tolerance asks for steps that the time cannot resolve */
+    VM_MAX_STEPS = -19,          /* max_steps attempts did not reach t_end */
+    VM_SHORT_ARRAY = -20,        /* of scenes and flows: an array is shorter than what is written into it */
+    VM_BAD_TIMES = -21,          /* times of output that do not rise, or a run to a time that is past */
+    VM_SAME_BODY = -22,          /* a link or a jump between a body and itself */
+    VM_NOT_ON_ANGLE = -23,       /* an effect that cannot act on an angle */
+    VM_IS_THERE = -24,           /* a part separates into a body that is there already */
+    VM_IS_AWAY = -25,            /* a jump of a body that is not there */
+    VM_TWO_LINKS = -26,          /* two links of one body */
+    VM_LINK_NOT_LAST = -27,      /* an effect stands after a link of its body */
+    VM_STORED_STREAM = -28,      /* of reactive loads, too: a stream with a store */
+    VM_DOES_NOT_GROW = -29,      /* a stream that crosses at a point needs a growing body */
+    VM_NO_EFFECTIVE_MASS = -30   /* a mass law M(v): M + M'(v) (v - u) is not positive */
 };
 VM_API const char *vm_strerror(int status);
 
@@ -1660,13 +1674,27 @@ VM_API const char *vm_strerror(int status)
     case VM_NO_LAW: return "the route does not exist for this problem";
     case VM_NOT_INTEGRATED: return "the integrator gave up";
     case VM_BAD_MOTION: return "a motion that does not exist, or that this effect or event cannot act on";
-    case VM_NO_SUCH_BODY: return "no such body, or an event for one that is not there";
+    case VM_NO_SUCH_BODY: return "no body has this index: count from 0, the ground is VM_GROUND";
     case VM_NO_SUCH_COORDINATE: return "the body has no such coordinate";
     case VM_NO_SUCH_EFFECT: return "no such effect";
-    case VM_TWO_MASS_LAWS: return "two laws for one mass, or two links of one body";
-    case VM_BAD_ORDER: return "a mass law stands after, or a link before, another effect on its body";
-    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state";
-    case VM_TOO_MANY_EVENTS: return "events do not end";
+    case VM_TWO_MASS_LAWS: return "two laws for one mass, or a law for a mass that is a state: leave one out";
+    case VM_BAD_ORDER: return "a mass law stands after another effect on its body: list it first";
+    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state: vm_scene_with_mass_state";
+    case VM_TOO_MANY_EVENTS: return "events do not end: let an event stop the run where they crowd";
+    case VM_BAD_OPTIONS: return "the integrator refuses its options: a tolerance, h0, h_min, h_max or h_max < h_min";
+    case VM_STEP_TOO_SMALL: return "the tolerance asks for steps that the time cannot resolve: a force too stiff?";
+    case VM_MAX_STEPS: return "max_steps attempts did not reach t_end: run again to go on, or allow more";
+    case VM_SHORT_ARRAY: return "an array is shorter than what is written into it: y or work needs more room";
+    case VM_BAD_TIMES: return "times of output that do not rise, or a run to a time that is past";
+    case VM_SAME_BODY: return "a link or a jump is between two bodies, not between a body and itself";
+    case VM_NOT_ON_ANGLE: return "this effect cannot act on an angle: choose another coordinate";
+    case VM_IS_THERE: return "a part separates into a body that is there already: make it with vm_scene_absent";
+    case VM_IS_AWAY: return "a jump of a body that is not there: order the events, or make it present";
+    case VM_TWO_LINKS: return "two links of one body: leave one out";
+    case VM_LINK_NOT_LAST: return "an effect stands after a link of its body: list the link last";
+    case VM_STORED_STREAM: return "a stream with a store is not for this: integrate vm_rhs";
+    case VM_DOES_NOT_GROW: return "this stream needs a growing body: vm_scene_growing_plane, vm_scene_growing_free";
+    case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of a mass law M(v) is not positive: no force accelerates it";
     default: return "unknown status";
     }
 }
@@ -2279,12 +2307,10 @@ VM_API int vmi_inertia_finite(const vm_inertia *i)
 
 /* A body can have the inertia i where tr(i)/2 E - i, the second moments integral of r r^T dm, has no eigenvalue below
    zero. By elimination, with a slack added against which the rounding errors, some eps of the trace, are small */
-VM_API int vm_inertia_possible(const vm_inertia *inertia)
+VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
 {
-    const vm_inertia *i = inertia;
     vm_real half, x, y, z, yz;
-    if (!i || !vmi_inertia_finite(i)) return 0;
-    half = (i->xx + i->yy + i->zz + vmi_slack(i)) / 2;
+    half = (i->xx + i->yy + i->zz + slack) / 2;
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -2293,6 +2319,11 @@ VM_API int vm_inertia_possible(const vm_inertia *inertia)
     yz = i->yz + i->xy / x * i->xz;
     z = half - i->zz - i->xz / x * i->xz;
     return z - yz / y * yz > 0;
+}
+
+VM_API int vm_inertia_possible(const vm_inertia *inertia)
+{
+    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
 }
 
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
@@ -4164,6 +4195,25 @@ VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
     return i->xx > 0 && y > lost * i->yy && z > lost * i->zz;
 }
 
+/* Whether a body can have the inertia i, whose moments are positive, at some time of a run. The inertia of a flat
+   body keeps to the bound of the triangle inequality but for the roundings of all steps, so that the slack has room
+   for 1e7 (float 3000) of them. First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive
+   definite where its least diagonal entry is larger than the others in its row can be. */
+VM_INLINE int vmi_stream_body(const vm_inertia *i)
+{
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* sqrt(eps), of the trace */
+    const vm_real trace = i->xx + i->yy + i->zz, largest = i->xx > i->yy ? i->xx : i->yy;
+    const vm_real others = VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz);
+    if (trace / 2 - (largest > i->zz ? largest : i->zz) > others) return 1;
+    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * trace);
+}
+
+/* The same, with the factors that a body needs to be accelerated */
+VM_INLINE int vmi_stream_factor_body(const vm_inertia *i, vmi_stream_ldl *f)
+{
+    return vmi_stream_factor(i, f) && vmi_stream_body(i);
+}
+
 VM_INLINE vm_vec3 vmi_stream_solve(const vmi_stream_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -4402,7 +4452,7 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mas
     vm_vec3 h;
     vmi_stream_ldl factors;
     if (!(mass > 0)) return VM_BAD_MASS;
-    if (!vmi_stream_factor(inertia, &factors)) return VM_BAD_INERTIA;
+    if (!vmi_stream_factor_body(inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_stream_rotation(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_load3(y + VM_Y_H));
     vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
@@ -4483,7 +4533,9 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     vmi_stream_ldl factors;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    status = !(flow->mass > 0) ? VM_BAD_MASS : vmi_stream_factor(&flow->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    status = VM_OK;
+    if (!vmi_stream_factor_body(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (!(flow->mass > 0)) status = VM_BAD_MASS;
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS_GIVEN, dydt);
     turn = vmi_stream_rotation(q, square);
     vmi_store3(dydt + VM_Y_R, vmi_add(vmi_load3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
@@ -7792,6 +7844,8 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
+    vmi_stream_ldl factors; /* which Euler's equations below do not use */
+    if (!vmi_stream_factor_body(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_stream_store_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
     if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
@@ -7811,9 +7865,19 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
+/* A rod or a point has no axis about which a stream could turn it */
+VM_API int vmi_free_growing_check(const vm_body *start)
+{
+    vmi_stream_ldl factors;
+    const int status = vmi_check_body(start);
+    if (status) return status;
+    return vmi_stream_factor_body(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+}
+
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
+    body.check = vmi_free_growing_check;
     body.begin = vmi_free_growing_begin, body.accelerate = vmi_free_growing_accelerate;
     body.put = body.motion == VM_FREE ? vmi_free_growing_put : NULL;
     body.get = vmi_free_growing_get;

@@ -14,7 +14,7 @@ static vm_body probe(void)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = 6, b.inertia = inertia(2, 1.5, 1.1, 0.1, -0.2, 0.05);
+    b.mass = 6, b.inertia = inertia(4, 3.5, 3.1, 0.1, -0.2, 0.05); /* that of a body whatever the streams below take */
     b.q.w = REAL(0.8), b.q.x = REAL(0.36), b.q.y = REAL(-0.48);
     b.r = stage_vec(1, -2, 0.5), b.v = stage_vec(0.1, 0.2, -0.1), b.omega = stage_vec(0.3, -0.4, 0.6);
     return b;
