@@ -230,7 +230,8 @@ enum {
     VM_LINK_NOT_LAST = -27,      /* an effect stands after a link of its body */
     VM_STORED_STREAM = -28,      /* of reactive loads, too: a stream with a store */
     VM_DOES_NOT_GROW = -29,      /* a stream that crosses at a point needs a growing body */
-    VM_NO_EFFECTIVE_MASS = -30   /* a mass law M(v): M + M'(v) (v - u) is not positive */
+    VM_NO_EFFECTIVE_MASS = -30,  /* a mass law M(v): M + M'(v) (v - u) is not positive */
+    VM_NOT_STARTED = -31         /* a scene that was not started, or has been changed since */
 };
 VM_API const char *vm_strerror(int status);
 
@@ -653,7 +654,7 @@ typedef struct VM_TAG(vm_reactive) {
     vm_inertia inertia_rate;              /* kg m^2/s */
 } vm_reactive;
 /* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0, or a stream with a store: run that) */
+   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0), VM_STORED_STREAM */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result);
 /* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
@@ -1358,6 +1359,7 @@ typedef struct VM_TAG(vm_load) {
     /* only where there is a book: */
     vm_real reactive[6], brought[6]; /* of force, what is reactive; momentum that streams bring, by the second */
     vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
+    int status; /* VM_OK, or why an effect cannot act: the body is not accelerated then, and a run ends with it */
 } vm_load;                           /* what acts on a body at the moment */
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
@@ -1379,10 +1381,12 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* null, or of its inertia */
     vm_body start;  /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
     vm_real angle;  /* rad, of an axle or in the plane */
-    vm_real jumped; /* what jumps have added to the mass of a law */
+    vm_real jumped; /* what jumps, and switching it off and on, have added to the mass of a law */
     vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
     vmi_mat3 axes;              /* of a growing body, now */
     int acted;                  /* a mark of vm_scene_check */
+    int status;                 /* VM_OK, or why its constructor could not make it */
+    vm_real held;               /* its mass before an event, which switching effects must not change */
 };
 
 /* Position (m), velocity and acceleration of a point that moves as given */
@@ -1416,11 +1420,12 @@ struct VM_TAG(vm_effect) {
     int needs_mass_state;            /* streams do, some of them a growing body (2) */
     int order;                       /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
     int off;                         /* at the start it is switched off */
+    int not_on_angle;                /* set where the angle of a body in the plane is no coordinate for it */
 };
 
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; null: at time */
-    int (*then)(vm_event *event, vm_real t, vm_real *y);                 /* a status; VM_STOPPED ends the run */
+    int (*then)(vm_event *event, vm_real t, vm_real *y); /* a status; VM_STOPPED ends the run; null: only counted */
     vm_real time;                  /* s, where when is null; of a crossing when it was last, or the start */
     int direction;                 /* > 0 rising, < 0 falling, 0 both */
     int watches, body, coordinate; /* set where it watches a body: what passes */
@@ -1442,6 +1447,7 @@ struct VM_TAG(vm_event) {
     long count;           /* it has happened so often */
     long seen;            /* the scene's own from here on */
     vm_scene *scene;
+    int status; /* VM_OK, or why a constructor could not make it */
 };
 
 /* What came in from outside, and whether it balances: vm_scene_keep_book asks for it */
@@ -1476,7 +1482,11 @@ struct VM_TAG(vm_scene) {
     int n_times;
     void *output_ctx;
     int status, ode_status; /* of the right-hand side, of the integrator */
+    int y_size, work_size;  /* 0, or how many numbers y and work have room for: then a start and a run check it */
+    int size;               /* of the state when it was started, 0 before */
 };
+/* how many elements an array has, as for scene.y_size = VM_LENGTH(y); not for a pointer */
+#define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
    body may be a rod, whose spin about itself then stays. */
@@ -1511,7 +1521,7 @@ VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_
 /* Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other
    body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction. A mass law of a body stands
    before what else acts on it. */
-/* M g, along the coordinate: g = -9.81 where it points upwards; not on an axle */
+/* M g, along the coordinate: g = -9.81 where it points upwards; not on an angle */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g);
 /* vm_force_spring of x - rest */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
@@ -1612,7 +1622,7 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
    mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
    body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
    A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
-   VM_NO_SUCH_BODY where into is there already, or body or added is not; else errors as vm_separate. A point that
+   VM_IS_THERE where into is there already, with VM_IS_AWAY where body or added is not; else errors as vm_separate. A point that
    takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
 VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
@@ -1695,6 +1705,7 @@ VM_API const char *vm_strerror(int status)
     case VM_STORED_STREAM: return "a stream with a store is not for this: integrate vm_rhs";
     case VM_DOES_NOT_GROW: return "this stream needs a growing body: vm_scene_growing_plane, vm_scene_growing_free";
     case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of a mass law M(v) is not positive: no force accelerates it";
+    case VM_NOT_STARTED: return "the scene was not started, or has been changed since: vm_scene_start";
     default: return "unknown status";
     }
 }
@@ -4364,7 +4375,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     if (!status) status = vmi_stream_all_good(n, streams);
     if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
     for (k = 0; !status && k < n; k++)
-        if (streams[k].from) status = VM_BAD_ARGUMENT;
+        if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;
     turn = vmi_rotation(body->q);
     seen.turn = &turn, seen.v = body->v, seen.slip = vmi_vec3(0, 0, 0), seen.centre = centre, seen.energy = 0;
@@ -7716,7 +7727,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
 VM_API vm_scene_body vm_scene_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
-    if (!start) return b; /* which vm_scene_check refuses */
+    b.status = start ? VM_OK : VM_BAD_ARGUMENT;
+    if (!start) return b;
     b.start = *start;
     b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate, b.check = vmi_check_body;
     return b;
@@ -7947,6 +7959,7 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
     vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS & ~(1 << VM_AXLE), g, 0, 0);
+    e.not_on_angle = 1;
     e.apply = vmi_apply_gravity;
     return e;
 }
@@ -8226,7 +8239,7 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, co
     c->seen.turn = &b->axes, c->seen.slip = vmi_vec3(0, 0, 0), c->seen.energy = s->book != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v), c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
-    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) e->load->mass = VM_NAN; /* unknown motion: VM_BAD_MASS */
+    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) e->load->status = VM_BAD_ARGUMENT; /* an unknown motion */
 }
 
 /* A reactive force and a moment or torque, inertial axes */
@@ -8288,8 +8301,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
-    if (!e->stream || e->stream->from) return VM_BAD_ARGUMENT;
-    return vmi_stream_good(e->stream);
+    if (!e->stream) return VM_BAD_ARGUMENT;
+    return e->stream->from ? (int)VM_STORED_STREAM : vmi_stream_good(e->stream);
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
@@ -8424,7 +8437,7 @@ VM_API void vmi_link_body(const vm_scene *s, int body, const vm_real *y, vmi_lin
 
 VM_API void vmi_link_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
-    vm_vec3 r, v, a;
+    vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
     int i;
     e->point(t, &r, &v, &a, e->ctx);
     end->r[0] = r.x, end->r[1] = r.y, end->r[2] = r.z;
@@ -8439,7 +8452,6 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 {
     vm_scene_body *b = s->bodies + e->body;
     vm_real *force = b->load.force, *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
-    const int n = b->motion == VM_PLANE ? 2 : 3;
     /* shorter by this, a cord does not pull: more than its length is uncertain by, or it would be taut by turns */
     const vm_real rate = e->p[1], loose = VM_C(1e-6) + 512 * VM_EPSILON;
     vmi_link_end near, far;
@@ -8448,17 +8460,21 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_link_body(s, e->body, y, &near);
     if (far_force) vmi_link_body(s, e->other, y, &far);
     else vmi_link_point(e, t, &far);
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < 3; i++) {
         const vm_real v = near.v[i] - far.v[i];
         d[i] = near.r[i] - far.r[i];
         dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (near.a[i] - far.a[i]);
         mobility += d[i] * d[i] * (near.mobility[i] + far.mobility[i]);
     }
+    if (!(mobility > 0)) { /* the ends are in one place, or cannot move along the link */
+        b->load.status = mobility == 0 ? VM_SINGULAR : VM_NOT_FINITE;
+        return;
+    }
     C = (dd - e->p[0] * e->p[0]) / 2;
     lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
     if (e->p[2] != 0 && (lambda > 0 || C < -loose * dd)) return; /* slack */
-    for (i = 0; i < n; i++) {
-        force[i] += lambda * d[i];
+    for (i = 0; i < 3; i++) {
+        if (near.mobility[i] > 0) force[i] += lambda * d[i];
         if (far_force && far.mobility[i] > 0) far_force[i] -= lambda * d[i];
     }
 }
@@ -8479,18 +8495,33 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 
 VM_API int vm_scene_size(const vm_scene *scene)
 {
-    int i, size = scene->book ? VM_BOOK : 0;
+    int i, size = scene && scene->book ? VM_BOOK : 0;
+    if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
     return size;
 }
 
-VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
+VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm_body *now)
 {
-    const vm_scene_body *b = scene->bodies + body;
+    const vm_scene_body *b = s->bodies + body;
     *now = b->start;
     now->mass = b->mass_is_state ? y[b->mass_at] : b->load.mass;
     now->inertia = b->inertia;
     b->get(b, y + b->at, now);
+}
+
+VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
+{
+    const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
+    if (!now) return;
+    if (scene && scene->size && y && body >= 0 && body < scene->n_bodies) {
+        vmi_scene_body_now(scene, body, y, now);
+        return;
+    }
+    now->mass = now->q.w = now->q.x = now->q.y = now->q.z = VM_NAN;
+    now->inertia.xx = now->inertia.yy = now->inertia.zz = VM_NAN;
+    now->inertia.xy = now->inertia.xz = now->inertia.yz = VM_NAN;
+    now->r = now->v = now->omega = none;
 }
 
 /* The state of a body that moves as now; its angle is given apart, since a turn more or less does not show in now */
@@ -8524,6 +8555,7 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
     if (b->coordinates > 3) load->force[3] = load->force[4] = load->force[5] = 0;
     load->mass = b->mass_is_state ? y[b->mass_at] : b->mass;
     load->extra = load->by_v = load->mass_rate = 0;
+    load->status = VM_OK;
     if (b->begin) b->begin(b, y + b->at);
     if (book) {
         memset(load->reactive, 0, sizeof load->reactive), memset(load->brought, 0, sizeof load->brought);
@@ -8542,11 +8574,19 @@ VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
+/* Why a body with this load cannot be accelerated */
+VM_API int vmi_scene_mass_status(const vm_load *load)
+{
+    if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra)) return VM_NOT_FINITE;
+    return load->mass > 0 ? VM_NO_EFFECTIVE_MASS : VM_BAD_MASS;
+}
+
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
-    if (!(load->mass > 0)) return VM_BAD_MASS;
-    if (!(load->mass + load->extra > 0)) return VM_SINGULAR;
+    if (load->status) return load->status;
+    if (!(load->mass > 0 && load->mass + load->extra > 0 && VM_IS_FINITE(load->mass)))
+        return vmi_scene_mass_status(load);
     if (b->mass_is_state) dydt[b->mass_at] = load->mass_rate;
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
@@ -8625,7 +8665,7 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
         vm_body now;
         vm_vec3 p, spin;
         if (b->away) continue;
-        vm_scene_body_at(s, i, y, &now);
+        vmi_scene_body_now(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
         p = vmi_scale(now.mass, now.v), spin = vmi_spin_momentum(&now);
         book->momentum = vmi_add(book->momentum, p);
@@ -8644,6 +8684,7 @@ VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
 
 VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
 {
+    if (!scene) return;
     scene->book = book;
     if (!book) return;
     memset(book, 0, sizeof *book);
@@ -8652,12 +8693,25 @@ VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
     book->totals = vmi_scene_totals;
 }
 
+/* Whether bodies, effects and events are those of the last start, as far as can be seen: a book may be given up */
+VM_API int vmi_scene_is_started(const vm_scene *s)
+{
+    int i;
+    if (!s->size || vm_scene_size(s) > s->size) return 0;
+    for (i = 0; i < s->n_effects; i++)
+        if (!s->effects[i].load || !s->effects[i].apply) return 0;
+    for (i = 0; i < s->n_events; i++)
+        if (s->events[i].scene != s) return 0;
+    return 1;
+}
+
 VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
 {
     const vm_book *start = scene ? scene->book : NULL;
     const vm_real *d;
     vm_book b;
     if (!start || !y || !book) return VM_BAD_ARGUMENT;
+    if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start, d = y + vm_scene_size(scene) - VM_BOOK;
     vmi_scene_load(scene, t, y);
     vmi_scene_totals(scene, y, &b);
@@ -8678,6 +8732,7 @@ VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_boo
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
+    if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
@@ -8699,9 +8754,9 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     const int law = 1, others = 2, link = 4, so_far = b->acted;
     b->acted |= 1 << order;
     if (order == 0 && ((so_far & law) || b->mass_is_state)) return VM_TWO_MASS_LAWS;
-    if (order == 2 && (so_far & link)) return VM_TWO_MASS_LAWS;
+    if (order == 2 && (so_far & link)) return VM_TWO_LINKS;
     if (order == 0 && (so_far & (others | link))) return VM_BAD_ORDER;
-    return order == 1 && (so_far & link) ? VM_BAD_ORDER : VM_OK;
+    return order == 1 && (so_far & link) ? VM_LINK_NOT_LAST : VM_OK;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
@@ -8711,15 +8766,16 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     if (status) return status;
     if (!e->apply) return VM_BAD_ARGUMENT;
     if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
+    if (e->not_on_angle && s->bodies[e->body].motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
     if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
-    if (e->order == 2 && e->other == e->body) return VM_BAD_ARGUMENT; /* a link of a body to itself */
+    if (e->order == 2 && e->other == e->body) return VM_SAME_BODY;
     /* a link holds mass centres, which in a growing body wander */
     if (e->order == 2 && (s->bodies[e->body].grows || (e->other >= 0 && s->bodies[e->other].grows)))
         return VM_BAD_MOTION;
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
-    if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_MASS_IS_NO_STATE;
+    if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_DOES_NOT_GROW;
     if (e->check && (status = e->check(e)) != 0) return status;
     status = vmi_scene_check_order(s->bodies + e->body, e->order);
     return status || e->other < 0 ? status : vmi_scene_check_order(s->bodies + e->other, e->order);
@@ -8738,7 +8794,7 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
     vm_scene_body part;
     if (!status) status = vmi_scene_check_coordinate(s, e->other, 0);
-    if (!status && e->jump_body == e->other) status = VM_NO_SUCH_BODY;
+    if (!status && e->jump_body == e->other) status = VM_SAME_BODY;
     if (status) return status;
     if (!vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion)) return VM_BAD_MOTION;
     if (!(e->motions >> s->bodies[e->jump_body].motion & 1)) return VM_BAD_MOTION;
@@ -8752,7 +8808,8 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
     int status = VM_OK;
     if (e->watches && (status = vmi_scene_check_coordinate(s, e->body, e->coordinate)) != 0) return status;
-    if (!e->then || e->most < 0) return VM_BAD_ARGUMENT;
+    if (e->status) return e->status;
+    if (e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
     return e->check ? e->check(s, e) : status;
@@ -8767,7 +8824,7 @@ VM_API int vmi_scene_check_arrays(const vm_scene *s)
     if (s->times && s->n_times < 0) return VM_BAD_ARGUMENT;
     for (i = 0; s->times && i < s->n_times; i++) {
         if (!VM_IS_FINITE(s->times[i])) return VM_NOT_FINITE;
-        if (i > 0 && !(s->times[i] > s->times[i - 1])) return VM_BAD_ARGUMENT;
+        if (i > 0 && !(s->times[i] > s->times[i - 1])) return VM_BAD_TIMES;
     }
     return VM_OK;
 }
@@ -8803,16 +8860,20 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     located->g = vmi_scene_when;
     located->ctx = s->events + i;
     located->direction = s->events[i].direction;
-    located->action = ODE_STOP;
+    /* what is only counted, and without end, need not end a step */
+    located->action = s->events[i].then || s->events[i].most ? ODE_STOP : ODE_RECORD;
 }
 
 /* Where an effect finds what it needs, so that it need not look for it at each evaluation */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
-    vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : b;
+    vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
     e->idle = e->off != 0;
-    e->load = &b->load, e->other_load = e->other >= 0 ? &other->load : NULL;
+    e->load = &b->load, e->other_load = NULL;
     e->x = b->at + e->coordinate, e->v = e->x + b->positions;
+    e->other_x = e->x, e->other_v = e->v;
+    if (!other) return; /* other_coordinate may be anything then */
+    e->other_load = &other->load;
     e->other_x = other->at + e->other_coordinate, e->other_v = e->other_x + other->positions;
 }
 
@@ -8822,6 +8883,8 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
     if (status) return status;
     if (!y) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (scene->y_size && scene->y_size < vm_scene_size(scene)) return VM_SHORT_ARRAY;
+    scene->size = vm_scene_size(scene);
     for (i = 0; i < scene->n_bodies; i++) {
         vm_scene_body *b = scene->bodies + i;
         b->at = at, b->mass_at = at + vmi_scene_mass_at(b), b->away = b->absent, b->jumped = 0;
@@ -8910,7 +8973,7 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
     e.watches = 0;
     e.when = when ? vmi_when_user : NULL;
     e.user_when = when, e.ctx = ctx;
-    if (!when) e.most = -1; /* which vm_scene_check refuses */
+    if (!when) e.status = VM_BAD_ARGUMENT;
     return e;
 }
 
@@ -8926,11 +8989,36 @@ VM_API vm_event vm_then_stop(vm_event event)
     return event;
 }
 
+/* Effects begin and cease to act in events, mass laws among them, and a mass must not jump with them: nothing would
+   have carried it off, or its momentum. So the masses are noted before and held after, for which a law goes on from
+   the mass that is there. */
+VM_API void vmi_scene_note_masses(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_bodies; i++) s->bodies[i].held = s->bodies[i].load.mass;
+}
+
+VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
+{
+    int i;
+    vmi_scene_load(s, t, y);
+    for (i = 0; i < s->n_bodies; i++) {
+        vm_scene_body *b = s->bodies + i;
+        const vm_real more = b->held - b->load.mass;
+        if (b->away || b->mass_is_state) continue;
+        b->mass += more, b->jumped += more; /* of the two it has one, with a law the second */
+    }
+    vmi_scene_load(s, t, y);
+}
+
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
-    vm_effect *effect = e->scene->effects + e->effect;
-    (void)t, (void)y;
+    vm_scene *s = e->scene;
+    vm_effect *effect = s->effects + e->effect;
+    vmi_scene_load(s, t, y);
+    vmi_scene_note_masses(s);
     effect->idle = (effect->idle & 2) | e->off;
+    vmi_scene_hold_masses(s, t, y);
     return VM_OK;
 }
 
@@ -8945,7 +9033,8 @@ VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_th
 
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
-    event.then = then ? vmi_then_user : NULL;
+    event.then = vmi_then_user;
+    if (!then) event.status = VM_BAD_ARGUMENT;
     event.user_then = then, event.then_ctx = ctx;
     return event;
 }
@@ -9027,13 +9116,6 @@ VM_API int vmi_jump_any(const vm_event *e, const vm_body *body, vm_body *other, 
     return e->jumps > 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
 }
 
-/* The body moves on as now; its mass by a law has jumped, too */
-VM_API void vmi_scene_settle_mass(vm_scene *s, int body, const vm_body *now)
-{
-    vm_scene_body *b = s->bodies + body;
-    b->jumped += now->mass - b->load.mass;
-}
-
 /* The mass centre of a growing body, which a jump moves to r, moves in the body, too */
 VM_API void vmi_scene_shift(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
@@ -9052,6 +9134,9 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
     vm_book before, after;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     if (s->book) s->book->totals(s, y, &before);
+    vmi_scene_note_masses(s);
+    s->bodies[e->jump_body].held = b->mass;
+    if (into_is_new) s->bodies[e->other].held = other->mass;
     s->bodies[e->other].away = !into_is_new;
     vmi_scene_shift(s, e->jump_body, b->r, y);
     if (into_is_new && s->bodies[e->other].grows)
@@ -9059,10 +9144,7 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
     if (into_is_new) vmi_scene_put(s, e->other, other, angle + s->bodies[e->other].angle, y);
     vmi_scene_put(s, e->jump_body, b, angle, y);
     vmi_scene_presence(s);
-    vmi_scene_load(s, t, y);
-    vmi_scene_settle_mass(s, e->jump_body, b);
-    if (into_is_new) vmi_scene_settle_mass(s, e->other, other);
-    vmi_scene_load(s, t, y);
+    vmi_scene_hold_masses(s, t, y);
     if (!s->book) return;
     s->book->totals(s, y, &after);
     s->book->jump_energy += after.energy - before.energy;
@@ -9075,9 +9157,10 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, part = e->part, rest;
     int status;
-    if (!e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_NO_SUCH_BODY;
+    if (e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
+    if (!e->scene->bodies[e->other].away) return VM_IS_THERE;
     vmi_scene_load(e->scene, t, y);
-    vm_scene_body_at(e->scene, e->jump_body, y, &body);
+    vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
     vmi_scene_jumped(e, t, y, 1, &rest, &part);
@@ -9086,7 +9169,8 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
-    event.then = part ? vmi_then_separate : NULL;
+    event.then = vmi_then_separate;
+    if (!part) event.status = VM_BAD_ARGUMENT;
     event.check = vmi_scene_check_jump, event.jump = vmi_jump_on_line, event.motions = VMI_SINGLE;
     event.jump_body = body, event.other = into, event.jumps = 1, event.relative = relative;
     if (part) event.part = *part;
@@ -9111,10 +9195,10 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, added, whole;
     int status;
-    if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_NO_SUCH_BODY;
+    if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
     vmi_scene_load(e->scene, t, y);
-    vm_scene_body_at(e->scene, e->jump_body, y, &body);
-    vm_scene_body_at(e->scene, e->other, y, &added);
+    vmi_scene_body_now(e->scene, e->jump_body, y, &body);
+    vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
     vmi_scene_jumped(e, t, y, 0, &whole, NULL);
@@ -9170,14 +9254,20 @@ VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
         vm_event *e = s->events + i;
-        const int now = e->when ? s->located[i].count > e->seen : e->count == 0 && e->time <= t;
+        const ode_event *found = s->located + i;
+        const long times = found->count - e->seen; /* negative as a run begins, which counts anew */
+        const int now = e->when ? times > 0 : e->count == 0 && e->time <= t;
         int result;
-        if (e->when) e->seen = s->located[i].count;
+        if (e->when) e->seen = found->count;
         if (!now || (e->most && e->count >= e->most)) continue;
+        if (e->when && found->action == ODE_RECORD) {
+            e->count += times, e->time = found->t;
+            continue;
+        }
         if (e->when && e->count && t - e->time < pace->gap) pace->gap = t - e->time;
         if (e->when) e->time = t;
         e->count++, pace->happened++;
-        result = e->then(e, t, y);
+        result = e->then ? e->then(e, t, y) : (int)VM_OK;
         if (result < 0 || status == VM_OK) status = result;
     }
     return status;
@@ -9216,6 +9306,35 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
 }
 
+/* What the bodies would come to soon if all that they are went on at its present rate: the first status of steps that
+   are longer and longer, to a millionth of the time (float: a thousandth). A mass or an inertia on its way to 0 makes
+   the equations so stiff that no step ends beyond it. The run is over: its work has room for a state and its rates. */
+VM_API int vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
+{
+    const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    const vm_real size = VM_FABS(r->t) > VM_FABS(t_end) ? VM_FABS(r->t) : VM_FABS(t_end);
+    vm_real *z = vmi_part(r, VMI_Z), *rates = vmi_part(r, VMI_K), step;
+    int i;
+    for (step = 4 * VM_EPSILON * size; step < farthest * size; step *= 4) {
+        vm_scene_rhs(r->t, r->y, rates, s);
+        if (s->status) return s->status;
+        for (i = 0; i < r->n; i++) z[i] = r->y[i] + step * rates[i];
+        vm_scene_rhs(r->t + step, z, rates, s);
+        if (s->status) return s->status;
+    }
+    return VM_OK;
+}
+
+/* Why a run ends: a body that cannot be accelerated, if there is one, or what the integrator says */
+VM_API int vmi_scene_gave_up(vm_scene *s, rk45 *r, vm_real t_end, int ode)
+{
+    if (ode == ODE_MAX_STEPS) return VM_MAX_STEPS;
+    if (!s->status && ode == ODE_STEP_TOO_SMALL) vmi_scene_foresee(s, r, t_end);
+    if (s->status) return s->status;
+    if (ode == ODE_NOT_FINITE) return VM_NOT_FINITE;
+    return ode == ODE_STEP_TOO_SMALL ? VM_STEP_TOO_SMALL : VM_NOT_INTEGRATED;
+}
+
 /* One step, or up to the next time at which something is due */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
@@ -9224,7 +9343,7 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     const int ode = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, stop, 1);
     if (ode >= 0) return VM_OK;
     s->ode_status = ode;
-    return s->status ? s->status : (int)VM_NOT_INTEGRATED;
+    return vmi_scene_gave_up(s, r, t_end, ode);
 }
 
 /* rk45 on the scene. Each number of the state has its tolerance, the book none: it follows the bodies' steps. */
@@ -9238,9 +9357,10 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     for (i = 0; i < n; i++) atol[i] = i >= n - booked ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
     o.atol_each = atol;
     o.events = s->located, o.n_events = s->n_events;
+    if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
     s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
     r->attempts = o.max_steps;
-    return s->ode_status < 0 ? (int)VM_NOT_INTEGRATED : (int)VM_OK;
+    return s->ode_status < 0 ? (int)VM_BAD_OPTIONS : (int)VM_OK;
 }
 
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
@@ -9250,8 +9370,13 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     int next = 0, status;
     vm_real span;
     rk45 r;
-    if (!scene || !t || !y || !work || !(t_end >= *t)) return VM_BAD_ARGUMENT;
+    if (!scene || !t || !y || !work) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
+    if (t_end < *t) return VM_BAD_TIMES;
+    if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
+    status = vm_scene_size(scene);
+    if (scene->y_size && scene->y_size < status) return VM_SHORT_ARRAY;
+    if (scene->work_size && scene->work_size < VM_SCENE_WORK(status)) return VM_SHORT_ARRAY;
     status = vmi_scene_integrator(scene, &r, *t, y, work, options_or_NULL);
     if (status) return status;
     span = VM_FABS(*t) > VM_FABS(t_end) ? VM_FABS(*t) : VM_FABS(t_end);

@@ -381,9 +381,9 @@ static void check_presence(void)
             if (again) CHECK(s.y[k] == first[k]);
             else first[k] = s.y[k];
     }
-    s.bodies[1].absent = 0, begin(&s), run(&s, 4, VM_NO_SUCH_BODY); /* it is there already */
+    s.bodies[1].absent = 0, begin(&s), run(&s, 4, VM_IS_THERE); /* it is there already */
     CHECK(s.t == 1);
-    s.bodies[0].absent = s.bodies[1].absent = 1, begin(&s), run(&s, 4, VM_NO_SUCH_BODY); /* nothing separates */
+    s.bodies[0].absent = s.bodies[1].absent = 1, begin(&s), run(&s, 4, VM_IS_AWAY); /* nothing separates */
     CHECK(s.t == 1);
 }
 
@@ -568,11 +568,11 @@ static void check_orders(void)
     ORDER(law[0], spring[0]), begin(&s), ORDER(law[0], law[1]), begin(&s), ORDER(spring[0], link[0]), begin(&s);
     ORDER(law[0], link[0]), begin(&s), ORDER(spring[0], spring[0]), begin(&s), ORDER(spring[0], law[1]), begin(&s);
     ORDER(law[0], law[0]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
-    ORDER(link[0], link[0]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
-    ORDER(link[0], link[1]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1); /* both pull at body 2 */
-    ORDER(link[0], link[2]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
-    ORDER(link[0], spring[0]), refused(&s, VM_BAD_ORDER, "effect", 1);
-    ORDER(link[0], spring[1]), refused(&s, VM_BAD_ORDER, "effect", 1); /* it loads body 2 */
+    ORDER(link[0], link[0]), refused(&s, VM_TWO_LINKS, "effect", 1);
+    ORDER(link[0], link[1]), refused(&s, VM_TWO_LINKS, "effect", 1); /* both pull at body 2 */
+    ORDER(link[0], link[2]), refused(&s, VM_TWO_LINKS, "effect", 1);
+    ORDER(link[0], spring[0]), refused(&s, VM_LINK_NOT_LAST, "effect", 1);
+    ORDER(link[0], spring[1]), refused(&s, VM_LINK_NOT_LAST, "effect", 1); /* it loads body 2 */
     ORDER(spring[0], law[0]), refused(&s, VM_BAD_ORDER, "effect", 1);
     ORDER(spring[0], law[2]), refused(&s, VM_BAD_ORDER, "effect", 1);
     ORDER(link[1], law[2]), refused(&s, VM_BAD_ORDER, "effect", 1);
@@ -620,19 +620,19 @@ static void check_refusals(void)
     s.events[0] = vm_then_stop(vm_event_at(1)), s.events[0].most = -1, refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_then_user(vm_event_at(1), NULL, NULL), refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_then_stop(vm_event_user(any_time, NULL, 0)), begin(&s);
-    s.bodies[2] = vm_scene_free(NULL), refused(&s, VM_BAD_MOTION, "body", 2);
-    s.scene.n_bodies = 2, s.scene.times = times, s.scene.n_times = 3, refused(&s, VM_BAD_ARGUMENT, "scene", -1);
+    s.bodies[2] = vm_scene_free(NULL), refused(&s, VM_BAD_ARGUMENT, "body", 2);
+    s.scene.n_bodies = 2, s.scene.times = times, s.scene.n_times = 3, refused(&s, VM_BAD_TIMES, "scene", -1);
     s.scene.n_times = 2, begin(&s);
     CHECK(vm_scene_start(&s.scene, VM_NAN, s.y, NULL) == VM_NOT_FINITE);
     CHECK(vm_scene_start(&s.scene, 0, NULL, NULL) == VM_BAD_ARGUMENT);
-    run(&s, -1, VM_BAD_ARGUMENT), run(&s, (double)VM_INFINITY, VM_NOT_FINITE),
-        run(&s, (double)VM_NAN, VM_BAD_ARGUMENT);
+    run(&s, -1, VM_BAD_TIMES), run(&s, (double)VM_INFINITY, VM_NOT_FINITE),
+        run(&s, (double)VM_NAN, VM_NOT_FINITE);
     CHECK(vm_scene_run(NULL, &s.t, 1, s.y, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, NULL, 1, s.y, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, &s.t, 1, NULL, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, &s.t, 1, s.y, NULL, NULL) == VM_BAD_ARGUMENT);
     o.max_steps = 2;
-    CHECK(vm_scene_run(&s.scene, &s.t, 1000, s.y, s.work, &o) == VM_NOT_INTEGRATED);
+    CHECK(vm_scene_run(&s.scene, &s.t, 1000, s.y, s.work, &o) == VM_MAX_STEPS);
     CHECK(s.scene.ode_status == ODE_MAX_STEPS && s.t > 0 && s.t < 1000);
     vm_scene_keep_book(&s.scene, NULL);
     CHECK(vm_scene_size(&s.scene) == 8 && vm_scene_balance(&s.scene, 0, s.y, &b) == VM_BAD_ARGUMENT);

@@ -421,7 +421,7 @@ static void check_gone_wrong(void)
     stage_clear(&s, 2);
     stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_mass(0, &stream), to_nowhere, NULL));
-    begin(&s), run(&s, 2, VM_BAD_MASS);
+    begin(&s), run(&s, 2, VM_BAD_ARGUMENT);
     agrees("gone wrong", "t", s.t, 1, 1, 1e-9);
 }
 
@@ -444,11 +444,11 @@ static void check_refusals(void)
     stage_effect(&s, vm_effect_stream_mass(0, &stream)), begin(&s);
     s.effects[0] = vm_effect_stream_mass(0, NULL), refused(&s, VM_BAD_ARGUMENT);
     s.effects[0] = vm_effect_stream_mass(1, &stream), refused(&s, VM_BAD_MOTION);
-    s.effects[0] = vm_effect_stream_mass(2, &stream), refused(&s, VM_MASS_IS_NO_STATE);
+    s.effects[0] = vm_effect_stream_mass(2, &stream), refused(&s, VM_DOES_NOT_GROW);
     s.effects[0] = vm_effect_varying(vm_effect_drive(1, 0, 1, 1), band_now, NULL), refused(&s, VM_BAD_ARGUMENT);
     s.effects[0] = vm_effect_stream_force(0, &stream);
     stream.motion = 9, refused(&s, VM_BAD_ARGUMENT), stream.motion = VM_RELATIVE;
-    stream.from = &tank, refused(&s, VM_BAD_ARGUMENT), stream.from = NULL;
+    stream.from = &tank, refused(&s, VM_STORED_STREAM), stream.from = NULL;
     stream.at.y = VM_NAN, refused(&s, VM_NOT_FINITE);
     s.effects[0] = vm_effect_band(1, &band), begin(&s);
     s.effects[0].p[0] = 0, refused(&s, VM_DOMAIN);
