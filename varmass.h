@@ -235,6 +235,9 @@ enum {
 };
 VM_API const char *vm_strerror(int status);
 
+/* How many elements an array has, as in scene.y_size = VM_LENGTH(y). Not of a pointer to them. */
+#define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
+
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
@@ -512,7 +515,8 @@ VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega);
    enters by dr[i] = dv/dqdot_i of its mass centre and turn[i] = d omega/dqdot_i, in inertial axes (87)-(90). With
    these each function adds to its last argument: a body's share of the mass matrix (n by n, T = qdot^T matrix
    qdot/2), the generalized momentum of a body (as it moves), the generalized impulse (95) of what acts on a body
-   whose mass centre is at r; its moment is that about r, as (23a) should have said. */
+   whose mass centre is at r; its moment is that about r, as (23a) should have said. dr or turn may be null: no part
+   of it. With another null pointer nothing is added. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix);
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p);
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
@@ -711,10 +715,13 @@ typedef struct VM_TAG(vm_flow) {
     vm_inertia inertia;                /* I(t) */
     vm_vec3 drift;                     /* and c'(t), vm_rhs_carried */
     vm_real least_mass, least_inertia; /* of the events */
-    int status;                        /* 0, or why the last evaluations gave NaN */
+    int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
+    /* 0, or how many numbers y has room for, checked by all functions here: VM_LENGTH(y). vm_flow_start writes no more
+       than that, VM_RHS_GIVEN at the least, and where there is room for all VM_RHS_BALANCED the zeros of the account */
+    int y_size;
 } vm_flow;
 
-/* y: the VM_RHS first states for body, streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
+/* y: the VM_RHS first states for body (fewer where y_size says so), streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
    unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
 /* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y.
@@ -1485,8 +1492,6 @@ struct VM_TAG(vm_scene) {
     int y_size, work_size;  /* 0, or how many numbers y and work have room for: then a start and a run check it */
     int size;               /* of the state when it was started, 0 before */
 };
-/* how many elements an array has, as for scene.y_size = VM_LENGTH(y); not for a pointer */
-#define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
    body may be a rod, whose spin about itself then stays. */
@@ -3028,6 +3033,7 @@ VM_API int vmi_check_rotor(const vm_rotor *r)
 
 VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_rotor *r = (const vm_rotor *)rotor;
     vm_real sine, cosine, fx, fy;
     (void)t;
@@ -3319,6 +3325,7 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
 
 VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_rotor *r = (const vm_rotor *)rotor;
     const vm_real w2 = r->stiffness / r->mass;
     vm_real sine, cosine;
@@ -3497,24 +3504,30 @@ VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
 
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix)
 {
+    if (!body || !matrix) return;
+    const vm_vec3 none = {0, 0, 0};
     int i, j;
     for (j = 0; j < n; j++) {
         vm_body moved = *body;
         vm_vec3 spin;
-        moved.omega = turn[j];
+        moved.omega = turn ? turn[j] : none;
         spin = vmi_spin_momentum(&moved);
-        for (i = 0; i < n; i++) matrix[i * n + j] += body->mass * vmi_dot(dr[i], dr[j]) + vmi_dot(turn[i], spin);
+        for (i = 0; i < n; i++)
+            matrix[i * n + j] +=
+                (dr ? body->mass * vmi_dot(dr[i], dr[j]) : 0) + (turn ? vmi_dot(turn[i], spin) : 0);
     }
 }
 
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
 {
+    if (!body || !p) return;
     vm_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
 }
 
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
                                 vm_real *p)
 {
+    if (!impulse || !p) return;
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
     vm_add_force(n, impulse->linear, dr, moment, turn, p);
 }
@@ -4426,6 +4439,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 
 /* The free body */
 
+/* Whether there are as many streams as there should be */
+VM_INLINE int vmi_flow_has(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
+
 /* Derivatives that make the integrator shorten its step */
 VM_API int vmi_flow_refuse(int n, vm_real *dydt)
 {
@@ -4497,6 +4513,8 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     vmi_stream_sum sum;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (flow->y_size && flow->y_size < n) return flow->status = VM_SHORT_ARRAY;
     mass = given ? flow->mass : y[VM_Y_MASS];
     centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
     inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
@@ -4521,21 +4539,25 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 
 VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_RHS, t, y, dydt);
 }
 
 VM_API int vm_rhs_given(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_RHS_GIVEN, t, y, dydt);
 }
 
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_RHS_BALANCED, t, y, dydt);
 }
 
 VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
+    if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow *flow = (vm_flow *)ctx;
     const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
     const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
@@ -4544,7 +4566,7 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     vmi_stream_ldl factors;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    status = VM_OK;
+    if (flow->y_size && flow->y_size < VM_RHS_GIVEN) return flow->status = VM_SHORT_ARRAY;
     if (!vmi_stream_factor_body(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
     if (!(flow->mass > 0)) status = VM_BAD_MASS;
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS_GIVEN, dydt);
@@ -4575,7 +4597,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     vmi_stream_ldl factors;
     vmi_mat3 turn;
     vm_real start[VM_RHS];
-    int status;
+    int status, k;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
     if (!status) status = vmi_stream_all_good(flow->n, flow->streams);
@@ -4594,8 +4616,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     start[VM_Y_MASS] = body->mass;
     vmi_store3(start + VM_Y_CENTRE, flow->centre);
     vmi_stream_store_inertia(start + VM_Y_INERTIA, &body->inertia);
-    status = vmi_deliver(VM_RHS, start, y);
+    if (flow->y_size && flow->y_size < VM_RHS_GIVEN) return VM_SHORT_ARRAY;
+    status = vmi_deliver(flow->y_size && flow->y_size < VM_RHS ? VM_RHS_GIVEN : VM_RHS, start, y);
     if (status) return status;
+    for (k = VM_Y_BALANCE; flow->y_size >= VM_RHS_BALANCED && k < VM_RHS_BALANCED; k++) y[k] = 0;
     flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
     return VM_OK;
 }
@@ -4608,7 +4632,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     vmi_mat3 turn;
     vmi_stream_seen seen;
     int status;
-    if (!flow || !y || !body || n < VM_RHS_GIVEN) return VM_BAD_ARGUMENT;
+    if (!flow || !y || !body || n < VM_RHS_GIVEN || !vmi_flow_has(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
+    if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
     b.mass = given ? flow->mass : y[VM_Y_MASS];
     b.inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
     centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
@@ -4623,12 +4648,14 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
+    if (!y || !flow) return VM_NAN;
     (void)t;
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
+    if (!y || !flow) return VM_NAN;
     const vm_inertia i = vmi_stream_load_inertia(y + VM_Y_INERTIA);
     vmi_stream_ldl f;
     vm_real least = i.xx;
@@ -4647,6 +4674,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (flow->y_size && flow->y_size < VM_RHS_TRANSLATION) return flow->status = VM_SHORT_ARRAY;
     if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
         return vmi_flow_refuse(VM_RHS_TRANSLATION, dydt);
     for (k = 0; k < flow->n; k++) {
@@ -4667,6 +4696,7 @@ VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     const vm_real v = y[1] / y[2];
     vm_real force = flow->force, rate = 0;
     int k;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_RHS1, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
@@ -4694,12 +4724,14 @@ VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 
 
 VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     vm_flow *f = (vm_flow *)flow;
     return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
 }
 
 VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
+    if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
     vm_flow1 *f = (vm_flow1 *)flow1;
     return f->update ? vmi_updated1(t, y, dydt, f) : vmi_rates1(f, y, dydt);
 }
@@ -4762,11 +4794,13 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
 
 VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
+    if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow2 *flow = (vm_flow2 *)ctx;
     vmi_stream_sum2 sum = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     vm_real sine, cosine, inverse, vx, vy, omega, sx, sy;
     int k, status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
     sine = 0, cosine = 1;
@@ -4907,6 +4941,7 @@ VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
 
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real flow = d->band * y[5], slip = d->speed - y[4] - d->radius * y[5];
     vm_real s, c, M, J, steiner, qx, qy, X, Y, N, turn;
@@ -4930,6 +4965,7 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real flow = d->band * y[5], unbalance = flow * d->radius * y[5];
     vm_real s, c, M, J, steiner;
@@ -4947,6 +4983,7 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real rate = vm_drum_rate(phi, d), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
@@ -5310,9 +5347,15 @@ VM_API vm_real vmi_frozen_derivative(const vm_lagrange *l, vm_real t, const vm_r
     return sum / h;
 }
 
+VM_API int vmi_frozen_good(const vm_lagrange *l)
+{
+    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
+}
+
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange *l = (const vm_lagrange *)lagrange;
+    if (!y || !dydt || !vmi_frozen_good(l)) return VM_BAD_ARGUMENT;
     const vmi_frozen_parts w = vmi_frozen_work(l);
     int k, status = vmi_frozen_solve(l, t, y);
     if (status) return status;
@@ -5320,11 +5363,6 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
     if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
     for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_frozen_derivative(l, t, y, w.rates, k);
     return status;
-}
-
-VM_API int vmi_frozen_good(const vm_lagrange *l)
-{
-    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
 }
 
 VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
@@ -5359,6 +5397,7 @@ VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q,
 
 VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
 {
+    if (!Q) return;
     int k;
     for (k = 0; k < n; k++) Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
 }
@@ -5375,6 +5414,7 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
+    if (!axis) return;
     vm_real s, c, sine, cosine;
     vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(0, 0, 1), axis[1] = vmi_vec3(c, s, 0), axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
@@ -5382,6 +5422,7 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
+    if (!axis) return;
     vm_real s, c, sine, cosine;
     vmi_sincos(phi, &s, &c), vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(sine * s, sine * c, cosine), axis[1] = vmi_vec3(c, -s, 0), axis[2] = vmi_vec3(0, 0, 1);
@@ -5440,6 +5481,7 @@ VM_API void vmi_osc_at_phase(vm_real A, vm_real psi, vm_real omega0, vm_real alp
 
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
+    if (!x || !v) return;
     vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (x0 == 0 && rate == rate) rate = 0; /* at rest, where the rate may be infinite */
     vmi_osc_at_phase(x0, rate * t, omega0, alpha, x, v);
@@ -5466,6 +5508,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
    together as A^(alpha+1) = |x|^(alpha+1) + A_v^(alpha+1), scaled so that no power overflows that A does not. */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
+    if (!A || !psi) return;
     const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0));
     vm_real a, b, larger;
     *A = *psi = VM_NAN;
@@ -5481,6 +5524,7 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
 VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0, vm_real alpha, vm_real *x,
                               vm_real *v)
 {
+    if (!x || !v) return;
     vm_real A, psi, rate;
     vm_osc_amplitude_phase(x0, v0, omega0, alpha, &A, &psi);
     rate = A == 0 ? 0 : vmi_osc_rate(A, omega0, alpha);
@@ -5543,11 +5587,13 @@ VM_API void vmi_osc_constant(int method, vm_real t, vm_real x0, vm_real omega0, 
 
 VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
+    if (!x || !v) return;
     vmi_osc_constant(VM_ROUTE_TRIG, t, x0, omega0, alpha, x, v);
 }
 
 VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
+    if (!x || !v) return;
     vmi_osc_constant(VM_ROUTE_JACOBI, t, x0, omega0, alpha, x, v);
 }
 
@@ -6600,6 +6646,7 @@ VM_API int vm_osc_by_rk87(const vm_osc_problem *problem, vm_real t, vm_real tole
 
 VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
 {
+    if (!rate || !linear_mass) return VM_NAN;
     const vm_linear_mass *m = (const vm_linear_mass *)linear_mass;
     *rate = m->rate;
     return m->mass + m->rate * t;
@@ -6674,6 +6721,7 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
    */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m)
 {
+    if (!v) return VM_NAN;
     vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
     if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
@@ -6688,6 +6736,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linea
 
 VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
+    if (!v) return VM_NAN;
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
     if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
@@ -6697,6 +6746,7 @@ VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_
 
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
+    if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
     const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
@@ -6709,6 +6759,7 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
+    if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
     const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
@@ -6722,6 +6773,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force)
 {
+    if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
     *slope = p->alpha == 1 ? 0 : p->k * (p->alpha - 1) * vmi_raised(rho, p->alpha - 2);
     return p->k * vmi_raised(rho, p->alpha - 1);
@@ -6729,12 +6781,14 @@ VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force)
 
 VM_API void vm_laval_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
+    if (!rho || !phi) return;
     *rho = vmi_c_modulus(z);
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
 VM_API vm_real vm_laval_momentum(const vm_laval *r, vm_real mass, vm_complex z, vm_complex v)
 {
+    if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
@@ -6754,12 +6808,14 @@ VM_API vm_complex vmi_laval_drive(const vm_laval *r, vm_real t, vm_real rate, vm
 
 VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_laval *r = (const vm_laval *)rotor;
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     stiffness = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_c_add(vmi_laval_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     dydt[0] = v.re, dydt[1] = v.im;
@@ -6783,6 +6839,7 @@ VM_API int vmi_laval_now(const vm_laval *r, vm_real t, vmi_laval_state *now)
 
 VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
+    if (!r || !motion || !y) return VM_BAD_ARGUMENT;
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_laval_state now;
     vm_complex turned, P, N;
@@ -6807,6 +6864,7 @@ VM_API void vmi_laval_motion(const vm_real *y, vm_complex turn, vm_real omega, v
 
 VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real *motion)
 {
+    if (!r || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_laval_state now;
     vm_complex z, v;
     vm_real joined[4];
@@ -6841,6 +6899,7 @@ VM_API int vmi_laval_samples(const vm_laval *r) { return r->samples > 0 ? r->sam
 /* The mean of so many samples in a period from y[4] on */
 VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int samples)
 {
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     const vm_real share = 1 / (vm_real)samples;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
     vmi_laval_state now;
@@ -6858,11 +6917,13 @@ VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_l
 
 VM_API int vm_laval_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_laval_mean(t, y, dydt, (const vm_laval *)rotor, 1);
 }
 
 VM_API int vm_laval_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_laval *r = (const vm_laval *)rotor;
     return vmi_laval_mean(t, y, dydt, r, vmi_laval_samples(r));
 }
@@ -6876,6 +6937,7 @@ VM_API vm_real vmi_laval_root(vm_real gyro, vm_real mass, vm_real stiffness, int
 
 VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, int sense)
 {
+    if (!r || !r->stiffness) return VM_NAN;
     vm_real slope;
     if (!(A >= 0) || !VM_IS_FINITE(A) || !(mass > 0) || !VM_IS_FINITE(mass)) return VM_NAN;
     return vmi_laval_root(r->gyro, mass, vmi_laval_stiffness(r, A, &slope), sense);
@@ -6885,6 +6947,7 @@ VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, in
    psi' - W = -<Re D>/(2 A (m W - g)), D = (F_z + r m' u) e^(-i psi); m W - g = +-S, S^2 = g^2 + m F_e'. */
 VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int sense)
 {
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     const int samples = vmi_laval_samples(r);
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex sum = {0, 0};
@@ -6909,11 +6972,13 @@ VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const 
 
 VM_API int vm_laval_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, 1);
 }
 
 VM_API int vm_laval_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, -1);
 }
 
@@ -6966,6 +7031,7 @@ VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
 
 VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass)
 {
+    if (!r || !r->stiffness) return VM_NAN;
     vmi_laval_orbit o;
     vm_real slope, here, there, step = VM_C(0.0625), x = 0;
     int bounded = 0;
@@ -6994,6 +7060,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
 
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     vm_real mass, rate;
@@ -7053,6 +7120,7 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
+    if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
     int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (!status) status = vmi_pair_check(p, mass, rate);
@@ -7061,6 +7129,7 @@ VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real 
 
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
+    if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
     int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (!status) status = vmi_pair_check(p, mass, rate);
@@ -7069,6 +7138,7 @@ VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_re
 
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
+    if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     vm_real mass, rate;
     const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
@@ -7083,6 +7153,7 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 /* Powers of m/m0 integrate to int (m/m0)^e dt = m0 phi((1 + e) ln(m/m0)) int dt/m */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y)
 {
+    if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
     const vm_real drift = (2 * p->reactive - 1) / (p->alpha + 3);
     vm_real modes[4], ln_ratio, integral, rate0, exponent;
     int status = vmi_pair_check(p, m.mass, m.rate);
@@ -7174,6 +7245,7 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_now *n, vm
 
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
+    if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
     const vm_forced_now n = vmi_forced_at(f, t);
     vm_real sine, cosine;
@@ -7190,6 +7262,7 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
 
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
+    if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
@@ -7207,6 +7280,7 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
+    if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
@@ -7238,6 +7312,7 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_
 
 VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
+    if (!f || !motion || !y) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = motion[2];
@@ -7255,6 +7330,7 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
 
 VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
+    if (!f || !y || !motion) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = y[2], phi = y[1] + theta;
@@ -7335,6 +7411,7 @@ VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
 
 VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
 {
+    if (!f || !steady) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     int i, found = 0;
     const int status = vmi_forced_check(&n);
@@ -7353,6 +7430,7 @@ VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
 
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady curve[2])
 {
+    if (!f || !curve) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vmi_frozen z;
@@ -7373,6 +7451,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady c
 
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
+    if (!f) return VM_NAN;
     const vm_forced_now n = vmi_forced_at(f, t);
     vmi_frozen z;
     if (vmi_forced_check(&n)) return VM_NAN;
@@ -7384,6 +7463,7 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
    drift of w - nu; and for gamma = 0 the same jump */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
+    if (!f || !passage) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vmi_frozen z;
@@ -7478,6 +7558,7 @@ VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buf
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
+    if (!points || !law || n < 0) return VM_NAN;
     vm_real worst = 0;
     long i;
     for (i = 0; i < n; i++) {
@@ -7921,12 +8002,14 @@ VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_rea
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm_real *fx, vm_real *fy)
 {
+    if (!fx || !fy) return;
     const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(k, alpha, r) / r : 0;
     *fx = f * x, *fy = f * y;
 }
 VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
                                   vm_real *fy)
 {
+    if (!fx || !fy) return;
     const vm_real size = unbalance * (frequency * frequency);
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
@@ -7934,6 +8017,7 @@ VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real 
 }
 VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy)
 {
+    if (!fx || !fy) return;
     *fx = -coupling * vy, *fy = coupling * vx;
 }
 
@@ -8339,7 +8423,7 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void *ctx)
 {
     effect.vary = vary, effect.ctx = ctx;
-    if (!effect.stream) effect.apply = NULL; /* which vm_scene_check refuses */
+    if (!effect.stream || !vary) effect.apply = NULL; /* which vm_scene_check refuses */
     return effect;
 }
 
@@ -8363,8 +8447,16 @@ VM_API int vmi_band_good(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
+VM_API vm_band_now vmi_no_band(void)
+{
+    vm_band_now none;
+    none.radius = none.rate = none.mass = none.inertia = VM_NAN;
+    return none;
+}
+
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
+    if (!band) return vmi_no_band();
     const vm_real line = band->density * band->width * band->thickness, R = band->radius;
     const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
     const vm_real bare = VM_IS_FINITE(phi) && vmi_band_good(band) ? 0 : VM_NAN;
@@ -8593,6 +8685,7 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
 
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
+    if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_scene *s = (vm_scene *)ctx;
     int i, status = VM_OK;
     vmi_scene_load(s, t, y);

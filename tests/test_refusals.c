@@ -1943,6 +1943,8 @@ static void test_events_that_break(void)
     CHECK(vm_scene_run(&s, &t, 6, y, work, NULL) == VM_OK && t == 6 && happenings == 4);
 }
 
+#include "null_pointers.h"
+
 int main(void)
 {
     test_special_functions();
@@ -1973,5 +1975,6 @@ int main(void)
     test_scene_losses();
     test_events_that_break();
     test_too_many_events();
+    test_null_pointers();
     return check_finish("refusals");
 }
