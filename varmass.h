@@ -8700,7 +8700,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
         if (k && !status) status = k, dydt[b->at] = VM_NAN; /* the integrator tries a shorter step */
     }
     if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BOOK);
-    s->status = status;
+    if (!status || !s->status) s->status = status; /* of several in a row the first: the others follow from its NaN */
     return 0;
 }
 
@@ -9401,7 +9401,8 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 
 /* What the bodies would come to soon if all that they are went on at its present rate: the first status of steps that
    are longer and longer, to a millionth of the time (float: a thousandth). A mass or an inertia on its way to 0 makes
-   the equations so stiff that no step ends beyond it. The run is over: its work has room for a state and its rates. */
+   the equations so stiff that no step ends beyond it, and one that has been refused may have been followed by others
+   that were not. The run is over: its work has room for a state and its rates. */
 VM_API int vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -9422,7 +9423,7 @@ VM_API int vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 VM_API int vmi_scene_gave_up(vm_scene *s, rk45 *r, vm_real t_end, int ode)
 {
     if (ode == ODE_MAX_STEPS) return VM_MAX_STEPS;
-    if (!s->status && ode == ODE_STEP_TOO_SMALL) vmi_scene_foresee(s, r, t_end);
+    if (!s->status) vmi_scene_foresee(s, r, t_end);
     if (s->status) return s->status;
     if (ode == ODE_NOT_FINITE) return VM_NOT_FINITE;
     return ode == ODE_STEP_TOO_SMALL ? VM_STEP_TOO_SMALL : VM_NOT_INTEGRATED;
