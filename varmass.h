@@ -63,9 +63,10 @@
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY, measured (make test; docs/measurements.md)
-     Jumps keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 12 eps of the sum
-     of all tr(I) |omega| + M |r - point| |v|, for masses up to 1e4 apart, thin bodies too and bodies within some
-     sizes of the origin (farther, positions are right to eps r only), but for what VM_NULL_AXIS reports. A part
+     Jumps keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the sum
+     of all tr(I) |omega| + M (|r| + |r - point|) |v|, |r| from the origin, since the positions are right to eps |r|:
+     for masses up to 1e4 apart, for thin and for fast bodies, up to 1e6 of their sizes (float: 100) away from the
+     origin, for points in a body or next to it too, but for what VM_NULL_AXIS reports. A part
      that moves on as before leaves omega as it was, far from the origin and at high speed too; energies by (113),
      (118) agree with the bodies' to 1 eps of theirs.
      Free rotation: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs exact, next to the
@@ -289,7 +290,9 @@ typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* after - before - impulse, N s: (6) with (20), (21) */
     vm_vec3 angular_momentum;       /* the same about the point, N m s: (12), (17) with (22) */
     vm_real momentum_scale;         /* sum of all M |v| and the impulse */
-    vm_real angular_momentum_scale; /* sum of all tr(I) |omega| + |r - about| M |v| and the impulse's moment */
+    /* sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, of the impulse likewise: an eps of a position, which is
+       one of |r|, moves the momentum by that much, wherever the point is */
+    vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
 } vm_balance;
 
@@ -2286,8 +2289,8 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
     sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale +=
-        vmi_trace(&body->inertia) * vmi_length(body->omega) + vmi_length(vmi_sub(body->r, about)) * size;
+    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_length(body->omega) +
+                                   (vmi_length(body->r) + vmi_length(vmi_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
@@ -2306,7 +2309,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
         sum.momentum = vmi_sub(sum.momentum, j->linear);
         sum.angular_momentum = vmi_sub(sum.angular_momentum, moment);
         sum.momentum_scale += vmi_length(j->linear);
-        sum.angular_momentum_scale += vmi_size(j->couple) + vmi_size(vmi_sub(j->at, about)) * vmi_size(j->linear);
+        sum.angular_momentum_scale +=
+            vmi_size(j->couple) + (vmi_size(j->at) + vmi_size(vmi_sub(j->at, about))) * vmi_size(j->linear);
     }
     if (!VM_IS_FINITE(sum.energy) || !VM_IS_FINITE(sum.momentum_scale) ||
         !VM_IS_FINITE(sum.angular_momentum_scale) || !vmi_vec3_finite(sum.momentum) ||
