@@ -689,8 +689,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
    holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
    q/|q|: the length is held, and the order of no integrator suffers.
-   A mass or an inertia that is not positive (in a trial step beyond the end) gives NaN, so that the step is
-   shortened, and its status is left in flow.status. Stop before, by the events below. */
+   A mass that is not positive or an inertia that no body has, not positive or with a moment larger than the two others
+   together (in a trial step beyond the end), gives NaN, so that the step is shortened, and its status is left in
+   flow.status. Stop before, by the events below. */
 enum {
     VM_Y_R = 0,
     VM_Y_Q = 3,
@@ -747,7 +748,7 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
 /* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
-   0 where I is singular */
+   0 where I is singular. They do not see the triangle inequality, of which thin bodies are next to the end. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow);
 
@@ -1341,6 +1342,8 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
    With events, scene.events and scene.located (as many) and scene.n_events are set as well, before the start. Bodies,
    effects and events are known by their index. A start begins everything anew, as the bodies, effects and events were
    made; a second vm_scene_run goes on where the first ended. From the start on all arrays stay where they are.
+   Where scene.y_size = VM_LENGTH(y) and scene.work_size = VM_LENGTH(work) are set, a start and a run check that the
+   arrays are long enough: VM_SHORT_ARRAY.
    An evaluation takes some 80 instructions a line body and 20 to 40 an effect, beyond what its force takes: 3 and 0.3
    times the C library's sin.
 
@@ -1506,7 +1509,8 @@ VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v);
 VM_API vm_scene_body vm_scene_free(const vm_body *start);
 VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, its mass a state */
 VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
-/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points */
+/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run ends
+   where no body has the inertia that they leave, VM_BAD_INERTIA; nor can a rod grow, nor a point. */
 VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body);
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body);
 
@@ -1562,8 +1566,9 @@ VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha);
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase);
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coupling (-vy, vx) */
 /* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
-   another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
-   body, one of them for a body. Deviations of the length (> 0, m) die out as exp(-rate t), rate > 0 in 1/s; a cord
+   another (on a line, too) or, other = VM_GROUND, a point that moves as given, which may be above the plane. Links are
+   the last of the effects on a body, one of them for a body. Where the ends of a link are in one place, or cannot move
+   along it, the run ends with VM_SINGULAR. Deviations of the length (> 0, m) die out as exp(-rate t), rate > 0 in 1/s; a cord
    that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
    of not more than 200/s. The link acts at the mass centres, of which a growing body's is refused: it wanders. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
@@ -1572,7 +1577,8 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
    the body's velocity, no reactive force; 0: its own velocity is u, of which u.x counts on a line and, in rad/s, on
    an axle. x and v are those of a line or an axle (J(phi), J(omega)); of any other body the law is M(t). What jumps
-   add comes on top of the law. */
+   add comes on top of the law. A law that an event switches off leaves the mass as it is, and one that is switched on
+   goes on from the mass that is there: of a law M0 + c t then only c counts. So a mass never jumps with a switch. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real share);
 enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
@@ -1616,7 +1622,9 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band);
 /* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
    event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
    events happen in their order; where a jump comes within rounding of a crossing, either may come first. Nothing of a
-   body that is not there crosses anything. */
+   body that is not there crosses anything. An event is only counted where no vm_then_... says what happens: event.count
+   is how often, event.time when it was last, and the motion is what it would be without the event. Set after the start,
+   scene.located[i].times and room (or states) get the times of all of them, those of one run. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
@@ -1651,7 +1659,7 @@ typedef struct VM_TAG(vm_culprit) {
 /* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. One pass over
    bodies, effects, events; it marks the bodies. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit);
-VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state */
+VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state; VM_BAD_ARGUMENT for null pointers */
 enum { VM_BOOK = 15 };
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 /* Checks the scene, and makes the state at the start: vm_scene_size numbers */
@@ -1662,11 +1670,13 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 /* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y
    are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events
    that do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after
-   less than 256 eps of the time. */
+   less than 256 eps of the time. Where a mass or an inertia runs out it is VM_BAD_MASS, VM_BAD_INERTIA, also if the
+   steps became too short just before; where an effect, a law or an event gives no number, VM_NOT_FINITE;
+   VM_STEP_TOO_SMALL, VM_MAX_STEPS and VM_BAD_OPTIONS are what the integrator says, in full in scene.ode_status. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
 /* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
-   when the right-hand side was last evaluated */
+   when the right-hand side was last evaluated. NaN where there is no such body, for null pointers and before a start */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
 /* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
    the state; NULL: no longer */
@@ -4352,8 +4362,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 
 /* The loads of an instant */
 
-/* Finite, no negative moment. The triangle inequality is not asked for: a tensor with zz alone does for plane
-   motion */
+/* Finite, no negative moment. The triangle inequality is not asked for, but of the body: a tensor with zz alone does
+   for plane motion, as long as the body is not that flat */
 VM_API int vmi_stream_gyration_good(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
