@@ -689,9 +689,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
    holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
    q/|q|: the length is held, and the order of no integrator suffers.
-   A mass that is not positive or an inertia that no body has, not positive or with a moment larger than the two others
-   together (in a trial step beyond the end), gives NaN, so that the step is shortened, and its status is left in
-   flow.status. Stop before, by the events below. */
+   A mass that is not positive or an inertia that no body has, not positive or with a moment larger than the two
+   others together (in a trial step beyond the end), gives NaN, so that the step is shortened, and its status is
+   left in flow.status. Stop before, by the events below. */
 enum {
     VM_Y_R = 0,
     VM_Y_Q = 3,
@@ -720,13 +720,15 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 drift;                     /* and c'(t), vm_rhs_carried */
     vm_real least_mass, least_inertia; /* of the events */
     int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
-    /* 0, or how many numbers y has room for, checked by all functions here: VM_LENGTH(y). vm_flow_start writes no more
-       than that, VM_RHS_GIVEN at the least, and where there is room for all VM_RHS_BALANCED the zeros of the account */
+    /* 0, or how many numbers y has room for, checked by all functions here: VM_LENGTH(y). vm_flow_start writes no
+       more than that, VM_RHS_GIVEN at the least, and where there is room for all VM_RHS_BALANCED the zeros of the
+       account */
     int y_size;
 } vm_flow;
 
-/* y: the VM_RHS first states for body (fewer where y_size says so), streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
-   unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
+/* y: the VM_RHS first states for body (fewer where y_size says so), streams being as they are at first;
+   VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod
+   or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
 /* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y.
    The states of vm_rhs_carried are other ones: not for them. */
@@ -1509,8 +1511,8 @@ VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v);
 VM_API vm_scene_body vm_scene_free(const vm_body *start);
 VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, its mass a state */
 VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
-/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run ends
-   where no body has the inertia that they leave, VM_BAD_INERTIA; nor can a rod grow, nor a point. */
+/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run
+   ends where no body has the inertia that they leave, VM_BAD_INERTIA; nor can a rod grow, nor a point. */
 VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body);
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body);
 
@@ -1566,11 +1568,12 @@ VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha);
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase);
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coupling (-vy, vx) */
 /* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
-   another (on a line, too) or, other = VM_GROUND, a point that moves as given, which may be above the plane. Links are
-   the last of the effects on a body, one of them for a body. Where the ends of a link are in one place, or cannot move
-   along it, the run ends with VM_SINGULAR. Deviations of the length (> 0, m) die out as exp(-rate t), rate > 0 in 1/s; a cord
-   that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
-   of not more than 200/s. The link acts at the mass centres, of which a growing body's is refused: it wanders. */
+   another (on a line, too) or, other = VM_GROUND, a point that moves as given, which may be above the plane. Links
+   are the last of the effects on a body, one of them for a body. Where the ends of a link are in one place, or
+   cannot move along it, the run ends with VM_SINGULAR. Deviations of the length (> 0, m) die out as exp(-rate t),
+   rate > 0 in 1/s; a cord that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1
+   m at 5 m/s asks for a rate of not more than 200/s. The link acts at the mass centres, of which a growing body's
+   is refused: it wanders. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
@@ -1622,9 +1625,9 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band);
 /* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
    event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
    events happen in their order; where a jump comes within rounding of a crossing, either may come first. Nothing of a
-   body that is not there crosses anything. An event is only counted where no vm_then_... says what happens: event.count
-   is how often, event.time when it was last, and the motion is what it would be without the event. Set after the start,
-   scene.located[i].times and room (or states) get the times of all of them, those of one run. */
+   body that is not there crosses anything. An event is only counted where no vm_then_... says what happens:
+   event.count is how often, event.time when it was last, and the motion is what it would be without the event. Set
+   after the start, scene.located[i].times and room (or states) get the times of all of them, those of one run. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
@@ -1638,8 +1641,8 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
    mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
    body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
    A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
-   VM_IS_THERE where into is there already, with VM_IS_AWAY where body or added is not; else errors as vm_separate. A point that
-   takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
+   VM_IS_THERE where into is there already, with VM_IS_AWAY where body or added is not; else errors as vm_separate.
+   A point that takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
 VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative);
@@ -1676,7 +1679,8 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
 /* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
-   when the right-hand side was last evaluated. NaN where there is no such body, for null pointers and before a start */
+   when the right-hand side was last evaluated. NaN where there is no such body, for null pointers and before a
+   start */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
 /* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
    the state; NULL: no longer */

@@ -1,7 +1,7 @@
 /* null_pointers.h - every public function of varmass.h that takes a pointer, with each of its pointers null in turn.
    A function with a status says VM_BAD_ARGUMENT, one with a number NaN; one with neither does nothing, or writes NaN
    to the outputs that it has. Pointers that may be null, named ..._or_NULL, are not in the table.
-   tests/test_null_pointers.sh sees to it that no function is forgotten. To be included by tests/test_refusals.c. */
+   tests/test_headers.sh sees to it that no function is forgotten. To be included by tests/test_refusals.c. */
 
 static int null_at, fault; /* which pointer is null, -1 for none; whether the call failed its test */
 static void *nulled(int k, void *pointer) { return k == null_at ? NULL : pointer; }
@@ -148,7 +148,8 @@ static void null_rotor(void)
     vm_rotor rotor = bent;
     vm_rotor_piece piece;
     memset(&piece, 0, sizeof piece);
-    piece.mass = R(0.1), piece.inertia = R(0.001), piece.distance = R(0.1), piece.radius = R(0.2), piece.alpha = R(0.1);
+    piece.mass = R(0.1), piece.inertia = R(0.001), piece.distance = R(0.1);
+    piece.radius = R(0.2), piece.alpha = R(0.1);
     STATUS(3, vm_rotor_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
     STATUS(3, vm_rotor_polar_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
     STATUS(3, vm_rotor_free(1, IN(0, vm_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
@@ -237,7 +238,8 @@ static void null_streams(void)
     STATUS(3, vm_rhs1(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow1, &flow1)));
     STATUS(3, vm_rhs2(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow2, &flow2)));
     flow.streams = NULL, flow1.streams = NULL, flow2.streams = NULL; /* one stream, which is not there */
-    CHECK(vm_flow_start(&flow, &body, y) == VM_BAD_ARGUMENT && vm_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_flow_start(&flow, &body, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
     CHECK(vm_rhs_given(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
     CHECK(vm_rhs_balanced(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
     CHECK(vm_rhs_translation(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
@@ -366,7 +368,8 @@ static void null_diagnostics(void)
     vm_real y[2] = {R(-0.1), 1}, work[RK45_WORK(2)], buffer[2];
     rk45 s;
     STATUS(1, vm_find_points(null_motion, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, X(0, vm_point)));
-    CHECK(vm_find_points(NULL, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, (vm_point *)(void *)null_output) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_points(NULL, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, (vm_point *)(void *)null_output) ==
+          VM_BAD_ARGUMENT);
     CHECK(rk45_init(&s, oscillate, NULL, 2, 0, y, NULL, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
     STATUS(3, vm_find_points_of_step(IO(0, rk45, &s), 0, 1, VM_ZERO_CROSSINGS, IO(1, vm_real, buffer), 4,
                                      X(2, vm_point)));
@@ -476,8 +479,8 @@ static void null_scenes(void)
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK);
     memcpy(z, y, sizeof z);
     STATUS(3, vm_scene_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_scene, &s)));
-    STATUS(4, (t = 0, vm_scene_run(IO(0, vm_scene, &s), IO(1, vm_real, &t), 1, IO(2, vm_real, z), IO(3, vm_real, work),
-                                   NULL)));
+    STATUS(4, (t = 0, vm_scene_run(IO(0, vm_scene, &s), IO(1, vm_real, &t), 1, IO(2, vm_real, z),
+                                   IO(3, vm_real, work), NULL)));
     STATUS(3, vm_scene_balance(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_book, &totals)));
     NOTHING(3, vm_scene_body_at(IN(0, vm_scene, &s), 0, IN(1, vm_real, y), X(2, vm_body)));
     s.bodies = NULL;

@@ -279,8 +279,8 @@ static void test_unequal_bodies(void)
     CHECK(done && balanced > (is_float ? 15000 : 19990));
 }
 
-/* Fast bodies, far from the origin, and points next to one of them, where its momentum has hardly an arm: an eps of its
-   position is then more than all the rest, and belongs to the scale. Sizes are 0.01 to 1 m. */
+/* Fast bodies, far from the origin, and points next to one of them, where its momentum has hardly an arm: an eps
+   of its position is then more than all the rest, and belongs to the scale. Sizes are 0.01 to 1 m. */
 static void test_points_beside_bodies(void)
 {
     const double farthest = is_float ? 2 : 6; /* 100 m, 1000 km: beyond, an eps of the positions changes the inertia */
@@ -319,8 +319,8 @@ static void test_mass_ratios(void)
     }
 }
 
-/* Numbers that can be summed in the head: body 2 kg at 10 N s, 4 m from the origin and 2 m from the point; impulse 2 N s,
-   1 m and 3 m from them */
+/* Numbers that can be summed in the head: body 2 kg at 10 N s, 4 m from the origin and 2 m from the point; impulse
+   2 N s, 1 m and 3 m from them */
 static void test_scales(void)
 {
     vm_body b = {2, {1, 2, 3, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 4}, {3, 4, 0}, {0, 0, 2}};

@@ -448,7 +448,8 @@ static void check_switched_law(int kind, double share)
     agrees("switched law", "held", then.mass, (double)held.mass, 1, 1e-14);
     run(&s, 8, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &now);
-    if (kind == VM_MASS_OF_X) agrees("switched law", "of x", now.mass - then.mass, (double)(now.r.x - then.r.x) / 2, 1, 1e-13);
+    if (kind == VM_MASS_OF_X)
+        agrees("switched law", "of x", now.mass - then.mass, (double)(now.r.x - then.r.x) / 2, 1, 1e-13);
     else if (kind == VM_MASS_OF_V2)
         agrees("switched law", "of v", now.mass - then.mass, (double)(now.v.x * now.v.x - then.v.x * then.v.x) / 2, 1,
                1e-13);
@@ -490,7 +491,8 @@ static void check_switched_others(void)
     begin(&s), mass_at(&s, 6), from = vm_band_at(9 * 4, &band);
     agrees("switched band", "inertia", s.bodies[0].load.mass, 0.8 + (double)from.inertia, 1, 1e-12);
     from = vm_band_at(9 * 6, &band), to = vm_band_at(9 * 8, &band);
-    agrees("switched band", "inertia", mass_at(&s, 8) - s.bodies[0].held, (double)(to.inertia - from.inertia), 1, 1e-12);
+    agrees("switched band", "inertia", mass_at(&s, 8) - s.bodies[0].held, (double)(to.inertia - from.inertia), 1,
+           1e-12);
     balanced(&s, "switched band", 1000, 1000);
 }
 
@@ -503,9 +505,9 @@ static void above(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
     *r = here, *v = *a = none;
 }
 
-/* A body in the plane on a link of 5 m to a point 3 m above it goes round in a circle of 4 m; one that hangs on a point
-   in space, which takes the reaction, keeps its distance, and what the two have of momentum along the plane; straight
-   below its point a body cannot move along the link */
+/* A body in the plane on a link of 5 m to a point 3 m above it goes round in a circle of 4 m; one that hangs on a
+   point in space, which takes the reaction, keeps its distance, and what the two have of momentum along the plane;
+   straight below its point a body cannot move along the link */
 static void check_link_in_space(void)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -515,7 +517,8 @@ static void check_link_in_space(void)
     stage_body(&s, vm_scene_plane(2, 1, stage_vec(4, 0, 0), 0, stage_vec(0, 2, 0), 0));
     stage_effect(&s, vm_effect_link(0, VM_GROUND, above, NULL, 5, 0, 10));
     begin(&s), run(&s, 3, VM_OK);
-    agrees("link in space", "x", s.y[0], 4 * cos(1.5), 4, 1e-9), agrees("link in space", "y", s.y[1], 4 * sin(1.5), 4, 1e-9);
+    agrees("link in space", "x", s.y[0], 4 * cos(1.5), 4, 1e-9);
+    agrees("link in space", "y", s.y[1], 4 * sin(1.5), 4, 1e-9);
     CHECK(s.y[2] == 0 && s.y[5] == 0); /* no torque */
     s.bodies[0].start.r = zero, begin(&s);
     CHECK(vm_scene_rhs(0, s.y, dydt, &s.scene) == 0 && s.scene.status == VM_SINGULAR);
@@ -788,8 +791,8 @@ int main(void)
     check_presence();
     check_law_and_jump();
     for (k = 0; k < 2; k++) {
-        check_switched_law(VM_MASS_OF_T, k), check_switched_law(VM_MASS_OF_X, k), check_switched_law(VM_MASS_OF_V2, k);
-        check_switched_law(VM_MASS_OF_V2 + 1, k);
+        check_switched_law(VM_MASS_OF_T, k), check_switched_law(VM_MASS_OF_X, k);
+        check_switched_law(VM_MASS_OF_V2, k), check_switched_law(VM_MASS_OF_V2 + 1, k);
     }
     check_switched_others();
     check_link_in_space();

@@ -14,7 +14,7 @@ static vm_body probe(void)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = 6, b.inertia = inertia(4, 3.5, 3.1, 0.1, -0.2, 0.05); /* that of a body whatever the streams below take */
+    b.mass = 6, b.inertia = inertia(4, 3.5, 3.1, 0.1, -0.2, 0.05); /* a body's, whatever the streams below take */
     b.q.w = REAL(0.8), b.q.x = REAL(0.36), b.q.y = REAL(-0.48);
     b.r = stage_vec(1, -2, 0.5), b.v = stage_vec(0.1, 0.2, -0.1), b.omega = stage_vec(0.3, -0.4, 0.6);
     return b;
@@ -352,6 +352,7 @@ static void check_unwinding(void)
    grow without end, and the steps become short before the end. */
 static void check_shrinking(int motion, double spin)
 {
+    const vm_vec3 zero = {0, 0, 0};
     const vm_real slack = is_float ? REAL(5e-4) : REAL(2e-8); /* of the triangle inequality in a run, sqrt(eps) */
     vm_body body, end;
     vm_stream stream;
@@ -377,7 +378,7 @@ static void check_shrinking(int motion, double spin)
     check_error("shrinking", "flow", "abs", fabs((double)r.t - 10 / 21.) / (double)slack, 1, motion, spin);
     stream.at = stage_vec(1, 0, 0);
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_growing_plane(vm_scene_plane(10, 1, stage_vec(0, 0, 0), 0, stage_vec(0, 0, 0), REAL(spin))));
+    stage_body(&s, vm_scene_growing_plane(vm_scene_plane(10, 1, zero, 0, zero, REAL(spin))));
     stage_stream(&s, 0, &stream);
     begin(&s), run(&s, 3, VM_BAD_INERTIA);
     check_error("shrinking", "plane", "abs", fabs((double)s.t - 10 / 11.), is_float ? 1e-5 : 1e-9, motion, spin);
@@ -423,8 +424,8 @@ static void check_mass_runs_out(void)
             else stage_effect(&s, vm_effect_stream(0, -3, zero, REAL(share)));
             begin(&s), run(&s, 3, VM_BAD_MASS);
             /* a law's velocity grows as 1/(2 - t), which the tolerance follows as far as it can */
-            check_error("mass runs out", law < 2 ? "law" : "state", "abs", fabs((double)s.t - 2), is_float ? 1e-3 : 1e-9, i,
-                        share);
+            check_error("mass runs out", law < 2 ? "law" : "state", "abs", fabs((double)s.t - 2),
+                        is_float ? 1e-3 : 1e-9, i, share);
         }
 }
 

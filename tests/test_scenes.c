@@ -436,9 +436,9 @@ static void oscillator(stage *s)
 
 static vm_real is_far(vm_real t, const vm_real *y, void *ctx) { return (void)t, (void)ctx, y[0] - REAL(0.5); }
 
-/* An event without an action counts the zeros of sin t, k pi, and says when the last of them was; nothing of the motion
-   changes with it, to the last bit. What may happen three times is counted three times. Where the events are located
-   there may be room for their times. */
+/* An event without an action counts the zeros of sin t, k pi, and says when the last of them was; nothing of the
+   motion changes with it, to the last bit. What may happen three times is counted three times. Where the events
+   are located there may be room for their times. */
 static void check_observers(void)
 {
     const double pi = acos(-1.0);
