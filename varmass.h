@@ -1374,7 +1374,6 @@ typedef struct VM_TAG(vm_load) {
     /* only where there is a book: */
     vm_real reactive[6], brought[6]; /* of force, what is reactive; momentum that streams bring, by the second */
     vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
-    int status; /* VM_OK, or why an effect cannot act: the body is not accelerated then, and a run ends with it */
 } vm_load;                           /* what acts on a body at the moment */
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
@@ -1496,7 +1495,7 @@ struct VM_TAG(vm_scene) {
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
     int n_times;
     void *output_ctx;
-    int status, ode_status; /* of the right-hand side, of the integrator */
+    int status, ode_status; /* of the right-hand side, which an effect sets that cannot act; of the integrator */
     int y_size, work_size;  /* 0, or how many numbers y and work have room for: then a start and a run check it */
     int size;               /* of the state when it was started, 0 before */
 };
@@ -4239,15 +4238,20 @@ VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
 
 /* Whether a body can have the inertia i, whose moments are positive, at some time of a run. The inertia of a flat
    body keeps to the bound of the triangle inequality but for the roundings of all steps, so that the slack has room
-   for 1e7 (float 3000) of them. First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive
-   definite where its least diagonal entry is larger than the others in its row can be. */
-VM_INLINE int vmi_stream_body(const vm_inertia *i)
+   for 1e7 (float 3000) of them. */
+VMI_APART int vmi_stream_thin_body(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* sqrt(eps), of the trace */
-    const vm_real trace = i->xx + i->yy + i->zz, largest = i->xx > i->yy ? i->xx : i->yy;
-    const vm_real others = VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz);
-    if (trace / 2 - (largest > i->zz ? largest : i->zz) > others) return 1;
-    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * trace);
+    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
+}
+
+/* First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive definite where its least diagonal
+   entry is larger than the others in its row can be. */
+VM_INLINE int vmi_stream_body(const vm_inertia *i)
+{
+    const vm_real half = (i->xx + i->yy + i->zz) / 2;
+    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
+    return (least > i->xx && least > i->yy && least > i->zz) || vmi_stream_thin_body(i);
 }
 
 /* The same, with the factors that a body needs to be accelerated */
@@ -8333,7 +8337,7 @@ typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_sum sum;
 } vmi_crossing;
 
-VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, const vm_scene *s, vmi_crossing *c)
+VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_stream stream = *e->stream;
@@ -8341,7 +8345,7 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, co
     c->seen.turn = &b->axes, c->seen.slip = vmi_vec3(0, 0, 0), c->seen.energy = s->book != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v), c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
-    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) e->load->status = VM_BAD_ARGUMENT; /* an unknown motion */
+    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT; /* an unknown motion */
 }
 
 /* A reactive force and a moment or torque, inertial axes */
@@ -8577,7 +8581,7 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
         mobility += d[i] * d[i] * (near.mobility[i] + far.mobility[i]);
     }
     if (!(mobility > 0)) { /* the ends are in one place, or cannot move along the link */
-        b->load.status = mobility == 0 ? VM_SINGULAR : VM_NOT_FINITE;
+        s->status = mobility == 0 ? VM_SINGULAR : VM_NOT_FINITE;
         return;
     }
     C = (dd - e->p[0] * e->p[0]) / 2;
@@ -8665,7 +8669,6 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
     if (b->coordinates > 3) load->force[3] = load->force[4] = load->force[5] = 0;
     load->mass = b->mass_is_state ? y[b->mass_at] : b->mass;
     load->extra = load->by_v = load->mass_rate = 0;
-    load->status = VM_OK;
     if (b->begin) b->begin(b, y + b->at);
     if (book) {
         memset(load->reactive, 0, sizeof load->reactive), memset(load->brought, 0, sizeof load->brought);
@@ -8694,18 +8697,18 @@ VM_API int vmi_scene_mass_status(const vm_load *load)
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
-    if (load->status) return load->status;
-    if (!(load->mass > 0 && load->mass + load->extra > 0 && VM_IS_FINITE(load->mass)))
-        return vmi_scene_mass_status(load);
+    const vm_real effective = load->mass + load->extra;
+    if (!(load->mass > 0 && effective > 0 && effective <= VM_MAX)) return vmi_scene_mass_status(load);
     if (b->mass_is_state) dydt[b->mass_at] = load->mass_rate;
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_scene *s = (vm_scene *)ctx;
-    int i, status = VM_OK;
+    int i, before;
+    if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
+    before = s->status, s->status = VM_OK;
     vmi_scene_load(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
@@ -8715,10 +8718,13 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
             continue;
         }
         k = vmi_scene_accelerate(b, y, dydt);
-        if (k && !status) status = k, dydt[b->at] = VM_NAN; /* the integrator tries a shorter step */
+        if (k && !s->status) s->status = k;
     }
     if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BOOK);
-    if (!status || !s->status) s->status = status; /* of several in a row the first: the others follow from its NaN */
+    if (s->status) {
+        dydt[0] = VM_NAN; /* the integrator tries a shorter step */
+        if (before) s->status = before; /* of several in a row the first: the others follow from its NaN */
+    }
     return 0;
 }
 
@@ -9489,6 +9495,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     status = vm_scene_size(scene);
     if (scene->y_size && scene->y_size < status) return VM_SHORT_ARRAY;
     if (scene->work_size && scene->work_size < VM_SCENE_WORK(status)) return VM_SHORT_ARRAY;
+    scene->status = VM_OK;
     status = vmi_scene_integrator(scene, &r, *t, y, work, options_or_NULL);
     if (status) return status;
     span = VM_FABS(*t) > VM_FABS(t_end) ? VM_FABS(*t) : VM_FABS(t_end);
