@@ -63,9 +63,10 @@
    Names that begin with vmi_ or VMI_ are internal.
 
    ACCURACY, measured (make test; docs/measurements.md)
-     Jumps keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 12 eps of the sum
-     of all tr(I) |omega| + M |r - point| |v|, for masses up to 1e4 apart, thin bodies too and bodies within some
-     sizes of the origin (farther, positions are right to eps r only), but for what VM_NULL_AXIS reports. A part
+     Jumps keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the sum
+     of all tr(I) |omega| + M (|r| + |r - point|) |v|, |r| from the origin, since the positions are right to eps |r|:
+     for masses up to 1e4 apart, for thin and for fast bodies, up to 1e6 of their sizes (float: 100) away from the
+     origin, for points in a body or next to it too, but for what VM_NULL_AXIS reports. A part
      that moves on as before leaves omega as it was, far from the origin and at high speed too; energies by (113),
      (118) agree with the bodies' to 1 eps of theirs.
      Free rotation: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs exact, next to the
@@ -205,20 +206,38 @@ enum {
     VM_NOT_FINITE = -2,          /* a number that is infinite or NaN, given or arising */
     VM_BAD_MASS = -3,            /* a mass (a stiffness) that is not positive, the rest's included */
     VM_BAD_INERTIA = -4,         /* an inertia that no body has, the rest's included */
-    VM_SINGULAR = -5,            /* linear equations without a unique solution; an effective mass not positive */
+    VM_SINGULAR = -5,            /* linear equations without a unique solution */
     VM_DOMAIN = -6,              /* a parameter outside its domain */
     VM_NO_LAW = -7,              /* the route does not exist for this problem */
-    VM_NOT_INTEGRATED = -8,      /* the integrator gave up */
+    VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator gave up */
     VM_BAD_MOTION = -9,          /* scenes: no such motion, or one on which this effect or event cannot act */
-    VM_NO_SUCH_BODY = -10,       /* no such body, or an event for one that is not there */
+    VM_NO_SUCH_BODY = -10,       /* no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* no such effect */
-    VM_TWO_MASS_LAWS = -13,      /* two laws for one mass, or two links of one body */
-    VM_BAD_ORDER = -14,          /* a mass law stands after, or a link before, another effect on its body */
+    VM_TWO_MASS_LAWS = -13,      /* two laws for one mass, or a law for a mass that is a state */
+    VM_BAD_ORDER = -14,          /* a mass law stands after another effect on its body */
     VM_MASS_IS_NO_STATE = -15,   /* a stream needs a body whose mass is a state */
-    VM_TOO_MANY_EVENTS = -16     /* events do not end */
+    VM_TOO_MANY_EVENTS = -16,    /* events do not end */
+    VM_BAD_OPTIONS = -17,        /* the integrator refuses its options; this and all that follow are of scenes, */
+    VM_STEP_TOO_SMALL = -18,     /* the tolerance asks for steps that the time cannot resolve */
+    VM_MAX_STEPS = -19,          /* max_steps attempts did not reach t_end */
+    VM_SHORT_ARRAY = -20,        /* of scenes and flows: an array is shorter than what is written into it */
+    VM_BAD_TIMES = -21,          /* times of output that do not rise, or a run to a time that is past */
+    VM_SAME_BODY = -22,          /* a link or a jump between a body and itself */
+    VM_NOT_ON_ANGLE = -23,       /* an effect that cannot act on an angle */
+    VM_IS_THERE = -24,           /* a part separates into a body that is there already */
+    VM_IS_AWAY = -25,            /* a jump of a body that is not there */
+    VM_TWO_LINKS = -26,          /* two links of one body */
+    VM_LINK_NOT_LAST = -27,      /* an effect stands after a link of its body */
+    VM_STORED_STREAM = -28,      /* of reactive loads, too: a stream with a store */
+    VM_DOES_NOT_GROW = -29,      /* a stream that crosses at a point needs a growing body */
+    VM_NO_EFFECTIVE_MASS = -30,  /* a mass law M(v): M + M'(v) (v - u) is not positive */
+    VM_NOT_STARTED = -31         /* a scene that was not started, or has been changed since */
 };
 VM_API const char *vm_strerror(int status);
+
+/* How many elements an array has, as in scene.y_size = VM_LENGTH(y). Not of a pointer to them. */
+#define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
@@ -271,7 +290,9 @@ typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* after - before - impulse, N s: (6) with (20), (21) */
     vm_vec3 angular_momentum;       /* the same about the point, N m s: (12), (17) with (22) */
     vm_real momentum_scale;         /* sum of all M |v| and the impulse */
-    vm_real angular_momentum_scale; /* sum of all tr(I) |omega| + |r - about| M |v| and the impulse's moment */
+    /* sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, of the impulse likewise: an eps of a position, which is
+       one of |r|, moves the momentum by that much, wherever the point is */
+    vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
 } vm_balance;
 
@@ -497,7 +518,8 @@ VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega);
    enters by dr[i] = dv/dqdot_i of its mass centre and turn[i] = d omega/dqdot_i, in inertial axes (87)-(90). With
    these each function adds to its last argument: a body's share of the mass matrix (n by n, T = qdot^T matrix
    qdot/2), the generalized momentum of a body (as it moves), the generalized impulse (95) of what acts on a body
-   whose mass centre is at r; its moment is that about r, as (23a) should have said. */
+   whose mass centre is at r; its moment is that about r, as (23a) should have said. dr or turn may be null: no part
+   of it. With another null pointer nothing is added. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix);
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p);
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
@@ -639,7 +661,7 @@ typedef struct VM_TAG(vm_reactive) {
     vm_inertia inertia_rate;              /* kg m^2/s */
 } vm_reactive;
 /* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0, or a stream with a store: run that) */
+   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0), VM_STORED_STREAM */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result);
 /* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
@@ -667,8 +689,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
    holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
    q/|q|: the length is held, and the order of no integrator suffers.
-   A mass or an inertia that is not positive (in a trial step beyond the end) gives NaN, so that the step is
-   shortened, and its status is left in flow.status. Stop before, by the events below. */
+   A mass that is not positive or an inertia that no body has, not positive or with a moment larger than the two
+   others together (in a trial step beyond the end), gives NaN, so that the step is shortened, and its status is
+   left in flow.status. Stop before, by the events below. */
 enum {
     VM_Y_R = 0,
     VM_Y_Q = 3,
@@ -696,11 +719,16 @@ typedef struct VM_TAG(vm_flow) {
     vm_inertia inertia;                /* I(t) */
     vm_vec3 drift;                     /* and c'(t), vm_rhs_carried */
     vm_real least_mass, least_inertia; /* of the events */
-    int status;                        /* 0, or why the last evaluations gave NaN */
+    int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
+    /* 0, or how many numbers y has room for, checked by all functions here: VM_LENGTH(y). vm_flow_start writes no
+       more than that, VM_RHS_GIVEN at the least, and where there is room for all VM_RHS_BALANCED the zeros of the
+       account */
+    int y_size;
 } vm_flow;
 
-/* y: the VM_RHS first states for body, streams being as they are at first; VM_BAD_ARGUMENT (a null pointer, an
-   unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod or a point too) */
+/* y: the VM_RHS first states for body (fewer where y_size says so), streams being as they are at first;
+   VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod
+   or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y);
 /* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y.
    The states of vm_rhs_carried are other ones: not for them. */
@@ -722,7 +750,7 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
 /* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
-   0 where I is singular */
+   0 where I is singular. They do not see the triangle inequality, of which thin bodies are next to the end. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow);
 
@@ -1316,6 +1344,8 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
    With events, scene.events and scene.located (as many) and scene.n_events are set as well, before the start. Bodies,
    effects and events are known by their index. A start begins everything anew, as the bodies, effects and events were
    made; a second vm_scene_run goes on where the first ended. From the start on all arrays stay where they are.
+   Where scene.y_size = VM_LENGTH(y) and scene.work_size = VM_LENGTH(work) are set, a start and a run check that the
+   arrays are long enough: VM_SHORT_ARRAY.
    An evaluation takes some 80 instructions a line body and 20 to 40 an effect, beyond what its force takes: 3 and 0.3
    times the C library's sin.
 
@@ -1365,10 +1395,12 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* null, or of its inertia */
     vm_body start;  /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
     vm_real angle;  /* rad, of an axle or in the plane */
-    vm_real jumped; /* what jumps have added to the mass of a law */
+    vm_real jumped; /* what jumps, and switching it off and on, have added to the mass of a law */
     vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
     vmi_mat3 axes;              /* of a growing body, now */
     int acted;                  /* a mark of vm_scene_check */
+    int status;                 /* VM_OK, or why its constructor could not make it */
+    vm_real held;               /* its mass before an event, which switching effects must not change */
 };
 
 /* Position (m), velocity and acceleration of a point that moves as given */
@@ -1402,11 +1434,12 @@ struct VM_TAG(vm_effect) {
     int needs_mass_state;            /* streams do, some of them a growing body (2) */
     int order;                       /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
     int off;                         /* at the start it is switched off */
+    int not_on_angle;                /* set where the angle of a body in the plane is no coordinate for it */
 };
 
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; null: at time */
-    int (*then)(vm_event *event, vm_real t, vm_real *y);                 /* a status; VM_STOPPED ends the run */
+    int (*then)(vm_event *event, vm_real t, vm_real *y); /* a status; VM_STOPPED ends the run; null: only counted */
     vm_real time;                  /* s, where when is null; of a crossing when it was last, or the start */
     int direction;                 /* > 0 rising, < 0 falling, 0 both */
     int watches, body, coordinate; /* set where it watches a body: what passes */
@@ -1428,6 +1461,7 @@ struct VM_TAG(vm_event) {
     long count;           /* it has happened so often */
     long seen;            /* the scene's own from here on */
     vm_scene *scene;
+    int status; /* VM_OK, or why a constructor could not make it */
 };
 
 /* What came in from outside, and whether it balances: vm_scene_keep_book asks for it */
@@ -1461,7 +1495,9 @@ struct VM_TAG(vm_scene) {
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
     int n_times;
     void *output_ctx;
-    int status, ode_status; /* of the right-hand side, of the integrator */
+    int status, ode_status; /* of the right-hand side, which an effect sets that cannot act; of the integrator */
+    int y_size, work_size;  /* 0, or how many numbers y and work have room for: then a start and a run check it */
+    int size;               /* of the state when it was started, 0 before */
 };
 
 /* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
@@ -1474,7 +1510,8 @@ VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v);
 VM_API vm_scene_body vm_scene_free(const vm_body *start);
 VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, its mass a state */
 VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
-/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points */
+/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run
+   ends where no body has the inertia that they leave, VM_BAD_INERTIA; nor can a rod grow, nor a point. */
 VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body);
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body);
 
@@ -1497,7 +1534,7 @@ VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_
 /* Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other
    body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction. A mass law of a body stands
    before what else acts on it. */
-/* M g, along the coordinate: g = -9.81 where it points upwards; not on an axle */
+/* M g, along the coordinate: g = -9.81 where it points upwards; not on an angle */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g);
 /* vm_force_spring of x - rest */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
@@ -1530,17 +1567,20 @@ VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha);
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase);
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling); /* force coupling (-vy, vx) */
 /* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
-   another (on a line, too) or, other = VM_GROUND, a point that moves as given. Links are the last of the effects on a
-   body, one of them for a body. Deviations of the length (> 0, m) die out as exp(-rate t), rate > 0 in 1/s; a cord
-   that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s asks for a rate
-   of not more than 200/s. The link acts at the mass centres, of which a growing body's is refused: it wanders. */
+   another (on a line, too) or, other = VM_GROUND, a point that moves as given, which may be above the plane. Links
+   are the last of the effects on a body, one of them for a body. Where the ends of a link are in one place, or
+   cannot move along it, the run ends with VM_SINGULAR. Deviations of the length (> 0, m) die out as exp(-rate t),
+   rate > 0 in 1/s; a cord that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1
+   m at 5 m/s asks for a rate of not more than 200/s. The link acts at the mass centres, of which a growing body's
+   is refused: it wanders. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate);
 
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
    the body's velocity, no reactive force; 0: its own velocity is u, of which u.x counts on a line and, in rad/s, on
    an axle. x and v are those of a line or an axle (J(phi), J(omega)); of any other body the law is M(t). What jumps
-   add comes on top of the law. */
+   add comes on top of the law. A law that an event switches off leaves the mass as it is, and one that is switched on
+   goes on from the mass that is there: of a law M0 + c t then only c counts. So a mass never jumps with a switch. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real share);
 enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
@@ -1584,7 +1624,9 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band);
 /* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
    event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
    events happen in their order; where a jump comes within rounding of a crossing, either may come first. Nothing of a
-   body that is not there crosses anything. */
+   body that is not there crosses anything. An event is only counted where no vm_then_... says what happens:
+   event.count is how often, event.time when it was last, and the motion is what it would be without the event. Set
+   after the start, scene.located[i].times and room (or states) get the times of all of them, those of one run. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
@@ -1598,8 +1640,8 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
    mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
    body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
    A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
-   VM_NO_SUCH_BODY where into is there already, or body or added is not; else errors as vm_separate. A point that
-   takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
+   VM_IS_THERE where into is there already, with VM_IS_AWAY where body or added is not; else errors as vm_separate.
+   A point that takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
 VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative);
@@ -1619,7 +1661,7 @@ typedef struct VM_TAG(vm_culprit) {
 /* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. One pass over
    bodies, effects, events; it marks the bodies. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit);
-VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state */
+VM_API int vm_scene_size(const vm_scene *scene); /* numbers in the state; VM_BAD_ARGUMENT for null pointers */
 enum { VM_BOOK = 15 };
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 /* Checks the scene, and makes the state at the start: vm_scene_size numbers */
@@ -1630,11 +1672,14 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 /* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y
    are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events
    that do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after
-   less than 256 eps of the time. */
+   less than 256 eps of the time. Where a mass or an inertia runs out it is VM_BAD_MASS, VM_BAD_INERTIA, also if the
+   steps became too short just before; where an effect, a law or an event gives no number, VM_NOT_FINITE;
+   VM_STEP_TOO_SMALL, VM_MAX_STEPS and VM_BAD_OPTIONS are what the integrator says, in full in scene.ode_status. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
 /* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
-   when the right-hand side was last evaluated */
+   when the right-hand side was last evaluated. NaN where there is no such body, for null pointers and before a
+   start */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now);
 /* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
    the state; NULL: no longer */
@@ -1660,13 +1705,28 @@ VM_API const char *vm_strerror(int status)
     case VM_NO_LAW: return "the route does not exist for this problem";
     case VM_NOT_INTEGRATED: return "the integrator gave up";
     case VM_BAD_MOTION: return "a motion that does not exist, or that this effect or event cannot act on";
-    case VM_NO_SUCH_BODY: return "no such body, or an event for one that is not there";
+    case VM_NO_SUCH_BODY: return "no body has this index: count from 0, the ground is VM_GROUND";
     case VM_NO_SUCH_COORDINATE: return "the body has no such coordinate";
     case VM_NO_SUCH_EFFECT: return "no such effect";
-    case VM_TWO_MASS_LAWS: return "two laws for one mass, or two links of one body";
-    case VM_BAD_ORDER: return "a mass law stands after, or a link before, another effect on its body";
-    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state";
-    case VM_TOO_MANY_EVENTS: return "events do not end";
+    case VM_TWO_MASS_LAWS: return "two laws for one mass, or a law for a mass that is a state: leave one out";
+    case VM_BAD_ORDER: return "a mass law stands after another effect on its body: list it first";
+    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state: vm_scene_with_mass_state";
+    case VM_TOO_MANY_EVENTS: return "events do not end: let an event stop the run where they crowd";
+    case VM_BAD_OPTIONS: return "the integrator refuses its options: a tolerance, h0, h_min, h_max or h_max < h_min";
+    case VM_STEP_TOO_SMALL: return "the tolerance asks for steps that the time cannot resolve: a force too stiff?";
+    case VM_MAX_STEPS: return "max_steps attempts did not reach t_end: run again to go on, or allow more";
+    case VM_SHORT_ARRAY: return "an array is shorter than what is written into it: y or work needs more room";
+    case VM_BAD_TIMES: return "times of output that do not rise, or a run to a time that is past";
+    case VM_SAME_BODY: return "a link or a jump is between two bodies, not between a body and itself";
+    case VM_NOT_ON_ANGLE: return "this effect cannot act on an angle: choose another coordinate";
+    case VM_IS_THERE: return "a part separates into a body that is there already: make it with vm_scene_absent";
+    case VM_IS_AWAY: return "a jump of a body that is not there: order the events, or make it present";
+    case VM_TWO_LINKS: return "two links of one body: leave one out";
+    case VM_LINK_NOT_LAST: return "an effect stands after a link of its body: list the link last";
+    case VM_STORED_STREAM: return "a stream with a store is not for this: integrate vm_rhs";
+    case VM_DOES_NOT_GROW: return "this stream needs a growing body: vm_scene_growing_plane, vm_scene_growing_free";
+    case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of a mass law M(v) is not positive: no force accelerates it";
+    case VM_NOT_STARTED: return "the scene was not started, or has been changed since: vm_scene_start";
     default: return "unknown status";
     }
 }
@@ -2242,8 +2302,8 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
     sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale +=
-        vmi_trace(&body->inertia) * vmi_length(body->omega) + vmi_length(vmi_sub(body->r, about)) * size;
+    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_length(body->omega) +
+                                   (vmi_length(body->r) + vmi_length(vmi_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
@@ -2262,7 +2322,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
         sum.momentum = vmi_sub(sum.momentum, j->linear);
         sum.angular_momentum = vmi_sub(sum.angular_momentum, moment);
         sum.momentum_scale += vmi_length(j->linear);
-        sum.angular_momentum_scale += vmi_size(j->couple) + vmi_size(vmi_sub(j->at, about)) * vmi_size(j->linear);
+        sum.angular_momentum_scale +=
+            vmi_size(j->couple) + (vmi_size(j->at) + vmi_size(vmi_sub(j->at, about))) * vmi_size(j->linear);
     }
     if (!VM_IS_FINITE(sum.energy) || !VM_IS_FINITE(sum.momentum_scale) ||
         !VM_IS_FINITE(sum.angular_momentum_scale) || !vmi_vec3_finite(sum.momentum) ||
@@ -2279,12 +2340,10 @@ VM_API int vmi_inertia_finite(const vm_inertia *i)
 
 /* A body can have the inertia i where tr(i)/2 E - i, the second moments integral of r r^T dm, has no eigenvalue below
    zero. By elimination, with a slack added against which the rounding errors, some eps of the trace, are small */
-VM_API int vm_inertia_possible(const vm_inertia *inertia)
+VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
 {
-    const vm_inertia *i = inertia;
     vm_real half, x, y, z, yz;
-    if (!i || !vmi_inertia_finite(i)) return 0;
-    half = (i->xx + i->yy + i->zz + vmi_slack(i)) / 2;
+    half = (i->xx + i->yy + i->zz + slack) / 2;
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -2293,6 +2352,11 @@ VM_API int vm_inertia_possible(const vm_inertia *inertia)
     yz = i->yz + i->xy / x * i->xz;
     z = half - i->zz - i->xz / x * i->xz;
     return z - yz / y * yz > 0;
+}
+
+VM_API int vm_inertia_possible(const vm_inertia *inertia)
+{
+    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
 }
 
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
@@ -2986,6 +3050,7 @@ VM_API int vmi_check_rotor(const vm_rotor *r)
 
 VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_rotor *r = (const vm_rotor *)rotor;
     vm_real sine, cosine, fx, fy;
     (void)t;
@@ -3277,6 +3342,7 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
 
 VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_rotor *r = (const vm_rotor *)rotor;
     const vm_real w2 = r->stiffness / r->mass;
     vm_real sine, cosine;
@@ -3455,24 +3521,30 @@ VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
 
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix)
 {
+    if (!body || !matrix) return;
+    const vm_vec3 none = {0, 0, 0};
     int i, j;
     for (j = 0; j < n; j++) {
         vm_body moved = *body;
         vm_vec3 spin;
-        moved.omega = turn[j];
+        moved.omega = turn ? turn[j] : none;
         spin = vmi_spin_momentum(&moved);
-        for (i = 0; i < n; i++) matrix[i * n + j] += body->mass * vmi_dot(dr[i], dr[j]) + vmi_dot(turn[i], spin);
+        for (i = 0; i < n; i++)
+            matrix[i * n + j] +=
+                (dr ? body->mass * vmi_dot(dr[i], dr[j]) : 0) + (turn ? vmi_dot(turn[i], spin) : 0);
     }
 }
 
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
 {
+    if (!body || !p) return;
     vm_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
 }
 
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
                                 vm_real *p)
 {
+    if (!impulse || !p) return;
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
     vm_add_force(n, impulse->linear, dr, moment, turn, p);
 }
@@ -4164,6 +4236,30 @@ VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
     return i->xx > 0 && y > lost * i->yy && z > lost * i->zz;
 }
 
+/* Whether a body can have the inertia i, whose moments are positive, at some time of a run. The inertia of a flat
+   body keeps to the bound of the triangle inequality but for the roundings of all steps, so that the slack has room
+   for 1e7 (float 3000) of them. */
+VMI_APART int vmi_stream_thin_body(const vm_inertia *i)
+{
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* sqrt(eps), of the trace */
+    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
+}
+
+/* First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive definite where its least diagonal
+   entry is larger than the others in its row can be. */
+VM_INLINE int vmi_stream_body(const vm_inertia *i)
+{
+    const vm_real half = (i->xx + i->yy + i->zz) / 2;
+    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
+    return (least > i->xx && least > i->yy && least > i->zz) || vmi_stream_thin_body(i);
+}
+
+/* The same, with the factors that a body needs to be accelerated */
+VM_INLINE int vmi_stream_factor_body(const vm_inertia *i, vmi_stream_ldl *f)
+{
+    return vmi_stream_factor(i, f) && vmi_stream_body(i);
+}
+
 VM_INLINE vm_vec3 vmi_stream_solve(const vmi_stream_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -4274,8 +4370,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 
 /* The loads of an instant */
 
-/* Finite, no negative moment. The triangle inequality is not asked for: a tensor with zz alone does for plane
-   motion */
+/* Finite, no negative moment. The triangle inequality is not asked for, but of the body: a tensor with zz alone does
+   for plane motion, as long as the body is not that flat */
 VM_API int vmi_stream_gyration_good(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
@@ -4314,7 +4410,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     if (!status) status = vmi_stream_all_good(n, streams);
     if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
     for (k = 0; !status && k < n; k++)
-        if (streams[k].from) status = VM_BAD_ARGUMENT;
+        if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;
     turn = vmi_rotation(body->q);
     seen.turn = &turn, seen.v = body->v, seen.slip = vmi_vec3(0, 0, 0), seen.centre = centre, seen.energy = 0;
@@ -4365,6 +4461,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 
 /* The free body */
 
+/* Whether there are as many streams as there should be */
+VM_INLINE int vmi_flow_has(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
+
 /* Derivatives that make the integrator shorten its step */
 VM_API int vmi_flow_refuse(int n, vm_real *dydt)
 {
@@ -4402,7 +4501,7 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mas
     vm_vec3 h;
     vmi_stream_ldl factors;
     if (!(mass > 0)) return VM_BAD_MASS;
-    if (!vmi_stream_factor(inertia, &factors)) return VM_BAD_INERTIA;
+    if (!vmi_stream_factor_body(inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_stream_rotation(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_load3(y + VM_Y_H));
     vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
@@ -4436,6 +4535,8 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     vmi_stream_sum sum;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (flow->y_size && flow->y_size < n) return flow->status = VM_SHORT_ARRAY;
     mass = given ? flow->mass : y[VM_Y_MASS];
     centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
     inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
@@ -4460,21 +4561,25 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 
 VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_RHS, t, y, dydt);
 }
 
 VM_API int vm_rhs_given(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_RHS_GIVEN, t, y, dydt);
 }
 
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_RHS_BALANCED, t, y, dydt);
 }
 
 VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
+    if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow *flow = (vm_flow *)ctx;
     const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
     const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
@@ -4483,7 +4588,9 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     vmi_stream_ldl factors;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    status = !(flow->mass > 0) ? VM_BAD_MASS : vmi_stream_factor(&flow->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    if (flow->y_size && flow->y_size < VM_RHS_GIVEN) return flow->status = VM_SHORT_ARRAY;
+    if (!vmi_stream_factor_body(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (!(flow->mass > 0)) status = VM_BAD_MASS;
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS_GIVEN, dydt);
     turn = vmi_stream_rotation(q, square);
     vmi_store3(dydt + VM_Y_R, vmi_add(vmi_load3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
@@ -4512,7 +4619,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     vmi_stream_ldl factors;
     vmi_mat3 turn;
     vm_real start[VM_RHS];
-    int status;
+    int status, k;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
     if (!status) status = vmi_stream_all_good(flow->n, flow->streams);
@@ -4531,8 +4638,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     start[VM_Y_MASS] = body->mass;
     vmi_store3(start + VM_Y_CENTRE, flow->centre);
     vmi_stream_store_inertia(start + VM_Y_INERTIA, &body->inertia);
-    status = vmi_deliver(VM_RHS, start, y);
+    if (flow->y_size && flow->y_size < VM_RHS_GIVEN) return VM_SHORT_ARRAY;
+    status = vmi_deliver(flow->y_size && flow->y_size < VM_RHS ? VM_RHS_GIVEN : VM_RHS, start, y);
     if (status) return status;
+    for (k = VM_Y_BALANCE; flow->y_size >= VM_RHS_BALANCED && k < VM_RHS_BALANCED; k++) y[k] = 0;
     flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
     return VM_OK;
 }
@@ -4545,7 +4654,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     vmi_mat3 turn;
     vmi_stream_seen seen;
     int status;
-    if (!flow || !y || !body || n < VM_RHS_GIVEN) return VM_BAD_ARGUMENT;
+    if (!flow || !y || !body || n < VM_RHS_GIVEN || !vmi_flow_has(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
+    if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
     b.mass = given ? flow->mass : y[VM_Y_MASS];
     b.inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
     centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
@@ -4560,12 +4670,14 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
+    if (!y || !flow) return VM_NAN;
     (void)t;
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
+    if (!y || !flow) return VM_NAN;
     const vm_inertia i = vmi_stream_load_inertia(y + VM_Y_INERTIA);
     vmi_stream_ldl f;
     vm_real least = i.xx;
@@ -4584,6 +4696,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (flow->y_size && flow->y_size < VM_RHS_TRANSLATION) return flow->status = VM_SHORT_ARRAY;
     if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
         return vmi_flow_refuse(VM_RHS_TRANSLATION, dydt);
     for (k = 0; k < flow->n; k++) {
@@ -4604,6 +4718,7 @@ VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     const vm_real v = y[1] / y[2];
     vm_real force = flow->force, rate = 0;
     int k;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_RHS1, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
@@ -4631,12 +4746,14 @@ VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 
 
 VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
+    if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     vm_flow *f = (vm_flow *)flow;
     return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
 }
 
 VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
+    if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
     vm_flow1 *f = (vm_flow1 *)flow1;
     return f->update ? vmi_updated1(t, y, dydt, f) : vmi_rates1(f, y, dydt);
 }
@@ -4699,11 +4816,13 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
 
 VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
+    if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow2 *flow = (vm_flow2 *)ctx;
     vmi_stream_sum2 sum = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     vm_real sine, cosine, inverse, vx, vy, omega, sx, sy;
     int k, status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
+    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
     sine = 0, cosine = 1;
@@ -4844,6 +4963,7 @@ VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
 
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real flow = d->band * y[5], slip = d->speed - y[4] - d->radius * y[5];
     vm_real s, c, M, J, steiner, qx, qy, X, Y, N, turn;
@@ -4867,6 +4987,7 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real flow = d->band * y[5], unbalance = flow * d->radius * y[5];
     vm_real s, c, M, J, steiner;
@@ -4884,6 +5005,7 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real rate = vm_drum_rate(phi, d), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
@@ -5247,9 +5369,15 @@ VM_API vm_real vmi_frozen_derivative(const vm_lagrange *l, vm_real t, const vm_r
     return sum / h;
 }
 
+VM_API int vmi_frozen_good(const vm_lagrange *l)
+{
+    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
+}
+
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange *l = (const vm_lagrange *)lagrange;
+    if (!y || !dydt || !vmi_frozen_good(l)) return VM_BAD_ARGUMENT;
     const vmi_frozen_parts w = vmi_frozen_work(l);
     int k, status = vmi_frozen_solve(l, t, y);
     if (status) return status;
@@ -5257,11 +5385,6 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
     if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
     for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_frozen_derivative(l, t, y, w.rates, k);
     return status;
-}
-
-VM_API int vmi_frozen_good(const vm_lagrange *l)
-{
-    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
 }
 
 VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
@@ -5296,6 +5419,7 @@ VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q,
 
 VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
 {
+    if (!Q) return;
     int k;
     for (k = 0; k < n; k++) Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
 }
@@ -5312,6 +5436,7 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
+    if (!axis) return;
     vm_real s, c, sine, cosine;
     vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(0, 0, 1), axis[1] = vmi_vec3(c, s, 0), axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
@@ -5319,6 +5444,7 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
+    if (!axis) return;
     vm_real s, c, sine, cosine;
     vmi_sincos(phi, &s, &c), vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(sine * s, sine * c, cosine), axis[1] = vmi_vec3(c, -s, 0), axis[2] = vmi_vec3(0, 0, 1);
@@ -5377,6 +5503,7 @@ VM_API void vmi_osc_at_phase(vm_real A, vm_real psi, vm_real omega0, vm_real alp
 
 VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
+    if (!x || !v) return;
     vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (x0 == 0 && rate == rate) rate = 0; /* at rest, where the rate may be infinite */
     vmi_osc_at_phase(x0, rate * t, omega0, alpha, x, v);
@@ -5403,6 +5530,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
    together as A^(alpha+1) = |x|^(alpha+1) + A_v^(alpha+1), scaled so that no power overflows that A does not. */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
+    if (!A || !psi) return;
     const vm_real n = alpha + 1, s = v / (VM_SQRT(2 / n) * VM_FABS(omega0));
     vm_real a, b, larger;
     *A = *psi = VM_NAN;
@@ -5418,6 +5546,7 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
 VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0, vm_real alpha, vm_real *x,
                               vm_real *v)
 {
+    if (!x || !v) return;
     vm_real A, psi, rate;
     vm_osc_amplitude_phase(x0, v0, omega0, alpha, &A, &psi);
     rate = A == 0 ? 0 : vmi_osc_rate(A, omega0, alpha);
@@ -5480,11 +5609,13 @@ VM_API void vmi_osc_constant(int method, vm_real t, vm_real x0, vm_real omega0, 
 
 VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
+    if (!x || !v) return;
     vmi_osc_constant(VM_ROUTE_TRIG, t, x0, omega0, alpha, x, v);
 }
 
 VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm_real *x, vm_real *v)
 {
+    if (!x || !v) return;
     vmi_osc_constant(VM_ROUTE_JACOBI, t, x0, omega0, alpha, x, v);
 }
 
@@ -6537,6 +6668,7 @@ VM_API int vm_osc_by_rk87(const vm_osc_problem *problem, vm_real t, vm_real tole
 
 VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
 {
+    if (!rate || !linear_mass) return VM_NAN;
     const vm_linear_mass *m = (const vm_linear_mass *)linear_mass;
     *rate = m->rate;
     return m->mass + m->rate * t;
@@ -6611,6 +6743,7 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
    */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m)
 {
+    if (!v) return VM_NAN;
     vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
     if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
@@ -6625,6 +6758,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linea
 
 VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
+    if (!v) return VM_NAN;
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
     if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
@@ -6634,6 +6768,7 @@ VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_
 
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
+    if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
     const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
@@ -6646,6 +6781,7 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
+    if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
     const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
@@ -6659,6 +6795,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force)
 {
+    if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
     *slope = p->alpha == 1 ? 0 : p->k * (p->alpha - 1) * vmi_raised(rho, p->alpha - 2);
     return p->k * vmi_raised(rho, p->alpha - 1);
@@ -6666,12 +6803,14 @@ VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force)
 
 VM_API void vm_laval_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
+    if (!rho || !phi) return;
     *rho = vmi_c_modulus(z);
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
 VM_API vm_real vm_laval_momentum(const vm_laval *r, vm_real mass, vm_complex z, vm_complex v)
 {
+    if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
@@ -6691,12 +6830,14 @@ VM_API vm_complex vmi_laval_drive(const vm_laval *r, vm_real t, vm_real rate, vm
 
 VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_laval *r = (const vm_laval *)rotor;
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     stiffness = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_c_add(vmi_laval_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     dydt[0] = v.re, dydt[1] = v.im;
@@ -6720,6 +6861,7 @@ VM_API int vmi_laval_now(const vm_laval *r, vm_real t, vmi_laval_state *now)
 
 VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
+    if (!r || !motion || !y) return VM_BAD_ARGUMENT;
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_laval_state now;
     vm_complex turned, P, N;
@@ -6744,6 +6886,7 @@ VM_API void vmi_laval_motion(const vm_real *y, vm_complex turn, vm_real omega, v
 
 VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real *motion)
 {
+    if (!r || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_laval_state now;
     vm_complex z, v;
     vm_real joined[4];
@@ -6778,6 +6921,7 @@ VM_API int vmi_laval_samples(const vm_laval *r) { return r->samples > 0 ? r->sam
 /* The mean of so many samples in a period from y[4] on */
 VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int samples)
 {
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     const vm_real share = 1 / (vm_real)samples;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
     vmi_laval_state now;
@@ -6795,11 +6939,13 @@ VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_l
 
 VM_API int vm_laval_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_laval_mean(t, y, dydt, (const vm_laval *)rotor, 1);
 }
 
 VM_API int vm_laval_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_laval *r = (const vm_laval *)rotor;
     return vmi_laval_mean(t, y, dydt, r, vmi_laval_samples(r));
 }
@@ -6813,6 +6959,7 @@ VM_API vm_real vmi_laval_root(vm_real gyro, vm_real mass, vm_real stiffness, int
 
 VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, int sense)
 {
+    if (!r || !r->stiffness) return VM_NAN;
     vm_real slope;
     if (!(A >= 0) || !VM_IS_FINITE(A) || !(mass > 0) || !VM_IS_FINITE(mass)) return VM_NAN;
     return vmi_laval_root(r->gyro, mass, vmi_laval_stiffness(r, A, &slope), sense);
@@ -6822,6 +6969,7 @@ VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, in
    psi' - W = -<Re D>/(2 A (m W - g)), D = (F_z + r m' u) e^(-i psi); m W - g = +-S, S^2 = g^2 + m F_e'. */
 VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int sense)
 {
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     const int samples = vmi_laval_samples(r);
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex sum = {0, 0};
@@ -6846,11 +6994,13 @@ VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const 
 
 VM_API int vm_laval_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, 1);
 }
 
 VM_API int vm_laval_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, -1);
 }
 
@@ -6903,6 +7053,7 @@ VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
 
 VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass)
 {
+    if (!r || !r->stiffness) return VM_NAN;
     vmi_laval_orbit o;
     vm_real slope, here, there, step = VM_C(0.0625), x = 0;
     int bounded = 0;
@@ -6931,6 +7082,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
 
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     vm_real mass, rate;
@@ -6990,6 +7142,7 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 
 VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
+    if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
     int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (!status) status = vmi_pair_check(p, mass, rate);
@@ -6998,6 +7151,7 @@ VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real 
 
 VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
+    if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
     int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (!status) status = vmi_pair_check(p, mass, rate);
@@ -7006,6 +7160,7 @@ VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_re
 
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
+    if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     vm_real mass, rate;
     const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
@@ -7020,6 +7175,7 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 /* Powers of m/m0 integrate to int (m/m0)^e dt = m0 phi((1 + e) ln(m/m0)) int dt/m */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y)
 {
+    if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
     const vm_real drift = (2 * p->reactive - 1) / (p->alpha + 3);
     vm_real modes[4], ln_ratio, integral, rate0, exponent;
     int status = vmi_pair_check(p, m.mass, m.rate);
@@ -7111,6 +7267,7 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_now *n, vm
 
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
+    if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
     const vm_forced_now n = vmi_forced_at(f, t);
     vm_real sine, cosine;
@@ -7127,6 +7284,7 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
 
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
+    if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
@@ -7144,6 +7302,7 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
+    if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
@@ -7175,6 +7334,7 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_
 
 VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
+    if (!f || !motion || !y) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = motion[2];
@@ -7192,6 +7352,7 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
 
 VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
+    if (!f || !y || !motion) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = y[2], phi = y[1] + theta;
@@ -7272,6 +7433,7 @@ VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
 
 VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
 {
+    if (!f || !steady) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     int i, found = 0;
     const int status = vmi_forced_check(&n);
@@ -7290,6 +7452,7 @@ VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
 
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady curve[2])
 {
+    if (!f || !curve) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vmi_frozen z;
@@ -7310,6 +7473,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady c
 
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
+    if (!f) return VM_NAN;
     const vm_forced_now n = vmi_forced_at(f, t);
     vmi_frozen z;
     if (vmi_forced_check(&n)) return VM_NAN;
@@ -7321,6 +7485,7 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
    drift of w - nu; and for gamma = 0 the same jump */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
+    if (!f || !passage) return VM_BAD_ARGUMENT;
     const vm_forced_now n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vmi_frozen z;
@@ -7415,6 +7580,7 @@ VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buf
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
+    if (!points || !law || n < 0) return VM_NAN;
     vm_real worst = 0;
     long i;
     for (i = 0; i < n; i++) {
@@ -7664,7 +7830,8 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
 VM_API vm_scene_body vm_scene_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
-    if (!start) return b; /* which vm_scene_check refuses */
+    b.status = start ? VM_OK : VM_BAD_ARGUMENT;
+    if (!start) return b;
     b.start = *start;
     b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate, b.check = vmi_check_body;
     return b;
@@ -7792,6 +7959,8 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
+    vmi_stream_ldl factors; /* which Euler's equations below do not use */
+    if (!vmi_stream_factor_body(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_stream_store_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
     if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
@@ -7811,9 +7980,19 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
+/* A rod or a point has no axis about which a stream could turn it */
+VM_API int vmi_free_growing_check(const vm_body *start)
+{
+    vmi_stream_ldl factors;
+    const int status = vmi_check_body(start);
+    if (status) return status;
+    return vmi_stream_factor_body(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+}
+
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
+    body.check = vmi_free_growing_check;
     body.begin = vmi_free_growing_begin, body.accelerate = vmi_free_growing_accelerate;
     body.put = body.motion == VM_FREE ? vmi_free_growing_put : NULL;
     body.get = vmi_free_growing_get;
@@ -7845,12 +8024,14 @@ VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_rea
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm_real *fx, vm_real *fy)
 {
+    if (!fx || !fy) return;
     const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(k, alpha, r) / r : 0;
     *fx = f * x, *fy = f * y;
 }
 VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
                                   vm_real *fy)
 {
+    if (!fx || !fy) return;
     const vm_real size = unbalance * (frequency * frequency);
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
@@ -7858,6 +8039,7 @@ VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real 
 }
 VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy)
 {
+    if (!fx || !fy) return;
     *fx = -coupling * vy, *fy = coupling * vx;
 }
 
@@ -7883,6 +8065,7 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
     vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS & ~(1 << VM_AXLE), g, 0, 0);
+    e.not_on_angle = 1;
     e.apply = vmi_apply_gravity;
     return e;
 }
@@ -8154,7 +8337,7 @@ typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_sum sum;
 } vmi_crossing;
 
-VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, const vm_scene *s, vmi_crossing *c)
+VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_stream stream = *e->stream;
@@ -8162,7 +8345,7 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, co
     c->seen.turn = &b->axes, c->seen.slip = vmi_vec3(0, 0, 0), c->seen.energy = s->book != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v), c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
-    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) e->load->mass = VM_NAN; /* unknown motion: VM_BAD_MASS */
+    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT; /* an unknown motion */
 }
 
 /* A reactive force and a moment or torque, inertial axes */
@@ -8224,8 +8407,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
-    if (!e->stream || e->stream->from) return VM_BAD_ARGUMENT;
-    return vmi_stream_good(e->stream);
+    if (!e->stream) return VM_BAD_ARGUMENT;
+    return e->stream->from ? (int)VM_STORED_STREAM : vmi_stream_good(e->stream);
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
@@ -8262,7 +8445,7 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void *ctx)
 {
     effect.vary = vary, effect.ctx = ctx;
-    if (!effect.stream) effect.apply = NULL; /* which vm_scene_check refuses */
+    if (!effect.stream || !vary) effect.apply = NULL; /* which vm_scene_check refuses */
     return effect;
 }
 
@@ -8286,8 +8469,16 @@ VM_API int vmi_band_good(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
+VM_API vm_band_now vmi_no_band(void)
+{
+    vm_band_now none;
+    none.radius = none.rate = none.mass = none.inertia = VM_NAN;
+    return none;
+}
+
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
+    if (!band) return vmi_no_band();
     const vm_real line = band->density * band->width * band->thickness, R = band->radius;
     const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
     const vm_real bare = VM_IS_FINITE(phi) && vmi_band_good(band) ? 0 : VM_NAN;
@@ -8360,7 +8551,7 @@ VM_API void vmi_link_body(const vm_scene *s, int body, const vm_real *y, vmi_lin
 
 VM_API void vmi_link_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
-    vm_vec3 r, v, a;
+    vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
     int i;
     e->point(t, &r, &v, &a, e->ctx);
     end->r[0] = r.x, end->r[1] = r.y, end->r[2] = r.z;
@@ -8375,7 +8566,6 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 {
     vm_scene_body *b = s->bodies + e->body;
     vm_real *force = b->load.force, *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
-    const int n = b->motion == VM_PLANE ? 2 : 3;
     /* shorter by this, a cord does not pull: more than its length is uncertain by, or it would be taut by turns */
     const vm_real rate = e->p[1], loose = VM_C(1e-6) + 512 * VM_EPSILON;
     vmi_link_end near, far;
@@ -8384,17 +8574,21 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_link_body(s, e->body, y, &near);
     if (far_force) vmi_link_body(s, e->other, y, &far);
     else vmi_link_point(e, t, &far);
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < 3; i++) {
         const vm_real v = near.v[i] - far.v[i];
         d[i] = near.r[i] - far.r[i];
         dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (near.a[i] - far.a[i]);
         mobility += d[i] * d[i] * (near.mobility[i] + far.mobility[i]);
     }
+    if (!(mobility > 0)) { /* the ends are in one place, or cannot move along the link */
+        s->status = mobility == 0 ? VM_SINGULAR : VM_NOT_FINITE;
+        return;
+    }
     C = (dd - e->p[0] * e->p[0]) / 2;
     lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
     if (e->p[2] != 0 && (lambda > 0 || C < -loose * dd)) return; /* slack */
-    for (i = 0; i < n; i++) {
-        force[i] += lambda * d[i];
+    for (i = 0; i < 3; i++) {
+        if (near.mobility[i] > 0) force[i] += lambda * d[i];
         if (far_force && far.mobility[i] > 0) far_force[i] -= lambda * d[i];
     }
 }
@@ -8415,18 +8609,33 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 
 VM_API int vm_scene_size(const vm_scene *scene)
 {
-    int i, size = scene->book ? VM_BOOK : 0;
+    int i, size = scene && scene->book ? VM_BOOK : 0;
+    if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
     return size;
 }
 
-VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
+VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm_body *now)
 {
-    const vm_scene_body *b = scene->bodies + body;
+    const vm_scene_body *b = s->bodies + body;
     *now = b->start;
     now->mass = b->mass_is_state ? y[b->mass_at] : b->load.mass;
     now->inertia = b->inertia;
     b->get(b, y + b->at, now);
+}
+
+VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
+{
+    const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
+    if (!now) return;
+    if (scene && scene->size && y && body >= 0 && body < scene->n_bodies) {
+        vmi_scene_body_now(scene, body, y, now);
+        return;
+    }
+    now->mass = now->q.w = now->q.x = now->q.y = now->q.z = VM_NAN;
+    now->inertia.xx = now->inertia.yy = now->inertia.zz = VM_NAN;
+    now->inertia.xy = now->inertia.xz = now->inertia.yz = VM_NAN;
+    now->r = now->v = now->omega = none;
 }
 
 /* The state of a body that moves as now; its angle is given apart, since a turn more or less does not show in now */
@@ -8478,11 +8687,18 @@ VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
+/* Why a body with this load cannot be accelerated */
+VM_API int vmi_scene_mass_status(const vm_load *load)
+{
+    if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra)) return VM_NOT_FINITE;
+    return load->mass > 0 ? VM_NO_EFFECTIVE_MASS : VM_BAD_MASS;
+}
+
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
-    if (!(load->mass > 0)) return VM_BAD_MASS;
-    if (!(load->mass + load->extra > 0)) return VM_SINGULAR;
+    const vm_real effective = load->mass + load->extra;
+    if (!(load->mass > 0 && effective > 0 && effective <= VM_MAX)) return vmi_scene_mass_status(load);
     if (b->mass_is_state) dydt[b->mass_at] = load->mass_rate;
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
@@ -8490,7 +8706,9 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
-    int i, status = VM_OK;
+    int i, before;
+    if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
+    before = s->status, s->status = VM_OK;
     vmi_scene_load(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
@@ -8500,10 +8718,13 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
             continue;
         }
         k = vmi_scene_accelerate(b, y, dydt);
-        if (k && !status) status = k, dydt[b->at] = VM_NAN; /* the integrator tries a shorter step */
+        if (k && !s->status) s->status = k;
     }
     if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BOOK);
-    s->status = status;
+    if (s->status) {
+        dydt[0] = VM_NAN; /* the integrator tries a shorter step */
+        if (before) s->status = before; /* of several in a row the first: the others follow from its NaN */
+    }
     return 0;
 }
 
@@ -8561,7 +8782,7 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
         vm_body now;
         vm_vec3 p, spin;
         if (b->away) continue;
-        vm_scene_body_at(s, i, y, &now);
+        vmi_scene_body_now(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
         p = vmi_scale(now.mass, now.v), spin = vmi_spin_momentum(&now);
         book->momentum = vmi_add(book->momentum, p);
@@ -8580,6 +8801,7 @@ VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
 
 VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
 {
+    if (!scene) return;
     scene->book = book;
     if (!book) return;
     memset(book, 0, sizeof *book);
@@ -8588,12 +8810,25 @@ VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
     book->totals = vmi_scene_totals;
 }
 
+/* Whether bodies, effects and events are those of the last start, as far as can be seen: a book may be given up */
+VM_API int vmi_scene_is_started(const vm_scene *s)
+{
+    int i;
+    if (!s->size || vm_scene_size(s) > s->size) return 0;
+    for (i = 0; i < s->n_effects; i++)
+        if (!s->effects[i].load || !s->effects[i].apply) return 0;
+    for (i = 0; i < s->n_events; i++)
+        if (s->events[i].scene != s) return 0;
+    return 1;
+}
+
 VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
 {
     const vm_book *start = scene ? scene->book : NULL;
     const vm_real *d;
     vm_book b;
     if (!start || !y || !book) return VM_BAD_ARGUMENT;
+    if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start, d = y + vm_scene_size(scene) - VM_BOOK;
     vmi_scene_load(scene, t, y);
     vmi_scene_totals(scene, y, &b);
@@ -8614,6 +8849,7 @@ VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_boo
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
+    if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
@@ -8635,9 +8871,9 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     const int law = 1, others = 2, link = 4, so_far = b->acted;
     b->acted |= 1 << order;
     if (order == 0 && ((so_far & law) || b->mass_is_state)) return VM_TWO_MASS_LAWS;
-    if (order == 2 && (so_far & link)) return VM_TWO_MASS_LAWS;
+    if (order == 2 && (so_far & link)) return VM_TWO_LINKS;
     if (order == 0 && (so_far & (others | link))) return VM_BAD_ORDER;
-    return order == 1 && (so_far & link) ? VM_BAD_ORDER : VM_OK;
+    return order == 1 && (so_far & link) ? VM_LINK_NOT_LAST : VM_OK;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
@@ -8647,15 +8883,16 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     if (status) return status;
     if (!e->apply) return VM_BAD_ARGUMENT;
     if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
+    if (e->not_on_angle && s->bodies[e->body].motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
     if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
-    if (e->order == 2 && e->other == e->body) return VM_BAD_ARGUMENT; /* a link of a body to itself */
+    if (e->order == 2 && e->other == e->body) return VM_SAME_BODY;
     /* a link holds mass centres, which in a growing body wander */
     if (e->order == 2 && (s->bodies[e->body].grows || (e->other >= 0 && s->bodies[e->other].grows)))
         return VM_BAD_MOTION;
     for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
-    if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_MASS_IS_NO_STATE;
+    if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_DOES_NOT_GROW;
     if (e->check && (status = e->check(e)) != 0) return status;
     status = vmi_scene_check_order(s->bodies + e->body, e->order);
     return status || e->other < 0 ? status : vmi_scene_check_order(s->bodies + e->other, e->order);
@@ -8674,7 +8911,7 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
     vm_scene_body part;
     if (!status) status = vmi_scene_check_coordinate(s, e->other, 0);
-    if (!status && e->jump_body == e->other) status = VM_NO_SUCH_BODY;
+    if (!status && e->jump_body == e->other) status = VM_SAME_BODY;
     if (status) return status;
     if (!vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion)) return VM_BAD_MOTION;
     if (!(e->motions >> s->bodies[e->jump_body].motion & 1)) return VM_BAD_MOTION;
@@ -8688,7 +8925,8 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
     int status = VM_OK;
     if (e->watches && (status = vmi_scene_check_coordinate(s, e->body, e->coordinate)) != 0) return status;
-    if (!e->then || e->most < 0) return VM_BAD_ARGUMENT;
+    if (e->status) return e->status;
+    if (e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
     return e->check ? e->check(s, e) : status;
@@ -8703,7 +8941,7 @@ VM_API int vmi_scene_check_arrays(const vm_scene *s)
     if (s->times && s->n_times < 0) return VM_BAD_ARGUMENT;
     for (i = 0; s->times && i < s->n_times; i++) {
         if (!VM_IS_FINITE(s->times[i])) return VM_NOT_FINITE;
-        if (i > 0 && !(s->times[i] > s->times[i - 1])) return VM_BAD_ARGUMENT;
+        if (i > 0 && !(s->times[i] > s->times[i - 1])) return VM_BAD_TIMES;
     }
     return VM_OK;
 }
@@ -8739,16 +8977,20 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     located->g = vmi_scene_when;
     located->ctx = s->events + i;
     located->direction = s->events[i].direction;
-    located->action = ODE_STOP;
+    /* what is only counted, and without end, need not end a step */
+    located->action = s->events[i].then || s->events[i].most ? ODE_STOP : ODE_RECORD;
 }
 
 /* Where an effect finds what it needs, so that it need not look for it at each evaluation */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
-    vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : b;
+    vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
     e->idle = e->off != 0;
-    e->load = &b->load, e->other_load = e->other >= 0 ? &other->load : NULL;
+    e->load = &b->load, e->other_load = NULL;
     e->x = b->at + e->coordinate, e->v = e->x + b->positions;
+    e->other_x = e->x, e->other_v = e->v;
+    if (!other) return; /* other_coordinate may be anything then */
+    e->other_load = &other->load;
     e->other_x = other->at + e->other_coordinate, e->other_v = e->other_x + other->positions;
 }
 
@@ -8758,6 +9000,8 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
     if (status) return status;
     if (!y) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (scene->y_size && scene->y_size < vm_scene_size(scene)) return VM_SHORT_ARRAY;
+    scene->size = vm_scene_size(scene);
     for (i = 0; i < scene->n_bodies; i++) {
         vm_scene_body *b = scene->bodies + i;
         b->at = at, b->mass_at = at + vmi_scene_mass_at(b), b->away = b->absent, b->jumped = 0;
@@ -8846,7 +9090,7 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
     e.watches = 0;
     e.when = when ? vmi_when_user : NULL;
     e.user_when = when, e.ctx = ctx;
-    if (!when) e.most = -1; /* which vm_scene_check refuses */
+    if (!when) e.status = VM_BAD_ARGUMENT;
     return e;
 }
 
@@ -8862,11 +9106,36 @@ VM_API vm_event vm_then_stop(vm_event event)
     return event;
 }
 
+/* Effects begin and cease to act in events, mass laws among them, and a mass must not jump with them: nothing would
+   have carried it off, or its momentum. So the masses are noted before and held after, for which a law goes on from
+   the mass that is there. */
+VM_API void vmi_scene_note_masses(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_bodies; i++) s->bodies[i].held = s->bodies[i].load.mass;
+}
+
+VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
+{
+    int i;
+    vmi_scene_load(s, t, y);
+    for (i = 0; i < s->n_bodies; i++) {
+        vm_scene_body *b = s->bodies + i;
+        const vm_real more = b->held - b->load.mass;
+        if (b->away || b->mass_is_state) continue;
+        b->mass += more, b->jumped += more; /* of the two it has one, with a law the second */
+    }
+    vmi_scene_load(s, t, y);
+}
+
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
-    vm_effect *effect = e->scene->effects + e->effect;
-    (void)t, (void)y;
+    vm_scene *s = e->scene;
+    vm_effect *effect = s->effects + e->effect;
+    vmi_scene_load(s, t, y);
+    vmi_scene_note_masses(s);
     effect->idle = (effect->idle & 2) | e->off;
+    vmi_scene_hold_masses(s, t, y);
     return VM_OK;
 }
 
@@ -8881,7 +9150,8 @@ VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_th
 
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
-    event.then = then ? vmi_then_user : NULL;
+    event.then = vmi_then_user;
+    if (!then) event.status = VM_BAD_ARGUMENT;
     event.user_then = then, event.then_ctx = ctx;
     return event;
 }
@@ -8963,13 +9233,6 @@ VM_API int vmi_jump_any(const vm_event *e, const vm_body *body, vm_body *other, 
     return e->jumps > 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
 }
 
-/* The body moves on as now; its mass by a law has jumped, too */
-VM_API void vmi_scene_settle_mass(vm_scene *s, int body, const vm_body *now)
-{
-    vm_scene_body *b = s->bodies + body;
-    b->jumped += now->mass - b->load.mass;
-}
-
 /* The mass centre of a growing body, which a jump moves to r, moves in the body, too */
 VM_API void vmi_scene_shift(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
@@ -8988,6 +9251,9 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
     vm_book before, after;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     if (s->book) s->book->totals(s, y, &before);
+    vmi_scene_note_masses(s);
+    s->bodies[e->jump_body].held = b->mass;
+    if (into_is_new) s->bodies[e->other].held = other->mass;
     s->bodies[e->other].away = !into_is_new;
     vmi_scene_shift(s, e->jump_body, b->r, y);
     if (into_is_new && s->bodies[e->other].grows)
@@ -8995,10 +9261,7 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
     if (into_is_new) vmi_scene_put(s, e->other, other, angle + s->bodies[e->other].angle, y);
     vmi_scene_put(s, e->jump_body, b, angle, y);
     vmi_scene_presence(s);
-    vmi_scene_load(s, t, y);
-    vmi_scene_settle_mass(s, e->jump_body, b);
-    if (into_is_new) vmi_scene_settle_mass(s, e->other, other);
-    vmi_scene_load(s, t, y);
+    vmi_scene_hold_masses(s, t, y);
     if (!s->book) return;
     s->book->totals(s, y, &after);
     s->book->jump_energy += after.energy - before.energy;
@@ -9011,9 +9274,10 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, part = e->part, rest;
     int status;
-    if (!e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_NO_SUCH_BODY;
+    if (e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
+    if (!e->scene->bodies[e->other].away) return VM_IS_THERE;
     vmi_scene_load(e->scene, t, y);
-    vm_scene_body_at(e->scene, e->jump_body, y, &body);
+    vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
     vmi_scene_jumped(e, t, y, 1, &rest, &part);
@@ -9022,7 +9286,8 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
-    event.then = part ? vmi_then_separate : NULL;
+    event.then = vmi_then_separate;
+    if (!part) event.status = VM_BAD_ARGUMENT;
     event.check = vmi_scene_check_jump, event.jump = vmi_jump_on_line, event.motions = VMI_SINGLE;
     event.jump_body = body, event.other = into, event.jumps = 1, event.relative = relative;
     if (part) event.part = *part;
@@ -9047,10 +9312,10 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, added, whole;
     int status;
-    if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_NO_SUCH_BODY;
+    if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
     vmi_scene_load(e->scene, t, y);
-    vm_scene_body_at(e->scene, e->jump_body, y, &body);
-    vm_scene_body_at(e->scene, e->other, y, &added);
+    vmi_scene_body_now(e->scene, e->jump_body, y, &body);
+    vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
     vmi_scene_jumped(e, t, y, 0, &whole, NULL);
@@ -9106,14 +9371,20 @@ VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
         vm_event *e = s->events + i;
-        const int now = e->when ? s->located[i].count > e->seen : e->count == 0 && e->time <= t;
+        const ode_event *found = s->located + i;
+        const long times = found->count - e->seen; /* negative as a run begins, which counts anew */
+        const int now = e->when ? times > 0 : e->count == 0 && e->time <= t;
         int result;
-        if (e->when) e->seen = s->located[i].count;
+        if (e->when) e->seen = found->count;
         if (!now || (e->most && e->count >= e->most)) continue;
+        if (e->when && found->action == ODE_RECORD) {
+            e->count += times, e->time = found->t;
+            continue;
+        }
         if (e->when && e->count && t - e->time < pace->gap) pace->gap = t - e->time;
         if (e->when) e->time = t;
         e->count++, pace->happened++;
-        result = e->then(e, t, y);
+        result = e->then ? e->then(e, t, y) : (int)VM_OK;
         if (result < 0 || status == VM_OK) status = result;
     }
     return status;
@@ -9152,6 +9423,36 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
 }
 
+/* What the bodies would come to soon if all that they are went on at its present rate: the first status of steps that
+   are longer and longer, to a millionth of the time (float: a thousandth). A mass or an inertia on its way to 0 makes
+   the equations so stiff that no step ends beyond it, and one that has been refused may have been followed by others
+   that were not. The run is over: its work has room for a state and its rates. */
+VM_API int vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
+{
+    const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    const vm_real size = VM_FABS(r->t) > VM_FABS(t_end) ? VM_FABS(r->t) : VM_FABS(t_end);
+    vm_real *z = vmi_part(r, VMI_Z), *rates = vmi_part(r, VMI_K), step;
+    int i;
+    for (step = 4 * VM_EPSILON * size; step < farthest * size; step *= 4) {
+        vm_scene_rhs(r->t, r->y, rates, s);
+        if (s->status) return s->status;
+        for (i = 0; i < r->n; i++) z[i] = r->y[i] + step * rates[i];
+        vm_scene_rhs(r->t + step, z, rates, s);
+        if (s->status) return s->status;
+    }
+    return VM_OK;
+}
+
+/* Why a run ends: a body that cannot be accelerated, if there is one, or what the integrator says */
+VM_API int vmi_scene_gave_up(vm_scene *s, rk45 *r, vm_real t_end, int ode)
+{
+    if (ode == ODE_MAX_STEPS) return VM_MAX_STEPS;
+    if (!s->status) vmi_scene_foresee(s, r, t_end);
+    if (s->status) return s->status;
+    if (ode == ODE_NOT_FINITE) return VM_NOT_FINITE;
+    return ode == ODE_STEP_TOO_SMALL ? VM_STEP_TOO_SMALL : VM_NOT_INTEGRATED;
+}
+
 /* One step, or up to the next time at which something is due */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
@@ -9160,7 +9461,7 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     const int ode = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, stop, 1);
     if (ode >= 0) return VM_OK;
     s->ode_status = ode;
-    return s->status ? s->status : (int)VM_NOT_INTEGRATED;
+    return vmi_scene_gave_up(s, r, t_end, ode);
 }
 
 /* rk45 on the scene. Each number of the state has its tolerance, the book none: it follows the bodies' steps. */
@@ -9174,9 +9475,10 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     for (i = 0; i < n; i++) atol[i] = i >= n - booked ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
     o.atol_each = atol;
     o.events = s->located, o.n_events = s->n_events;
+    if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
     s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
     r->attempts = o.max_steps;
-    return s->ode_status < 0 ? (int)VM_NOT_INTEGRATED : (int)VM_OK;
+    return s->ode_status < 0 ? (int)VM_BAD_OPTIONS : (int)VM_OK;
 }
 
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
@@ -9186,8 +9488,14 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     int next = 0, status;
     vm_real span;
     rk45 r;
-    if (!scene || !t || !y || !work || !(t_end >= *t)) return VM_BAD_ARGUMENT;
+    if (!scene || !t || !y || !work) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
+    if (t_end < *t) return VM_BAD_TIMES;
+    if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
+    status = vm_scene_size(scene);
+    if (scene->y_size && scene->y_size < status) return VM_SHORT_ARRAY;
+    if (scene->work_size && scene->work_size < VM_SCENE_WORK(status)) return VM_SHORT_ARRAY;
+    scene->status = VM_OK;
     status = vmi_scene_integrator(scene, &r, *t, y, work, options_or_NULL);
     if (status) return status;
     span = VM_FABS(*t) > VM_FABS(t_end) ? VM_FABS(*t) : VM_FABS(t_end);

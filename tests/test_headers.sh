@@ -1,6 +1,7 @@
 #!/bin/sh
 # What the headers are as files: each compiles alone, both precisions fit into one program, the shared block is the
-# same everywhere, nothing but a few functions of the C library is needed, nothing is writable, the examples run.
+# same everywhere, nothing but a few functions of the C library is needed, nothing is writable, the examples run, no
+# function's null pointers are forgotten.
 # usage: CC=compiler test_headers.sh BUILD_FOLDER, from the top of the project
 cc=${CC:-cc} build=$1/headers
 . tests/check.sh
@@ -93,6 +94,17 @@ bounded() { # every loop has its entry in tests/loops.txt, and no entry is left 
         ! grep -v '^#' tests/loops.txt | grep -vE '^([^	]+	){3}[^	]+$'
 }
 check "every loop has a known bound" bounded
+with_null_pointers() { # each function of varmass.h that takes a pointer is called with null ones in tests/null_pointers.h
+    sed 's|/\*.*\*/||; /\/\*/,/\*\//d' varmass.h |
+        awk '/^VM_(API|INLINE) / {on = 1; text = ""} on {text = text $0} on && /[;{]/ {sub(/{.*/, "", text); print text; on = 0}' |
+        sed -nE 's/^VM_(API|INLINE) ([a-z_0-9]+ )+\*?(vm_[a-zA-Z0-9_]+)\((.*)\).*/\3 \4/p' |
+        awk '/[*[]|vm_motion|vm_law_function|vm_moving_point/ {print $1}' | sort -u >"$build/with_pointers"
+    [ "$(wc -l <"$build/with_pointers")" -gt 150 ] || return 1
+    missing=0
+    while read -r name; do grep -qw "$name" tests/null_pointers.h || { echo "$name"; missing=1; }; done <"$build/with_pointers"
+    [ $missing = 0 ]
+}
+check "every function is called with null pointers" with_null_pointers
 in_readme() { [ "$(wc -l <"$1")" -gt 0 ] && [ "$(grep -cxFf "$1" README.md)" = "$(wc -l <"$1")" ]; }
 for which in 1 2; do
     readme_example $which >"$build/readme.c"

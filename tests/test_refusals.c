@@ -689,7 +689,7 @@ static void test_streams(void)
         vm_stream s;
         vm_reactive loads;
         memset(&s, 0, sizeof s), s.rate = -1, s.from = &store;
-        CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_BAD_ARGUMENT);
+        CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_STORED_STREAM);
         s.from = NULL, s.velocity.x = s.rate = VM_MAX / 2; /* each is finite */
         CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_NOT_FINITE);
         s.velocity.x = 0, s.rate = VM_MAX / 8, s.at.y = 64;
@@ -1665,10 +1665,10 @@ static void test_runs(void)
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
     CHECK(outputs == 3 && seen[0] == R(0.5) && t == R(1.5));
     check_error("mass of a stream", "", "eps", fabs((double)y[2] - 0.5) / (double)VM_EPSILON, 16, 0, 0);
-    CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_BAD_ARGUMENT &&
+    CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_BAD_TIMES &&
           vm_scene_run(&s, &t, VM_INFINITY, y, work, NULL) < 0);
     options.atol_each = atol, CHECK(vm_scene_run(&s, &t, R(1.75), y, work, &options) == VM_OK && t == R(1.75));
-    options.h0 = VM_NAN, CHECK(vm_scene_run(&s, &t, 2, y, work, &options) == VM_NOT_INTEGRATED);
+    options.h0 = VM_NAN, CHECK(vm_scene_run(&s, &t, 2, y, work, &options) == VM_BAD_OPTIONS);
     s.output = NULL, s.times = NULL;
     for (i = 0; i < 2; i++) { /* the mass passes 1.25, as a state and by a law */
         bodies[0] = vm_scene_line(2, 0, 1);
@@ -1813,7 +1813,7 @@ static void test_scene_jumps(void)
         vm_scene_keep_book(&s, k == 4 ? &book : NULL);
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
         status = vm_scene_run(&s, &t, 2, y, work, NULL);
-        CHECK(status == (k == 1 ? VM_BAD_MASS : k == 2 ? VM_NO_SUCH_BODY : k == 3 ? VM_NOT_FINITE : VM_OK));
+        CHECK(status == (k == 1 ? VM_BAD_MASS : k == 2 ? VM_IS_AWAY : k == 3 ? VM_NOT_FINITE : VM_OK));
         CHECK(t == (k % 4 ? 1 : 2));
         vm_scene_body_at(&s, 0, y, &now);
         CHECK(k % 4 == 0 || now.mass == 2);
@@ -1943,6 +1943,163 @@ static void test_events_that_break(void)
     CHECK(vm_scene_run(&s, &t, 6, y, work, NULL) == VM_OK && t == 6 && happenings == 4);
 }
 
+#include "null_pointers.h"
+
+/* -- Statuses, arrays that are too short, scenes that are not started -- */
+
+/* Every status has a text, and no two have the same */
+static void test_statuses(void)
+{
+    int i, k;
+    for (i = VM_NOT_STARTED; i <= VM_TOLERANCE_MISSED; i++) {
+        CHECK(strcmp(vm_strerror(i), vm_strerror(99)) != 0);
+        for (k = VM_NOT_STARTED; k < i; k++) CHECK(strcmp(vm_strerror(i), vm_strerror(k)) != 0);
+    }
+    CHECK(strcmp(vm_strerror(VM_NOT_STARTED - 1), vm_strerror(99)) == 0);
+}
+
+static vm_real blows_up(vm_real t, vm_real x, vm_real v, void *ctx) { return (void)t, (void)x, (void)ctx, v * v; }
+static vm_real no_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    return (void)x, (void)v, (void)ctx, t < 1 ? 0 : VM_NAN;
+}
+static vm_mass_now no_law(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    vm_mass_now now = {2, 0, 0, 0};
+    (void)x, (void)v;
+    if (t >= 1) now.mass = *(const vm_real *)ctx;
+    return now;
+}
+static vm_real no_event(vm_real t, const vm_real *y, void *ctx)
+{
+    return (void)y, (void)ctx, t < 1 ? 1 : VM_NAN;
+}
+
+/* Why a run ends early, a status each: the scene itself is good */
+static void test_ends_of_runs(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_real y[8], work[VM_SCENE_WORK(8)], t, none = VM_NAN, endless = VM_INFINITY, nothing_left = 0;
+    vm_scene_body body = vm_scene_line(1, 0, 1);
+    vm_effect effect;
+    vm_event event = vm_event_user(no_event, NULL, 0);
+    ode_event located;
+    rk45_options o;
+    vm_scene s;
+    int k;
+    memset(&s, 0, sizeof s);
+    s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1, s.events = &event, s.located = &located;
+    for (k = 0; k < 10; k++) {
+        static const int wanted[10] = {VM_STEP_TOO_SMALL, VM_NOT_FINITE, VM_NOT_FINITE,  VM_NOT_FINITE, VM_BAD_MASS,
+                                       VM_NOT_FINITE,     VM_MAX_STEPS,  VM_BAD_OPTIONS, VM_NOT_FINITE, VM_BAD_TIMES};
+        int status;
+        o = rk45_defaults(NULL), t = 0, s.n_events = k == 5;
+        effect = vm_effect_drive(0, 0, 1, 0);
+        if (k == 0) effect = vm_effect_user(0, 0, blows_up, NULL); /* v = 1/(1 - t) */
+        if (k == 1) effect = vm_effect_user(0, 0, no_force, NULL);
+        if (k >= 2 && k <= 4)
+            effect = vm_effect_mass_law(0, no_law, k == 2 ? &none : k == 3 ? &endless : &nothing_left, zero, 1);
+        if (k == 6) o.max_steps = 2, o.h_max = R(0.01);
+        if (k == 7) o.h_min = 2, o.h_max = 1;
+        CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
+        if (k == 8) y[1] = VM_NAN;
+        if (k == 9) t = 4;
+        status = vm_scene_run(&s, &t, 3, y, work, &o);
+        if (status != wanted[k]) printf("end %d: %s, not %s\n", k, vm_strerror(status), vm_strerror(wanted[k]));
+        CHECK(status == wanted[k]);
+        if (k < 5) CHECK(t > R(0.99) && t < R(1.001)); /* where it goes wrong */
+        if (k == 6) CHECK(vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK && t == 3); /* goes on */
+    }
+}
+
+/* Arrays whose size is known are checked before anything is written */
+static void test_sizes_of_scenes(void)
+{
+    vm_scene_body bodies[2];
+    vm_real y[5], work[VM_SCENE_WORK(5)], t = 0;
+    vm_book book;
+    vm_scene s;
+    int i;
+    memset(&s, 0, sizeof s);
+    bodies[0] = vm_scene_line(1, 0, 1), bodies[1] = vm_scene_with_mass_state(bodies[0]);
+    s.bodies = bodies, s.n_bodies = 2;
+    for (i = -1; i < 5; i++) { /* less than 5 numbers */
+        s.y_size = i ? i : 4, y[0] = 7;
+        CHECK(vm_scene_start(&s, 0, y, NULL) == VM_SHORT_ARRAY && y[0] == 7);
+        CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_NOT_STARTED && y[0] == 7);
+    }
+    s.y_size = VM_LENGTH(y), s.work_size = VM_LENGTH(work);
+    CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK && vm_scene_run(&s, &t, 1, y, work, NULL) == VM_OK && t == 1);
+    s.work_size--, work[0] = 7;
+    CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_SHORT_ARRAY && t == 1 && work[0] == 7);
+    s.work_size++, s.y_size--;
+    CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_SHORT_ARRAY && t == 1 && work[0] == 7);
+    s.y_size++, vm_scene_keep_book(&s, &book); /* needs VM_BOOK numbers more */
+    CHECK(vm_scene_start(&s, 0, y, NULL) == VM_SHORT_ARRAY);
+    s.y_size = s.work_size = 0, vm_scene_keep_book(&s, NULL); /* not checked */
+    CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK && vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK && t == 3);
+}
+
+static void test_sizes_of_flows(void)
+{
+    const vm_body body = a_body(3);
+    vm_real y[VM_RHS_BALANCED + 1], d[VM_RHS_BALANCED];
+    vm_flow flow;
+    vm_body now;
+    int i, k, known;
+    for (i = 1; i <= VM_RHS_BALANCED; i++) {
+        memset(&flow, 0, sizeof flow), flow.y_size = i;
+        for (k = 0; k <= VM_RHS_BALANCED; k++) y[k] = 7;
+        CHECK(vm_flow_start(&flow, &body, y) == (i < VM_RHS_GIVEN ? VM_SHORT_ARRAY : VM_OK));
+        for (known = 0; y[known] != 7; known++) continue; /* of the numbers that are written none is 7 */
+        CHECK(known == (i < VM_RHS_GIVEN ? 0 : i < VM_RHS ? VM_RHS_GIVEN : i < VM_RHS_BALANCED ? VM_RHS : i));
+        if (i < VM_RHS_GIVEN) continue;
+        CHECK(vm_rhs_given(0, y, d, &flow) == 0 && vm_rhs_carried(0, y, d, &flow) == 0);
+        CHECK(vm_rhs(0, y, d, &flow) == (i < VM_RHS ? VM_SHORT_ARRAY : VM_OK));
+        CHECK(vm_rhs_balanced(0, y, d, &flow) == (i < VM_RHS_BALANCED ? VM_SHORT_ARRAY : VM_OK));
+        CHECK(vm_flow_body(&flow, VM_RHS_GIVEN, y, &now) == VM_OK);
+        CHECK(vm_flow_body(&flow, VM_RHS, y, &now) == (i < VM_RHS ? VM_SHORT_ARRAY : VM_OK));
+    }
+    flow.y_size = VM_RHS_TRANSLATION - 1;
+    CHECK(vm_rhs_translation(0, y, d, &flow) == VM_SHORT_ARRAY && flow.status == VM_SHORT_ARRAY);
+    CHECK(vm_rhs_carried(0, y, d, &flow) == VM_SHORT_ARRAY);
+}
+
+/* A scene that was never started, whose start was refused, or that has got other bodies, effects or events since, or
+   was copied so that its events belong to another: none of them runs */
+static void test_not_started(void)
+{
+    vm_scene_body bodies[2];
+    vm_effect effects[2];
+    vm_event events[2];
+    ode_event located[2];
+    vm_real y[32], work[VM_SCENE_WORK(32)], t = 0;
+    vm_scene s, copy;
+    vm_book book;
+    vm_body now;
+    int k;
+    for (k = 0; k < 6; k++) {
+        memset(&s, 0, sizeof s), memset(y, 0, sizeof y);
+        bodies[0] = bodies[1] = vm_scene_line(1, 0, 1);
+        effects[0] = effects[1] = vm_effect_drive(0, 0, 1, 0);
+        events[0] = events[1] = vm_then_stop(vm_event_at(1));
+        s.bodies = bodies, s.n_bodies = 1, s.effects = effects, s.n_effects = 1;
+        s.events = events, s.located = located, s.n_events = 1;
+        vm_scene_keep_book(&s, &book);
+        if (k == 1) effects[0].p[0] = VM_NAN;
+        if (k > 0) CHECK(vm_scene_start(&s, 0, y, NULL) == (k == 1 ? VM_NOT_FINITE : VM_OK));
+        if (k == 2) s.n_bodies++;
+        if (k == 3) effects[0] = vm_effect_damper(0, 0, VM_GROUND, 0, 1);
+        if (k == 4) events[0] = vm_then_stop(vm_event_at(2));
+        if (k == 5) copy = s;
+        CHECK(vm_scene_run(k == 5 ? &copy : &s, &t, 2, y, work, NULL) == VM_NOT_STARTED && t == 0);
+        CHECK(vm_scene_balance(k == 5 ? &copy : &s, 0, y, &book) == VM_NOT_STARTED);
+        vm_scene_body_at(&s, k < 2 ? 0 : 7, y, &now);
+        CHECK(now.mass != now.mass && now.omega.z != now.omega.z);
+    }
+}
+
+
 int main(void)
 {
     test_special_functions();
@@ -1973,5 +2130,11 @@ int main(void)
     test_scene_losses();
     test_events_that_break();
     test_too_many_events();
+    test_statuses();
+    test_ends_of_runs();
+    test_sizes_of_scenes();
+    test_sizes_of_flows();
+    test_not_started();
+    test_null_pointers();
     return check_finish("refusals");
 }

@@ -1,6 +1,7 @@
 /* varmass.h, scenes: each effect against its force written by hand at random states, the dissertation's
    numerical examples, links and cords by closed forms; events, jumps and restarts that could go wrong, and what is
    refused. */
+#include <limits.h>
 #include "../examples/scenes/oscillators.h"
 #include "stage_check.h"
 
@@ -381,9 +382,9 @@ static void check_presence(void)
             if (again) CHECK(s.y[k] == first[k]);
             else first[k] = s.y[k];
     }
-    s.bodies[1].absent = 0, begin(&s), run(&s, 4, VM_NO_SUCH_BODY); /* it is there already */
+    s.bodies[1].absent = 0, begin(&s), run(&s, 4, VM_IS_THERE); /* it is there already */
     CHECK(s.t == 1);
-    s.bodies[0].absent = s.bodies[1].absent = 1, begin(&s), run(&s, 4, VM_NO_SUCH_BODY); /* nothing separates */
+    s.bodies[0].absent = s.bodies[1].absent = 1, begin(&s), run(&s, 4, VM_IS_AWAY); /* nothing separates */
     CHECK(s.t == 1);
 }
 
@@ -403,6 +404,136 @@ static void check_law_and_jump(void)
     agrees("law and jump", "mass", now.mass, 4 - 5 * 0.25 - 1, 1, 1e-14);
     agrees("law and jump", "v", now.v.x, 2 - 1. / 2, 1, 1e-14); /* (3 2 - 1 3)/2 */
     balanced(&s, "law and jump", 10, 10);
+}
+
+/* ---- Mass laws that are switched ---- */
+
+static vm_mass_now doubling(vm_real t, vm_real x, vm_real v, void *ctx) /* 1 + t/2 by a function */
+{
+    const vm_mass_now now = {1 + t / 2, REAL(0.5), 0, 0};
+    return (void)x, (void)v, (void)ctx, now;
+}
+
+static void loaded(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s) /* 2 kg more while it acts */
+{
+    (void)t, (void)y, (void)s;
+    e->load->mass += 2;
+}
+
+static vm_real mass_at(stage *s, double t)
+{
+    vm_body now;
+    run(s, t, VM_OK);
+    vm_scene_body_at(&s->scene, 0, s->y, &now);
+    return now.mass;
+}
+
+/* Off at t = 4 and on again at t = 6: the mass stays what it is, and then goes on from there; so does the momentum */
+static void check_switched_law(int kind, double share)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_body held, then, now;
+    stage s;
+    stage_clear(&s, 8);
+    stage_body(&s, vm_scene_line(1, 0, 1));
+    stage_effect(&s, vm_effect_mass(0, kind, REAL(0.5), 0, REAL(share)));
+    if (kind > VM_MASS_OF_V2) s.effects[0] = vm_effect_mass_law(0, doubling, NULL, zero, REAL(share));
+    stage_effect(&s, vm_effect_drive(0, 0, kind == VM_MASS_OF_V2 ? REAL(0.25) : 0, 0));
+    stage_event(&s, vm_then_switch(vm_event_at(4), 0, 1)), stage_event(&s, vm_then_switch(vm_event_at(6), 0, 0));
+    begin(&s), run(&s, 4, VM_OK);
+    vm_scene_body_at(&s.scene, 0, s.y, &held);
+    CHECK(s.effects[0].idle && held.mass > REAL(1.5));
+    run(&s, 6, VM_OK);
+    vm_scene_body_at(&s.scene, 0, s.y, &then);
+    agrees("switched law", "held", then.mass, (double)held.mass, 1, 1e-14);
+    run(&s, 8, VM_OK);
+    vm_scene_body_at(&s.scene, 0, s.y, &now);
+    if (kind == VM_MASS_OF_X)
+        agrees("switched law", "of x", now.mass - then.mass, (double)(now.r.x - then.r.x) / 2, 1, 1e-13);
+    else if (kind == VM_MASS_OF_V2)
+        agrees("switched law", "of v", now.mass - then.mass, (double)(now.v.x * now.v.x - then.v.x * then.v.x) / 2, 1,
+               1e-13);
+    else agrees("switched law", "of t", now.mass, 4, 1, 1e-13);
+    if (kind != VM_MASS_OF_V2) agrees("switched law", "v", now.v.x, share > 0 ? 1 : 1 / (double)now.mass, 1, 1e-9);
+    balanced(&s, "switched law", 10, 10);
+}
+
+/* A law that begins to act goes on from the mass with which the body was made; an effect of one's own that adds to a
+   mass leaves there what it has added; a jump while a law is off counts as well */
+static void check_switched_others(void)
+{
+    const vm_band band = {REAL(0.2), REAL(0.01), REAL(0.5), 800, 0, 1, 0};
+    vm_band_now from, to;
+    vm_body part = part_of(0.5, 0);
+    stage s;
+    stage_clear(&s, 8);
+    stage_body(&s, vm_scene_line(1, 0, 1));
+    stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, REAL(0.5), 0, 0)), s.effects[0].off = 1;
+    stage_event(&s, vm_then_switch(vm_event_at(4), 0, 0));
+    begin(&s), agrees("switched on late", "mass", mass_at(&s, 3), 1, 1, 0);
+    agrees("switched on late", "mass", mass_at(&s, 8), 1 + 0.5 * 4, 1, 1e-14);
+    agrees("switched on late", "v", s.y[1], 1 / 3., 1, 1e-10), balanced(&s, "switched on late", 10, 10);
+    s.effects[0] = vm_effect_callback(0, VM_GROUND, loaded, NULL);
+    s.events[0] = vm_then_switch(vm_event_at(4), 0, 1);
+    begin(&s), agrees("switched callback", "mass", mass_at(&s, 3), 3, 1, 0);
+    agrees("switched callback", "mass", mass_at(&s, 5), 3, 1, 0), balanced(&s, "switched callback", 10, 10);
+    stage_clear(&s, 8);
+    stage_body(&s, vm_scene_line(1, 0, 1)), stage_body(&s, vm_scene_absent(vm_scene_line(1, 0, 0)));
+    stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, REAL(0.5), 0, 1));
+    stage_event(&s, vm_then_switch(vm_event_at(4), 0, 1)), stage_event(&s, vm_then_switch(vm_event_at(6), 0, 0));
+    part.v.x = 1, stage_event(&s, vm_then_separate(vm_event_at(5), 0, 1, &part, 1));
+    begin(&s), agrees("jump while off", "mass", mass_at(&s, 6), 3 - 0.5, 1, 1e-14);
+    agrees("jump while off", "mass", mass_at(&s, 8), 3 - 0.5 + 1, 1, 1e-14);
+    balanced(&s, "jump while off", 10, 10);
+    stage_clear(&s, 8);
+    stage_body(&s, vm_scene_axle(REAL(0.8), 0, 9)), stage_effect(&s, vm_effect_band(0, &band));
+    stage_event(&s, vm_then_switch(vm_event_at(4), 0, 1)), stage_event(&s, vm_then_switch(vm_event_at(6), 0, 0));
+    begin(&s), mass_at(&s, 6), from = vm_band_at(9 * 4, &band);
+    agrees("switched band", "inertia", s.bodies[0].load.mass, 0.8 + (double)from.inertia, 1, 1e-12);
+    from = vm_band_at(9 * 6, &band), to = vm_band_at(9 * 8, &band);
+    agrees("switched band", "inertia", mass_at(&s, 8) - s.bodies[0].held, (double)(to.inertia - from.inertia), 1,
+           1e-12);
+    balanced(&s, "switched band", 1000, 1000);
+}
+
+/* ---- Links out of the plane ---- */
+
+static void above(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
+{
+    const vm_vec3 here = {0, 0, REAL(3)}, none = {0, 0, 0};
+    (void)t, (void)ctx;
+    *r = here, *v = *a = none;
+}
+
+/* A body in the plane on a link of 5 m to a point 3 m above it goes round in a circle of 4 m; one that hangs on a
+   point in space, which takes the reaction, keeps its distance, and what the two have of momentum along the plane;
+   straight below its point a body cannot move along the link */
+static void check_link_in_space(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_real dx, dy, dz, dydt[STAGE_STATE];
+    stage s;
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_plane(2, 1, stage_vec(4, 0, 0), 0, stage_vec(0, 2, 0), 0));
+    stage_effect(&s, vm_effect_link(0, VM_GROUND, above, NULL, 5, 0, 10));
+    begin(&s), run(&s, 3, VM_OK);
+    agrees("link in space", "x", s.y[0], 4 * cos(1.5), 4, 1e-9);
+    agrees("link in space", "y", s.y[1], 4 * sin(1.5), 4, 1e-9);
+    CHECK(s.y[2] == 0 && s.y[5] == 0); /* no torque */
+    s.bodies[0].start.r = zero, begin(&s);
+    CHECK(vm_scene_rhs(0, s.y, dydt, &s.scene) == 0 && s.scene.status == VM_SINGULAR);
+    run(&s, 3, VM_SINGULAR);
+    CHECK(s.t == 0);
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_plane(2, 1, stage_vec(4, 0, 0), 0, stage_vec(0, 2, 0), 0));
+    stage_body(&s, vm_scene_point(1, stage_vec(0, 0, 3), zero));
+    stage_effect(&s, vm_effect_link(0, 1, NULL, NULL, 5, 0, 10));
+    begin(&s), run(&s, 2, VM_OK);
+    dx = s.y[0] - s.y[6], dy = s.y[1] - s.y[7], dz = s.y[8];
+    agrees("link in space", "length", VM_SQRT(dx * dx + dy * dy + dz * dz), 5, 5, 1e-9);
+    CHECK(VM_FABS(dz - 3) > REAL(0.1)); /* the link has moved it across the plane */
+    agrees("link in space", "momentum", 2 * s.y[3] + s.y[9], 0, 4, 1e-10);
+    agrees("link in space", "momentum", 2 * s.y[4] + s.y[10], 4, 4, 1e-10);
 }
 
 /* A rod in the plane loses the ball at its end, and catches it with a blow from outside */
@@ -568,11 +699,11 @@ static void check_orders(void)
     ORDER(law[0], spring[0]), begin(&s), ORDER(law[0], law[1]), begin(&s), ORDER(spring[0], link[0]), begin(&s);
     ORDER(law[0], link[0]), begin(&s), ORDER(spring[0], spring[0]), begin(&s), ORDER(spring[0], law[1]), begin(&s);
     ORDER(law[0], law[0]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
-    ORDER(link[0], link[0]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
-    ORDER(link[0], link[1]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1); /* both pull at body 2 */
-    ORDER(link[0], link[2]), refused(&s, VM_TWO_MASS_LAWS, "effect", 1);
-    ORDER(link[0], spring[0]), refused(&s, VM_BAD_ORDER, "effect", 1);
-    ORDER(link[0], spring[1]), refused(&s, VM_BAD_ORDER, "effect", 1); /* it loads body 2 */
+    ORDER(link[0], link[0]), refused(&s, VM_TWO_LINKS, "effect", 1);
+    ORDER(link[0], link[1]), refused(&s, VM_TWO_LINKS, "effect", 1); /* both pull at body 2 */
+    ORDER(link[0], link[2]), refused(&s, VM_TWO_LINKS, "effect", 1);
+    ORDER(link[0], spring[0]), refused(&s, VM_LINK_NOT_LAST, "effect", 1);
+    ORDER(link[0], spring[1]), refused(&s, VM_LINK_NOT_LAST, "effect", 1); /* it loads body 2 */
     ORDER(spring[0], law[0]), refused(&s, VM_BAD_ORDER, "effect", 1);
     ORDER(spring[0], law[2]), refused(&s, VM_BAD_ORDER, "effect", 1);
     ORDER(link[1], law[2]), refused(&s, VM_BAD_ORDER, "effect", 1);
@@ -606,6 +737,16 @@ static void check_refusals(void)
     s.effects[0] = vm_effect_spring(0, 0, VM_GROUND, 0, 1, -1, 0), refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_shaft(0, 1, -1), refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_shaft(0, 1, 0), begin(&s);
+    s.effects[0] = vm_effect_gravity(0, 2, 1), refused(&s, VM_NOT_ON_ANGLE, "effect", 0);
+    s.effects[0] = vm_effect_gravity(0, 1, 1), begin(&s);
+    s.effects[0] = vm_effect_gravity(2, 2, 1), begin(&s); /* of a point it is z */
+    s.effects[0] = vm_effect_damper(0, 0, VM_GROUND, INT_MAX, 1), begin(&s); /* the ground has no coordinates */
+    CHECK(s.effects[0].other_x == s.effects[0].x && s.effects[0].other_v == s.effects[0].v);
+    s.effects[0] = vm_effect_damper(0, 0, 1, INT_MAX, 1), refused(&s, VM_NO_SUCH_COORDINATE, "effect", 0);
+    s.effects[0] = vm_effect_damper(0, INT_MAX, 1, 0, 1), refused(&s, VM_NO_SUCH_COORDINATE, "effect", 0);
+    s.effects[0] = vm_effect_damper(INT_MAX, 0, 1, 0, 1), refused(&s, VM_NO_SUCH_BODY, "effect", 0);
+    s.effects[0] = vm_effect_damper(0, 0, INT_MIN, 0, 1), refused(&s, VM_NO_SUCH_BODY, "effect", 0);
+    s.effects[0] = vm_effect_link(0, 0, NULL, NULL, 1, 0, 1), refused(&s, VM_SAME_BODY, "effect", 0);
     s.effects[0] = vm_effect_mass(1, 7, 1, 0, 0), refused(&s, VM_BAD_ARGUMENT, "effect", 0);
     s.effects[0] = vm_effect_callback(1, VM_GROUND, NULL, NULL), refused(&s, VM_BAD_ARGUMENT, "effect", 0);
     s.effects[0] = vm_effect_drive(0, 2, 1, 0);
@@ -620,19 +761,19 @@ static void check_refusals(void)
     s.events[0] = vm_then_stop(vm_event_at(1)), s.events[0].most = -1, refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_then_user(vm_event_at(1), NULL, NULL), refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_then_stop(vm_event_user(any_time, NULL, 0)), begin(&s);
-    s.bodies[2] = vm_scene_free(NULL), refused(&s, VM_BAD_MOTION, "body", 2);
-    s.scene.n_bodies = 2, s.scene.times = times, s.scene.n_times = 3, refused(&s, VM_BAD_ARGUMENT, "scene", -1);
+    s.bodies[2] = vm_scene_free(NULL), refused(&s, VM_BAD_ARGUMENT, "body", 2);
+    s.scene.n_bodies = 2, s.scene.times = times, s.scene.n_times = 3, refused(&s, VM_BAD_TIMES, "scene", -1);
     s.scene.n_times = 2, begin(&s);
     CHECK(vm_scene_start(&s.scene, VM_NAN, s.y, NULL) == VM_NOT_FINITE);
     CHECK(vm_scene_start(&s.scene, 0, NULL, NULL) == VM_BAD_ARGUMENT);
-    run(&s, -1, VM_BAD_ARGUMENT), run(&s, (double)VM_INFINITY, VM_NOT_FINITE),
-        run(&s, (double)VM_NAN, VM_BAD_ARGUMENT);
+    run(&s, -1, VM_BAD_TIMES), run(&s, (double)VM_INFINITY, VM_NOT_FINITE),
+        run(&s, (double)VM_NAN, VM_NOT_FINITE);
     CHECK(vm_scene_run(NULL, &s.t, 1, s.y, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, NULL, 1, s.y, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, &s.t, 1, NULL, s.work, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_scene_run(&s.scene, &s.t, 1, s.y, NULL, NULL) == VM_BAD_ARGUMENT);
     o.max_steps = 2;
-    CHECK(vm_scene_run(&s.scene, &s.t, 1000, s.y, s.work, &o) == VM_NOT_INTEGRATED);
+    CHECK(vm_scene_run(&s.scene, &s.t, 1000, s.y, s.work, &o) == VM_MAX_STEPS);
     CHECK(s.scene.ode_status == ODE_MAX_STEPS && s.t > 0 && s.t < 1000);
     vm_scene_keep_book(&s.scene, NULL);
     CHECK(vm_scene_size(&s.scene) == 8 && vm_scene_balance(&s.scene, 0, s.y, &b) == VM_BAD_ARGUMENT);
@@ -640,6 +781,7 @@ static void check_refusals(void)
 
 int main(void)
 {
+    int k;
     check_effects();
     check_examples();
     check_pendulum(2, 0, 0);
@@ -648,6 +790,12 @@ int main(void)
     check_same_instant();
     check_presence();
     check_law_and_jump();
+    for (k = 0; k < 2; k++) {
+        check_switched_law(VM_MASS_OF_T, k), check_switched_law(VM_MASS_OF_X, k);
+        check_switched_law(VM_MASS_OF_V2, k), check_switched_law(VM_MASS_OF_V2 + 1, k);
+    }
+    check_switched_others();
+    check_link_in_space();
     check_plane();
     check_satellite();
     check_rod();

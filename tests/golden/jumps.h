@@ -52,7 +52,7 @@ static void try_bodies(void)
         fold_int(vm_to_relative(&a, &b, &moved)), fold3(moved.v), fold3(moved.omega);
         fold_int(vm_to_absolute(&a, &moved, &moved)), fold3(moved.v), fold3(moved.omega);
     }
-    for (i = -17; i < 5; i++) fold_text(vm_strerror(i));
+    for (i = -32; i < 5; i++) fold_text(vm_strerror(i));
 }
 
 static void try_jumps(void)

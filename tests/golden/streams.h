@@ -43,7 +43,7 @@ static void try_loads(void)
 static int weight(vm_real t, const vm_real *y, vm_flow *flow)
 {
     (void)y;
-    flow->mass = 3 - t / 8, flow->inertia.xx = 4 - t / 4, flow->inertia.yy = 3 - t / 4, flow->inertia.zz = 2 - t / 8;
+    flow->mass = 3 - t / 8, flow->inertia.xx = 4 - t / 4, flow->inertia.yy = 4 - t / 8, flow->inertia.zz = 3 - t / 8;
     flow->centre.x = t / 16, flow->drift.x = VM_C(0.0625), flow->force.z = VM_C(-9.81) * flow->mass;
     return 0;
 }

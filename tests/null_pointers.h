@@ -1,0 +1,501 @@
+/* null_pointers.h - every public function of varmass.h that takes a pointer, with each of its pointers null in turn.
+   A function with a status says VM_BAD_ARGUMENT, one with a number NaN; one with neither does nothing, or writes NaN
+   to the outputs that it has. Pointers that may be null, named ..._or_NULL, are not in the table.
+   tests/test_headers.sh sees to it that no function is forgotten. To be included by tests/test_refusals.c. */
+
+static int null_at, fault; /* which pointer is null, -1 for none; whether the call failed its test */
+static void *nulled(int k, void *pointer) { return k == null_at ? NULL : pointer; }
+static const void *nulled_const(int k, const void *pointer) { return k == null_at ? NULL : pointer; }
+#define IN(k, type, pointer) ((const type *)nulled_const(k, pointer))
+#define IO(k, type, pointer) ((type *)nulled(k, pointer))
+#define X(k, type) ((type *)nulled(k, null_output[k])) /* an output, of its own for each pointer */
+
+enum { NULL_OUTPUTS = 8, NULL_ROOM = 512 }; /* numbers in each */
+static vm_real null_output[NULL_OUTPUTS][NULL_ROOM];
+
+static void null_clear(void)
+{
+    int i, k;
+    for (i = 0; i < NULL_OUTPUTS; i++)
+        for (k = 0; k < NULL_ROOM; k++) null_output[i][k] = 7;
+}
+static int null_untouched(void)
+{
+    int i, k;
+    for (i = 0; i < NULL_OUTPUTS; i++)
+        for (k = 0; k < NULL_ROOM; k++)
+            if (null_output[i][k] != 7) return 0;
+    return 1;
+}
+static void null_checked(const char *call)
+{
+    if (fault) printf("pointer %d: %s\n", null_at, call);
+    CHECK(!fault);
+}
+
+/* count pointers; the call with none of them null has to work, since otherwise it would be refused for another
+   reason */
+#define STATUS(count, call)                                                               \
+    do {                                                                                  \
+        for (null_at = -1; null_at < (count); null_at++) {                                \
+            long status_;                                                                 \
+            null_clear(), status_ = (long)(call);                                         \
+            if (null_at < 0) fault = status_ < 0;                                         \
+            else fault = status_ != VM_BAD_ARGUMENT || !null_untouched();                 \
+            null_checked(#call);                                                          \
+        }                                                                                 \
+    } while (0)
+#define NUMBER(count, call)                                                               \
+    do {                                                                                  \
+        for (null_at = -1; null_at < (count); null_at++) {                                \
+            vm_real number_;                                                              \
+            null_clear(), number_ = (call);                                               \
+            if (null_at < 0) fault = number_ != number_;                                  \
+            else fault = number_ == number_;                                              \
+            null_checked(#call);                                                          \
+        }                                                                                 \
+    } while (0)
+#define NOTHING(count, call)                                                              \
+    do {                                                                                  \
+        for (null_at = -1; null_at < (count); null_at++) {                                \
+            int k_;                                                                       \
+            null_clear(), call, fault = null_at < 0 && null_untouched();                  \
+            for (k_ = 0; k_ < NULL_OUTPUTS && null_at >= 0; k_++)                         \
+                if (null_output[k_][0] == null_output[k_][0] && null_output[k_][0] != 7) fault = 1; \
+            null_checked(#call);                                                          \
+        }                                                                                 \
+    } while (0)
+/* Functions that answer 0 or 1, and those that write to what they are given: no crash is all */
+#define ANSWER(count, call)                                                               \
+    do {                                                                                  \
+        for (null_at = -1; null_at < (count); null_at++) {                                \
+            fault = ((call) != 0) != (null_at < 0);                                       \
+            null_checked(#call);                                                          \
+        }                                                                                 \
+    } while (0)
+
+static vm_body a_body(vm_real mass)
+{
+    vm_body b;
+    memset(&b, 0, sizeof b);
+    b.mass = mass, b.inertia.xx = b.inertia.yy = b.inertia.zz = R(0.25) * mass;
+    b.q.w = 1, b.v.x = 1, b.omega.z = 2;
+    return b;
+}
+static vm_body2 a_body2(vm_real mass)
+{
+    const vm_body2 b = {mass, R(0.25) * mass, 0, 0, 0, 1, 0, 2};
+    return b;
+}
+
+static void null_bodies(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_quat turned = {1, 0, 0, 0};
+    const vm_body whole = a_body(3), part = a_body(1);
+    const vm_body2 whole2 = a_body2(3), part2 = a_body2(1);
+    const vm_inertia i = whole.inertia, little = part.inertia;
+    const vm_vec3 aside = {R(0.25), 0, 0};
+    vm_body2 out_of_centre = part2;
+    vm_free_motion motion;
+    out_of_centre.x = R(0.25);
+    NUMBER(1, vm_momentum(IN(0, vm_body, &whole)).x);
+    NUMBER(1, vm_angular_momentum(IN(0, vm_body, &whole), zero).z);
+    NUMBER(1, vm_kinetic_energy(IN(0, vm_body, &whole)));
+    NUMBER(1, vm_angular_momentum2(IN(0, vm_body2, &whole2), 0, 0));
+    NUMBER(1, vm_kinetic_energy2(IN(0, vm_body2, &whole2)));
+    NUMBER(1, vm_in_space(IN(0, vm_body2, &whole2)).mass);
+    NUMBER(1, vm_parallel_axes(IN(0, vm_inertia, &i), 1, aside).zz);
+    ANSWER(1, vm_inertia_possible(IN(0, vm_inertia, &i)));
+    STATUS(3, vm_balance_between(1, IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, zero, X(2, vm_balance)));
+    STATUS(4, vm_combine_inertia(1, IN(0, vm_inertia, &i), 1, IN(1, vm_inertia, &little), aside, X(2, vm_inertia),
+                                 X(3, vm_vec3)));
+    STATUS(4, vm_split_inertia(3, IN(0, vm_inertia, &i), 1, IN(1, vm_inertia, &little), aside, X(2, vm_inertia),
+                               X(3, vm_vec3)));
+    STATUS(3, vm_separate(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(3, vm_attach(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(3, vm_separate_all(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(3, vm_attach_all(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(3, vm_separate2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
+    STATUS(3, vm_attach2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
+    STATUS(3, vm_separate_all2(IN(0, vm_body2, &whole2), 1, IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
+    STATUS(3, vm_attach_all2(IN(0, vm_body2, &whole2), 1, IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
+    STATUS(3, vm_to_relative(IN(0, vm_body, &whole), IN(1, vm_body, &part), X(2, vm_body)));
+    STATUS(3, vm_to_absolute(IN(0, vm_body, &whole), IN(1, vm_body, &part), X(2, vm_body)));
+    STATUS(3, vm_to_relative2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), X(2, vm_body2)));
+    STATUS(3, vm_to_absolute2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), X(2, vm_body2)));
+    STATUS(3, vm_separate_relative(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(3, vm_attach_relative(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(3, vm_separate_relative2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
+    STATUS(3, vm_attach_relative2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
+    STATUS(3, vm_separate_for(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, NULL, NULL, X(2, vm_body)));
+    STATUS(3, vm_separate_for2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, NULL, NULL, X(2, vm_body2)));
+    STATUS(3, vm_separate_for_spin2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &out_of_centre), NULL, 1,
+                                    X(2, vm_body2)));
+    NUMBER(3, vm_energy_gain(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
+    NUMBER(3, vm_energy_loss(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
+    STATUS(2, vm_free_init(IO(0, vm_free_motion, &motion), IN(1, vm_body, &whole), 0));
+    STATUS(1, vm_free_init_principal(IO(0, vm_free_motion, &motion), vmi_vec3(1, 2, 2), turned, aside, 0));
+    STATUS(2, vm_free_at(IN(0, vm_free_motion, &motion), 1, X(1, vm_body)));
+    STATUS(3, vm_free_attitude(IN(0, vm_free_motion, &motion), 1, X(1, vm_quat), X(2, vm_vec3)));
+    STATUS(2, vm_free_rotation(IN(0, vm_body, &whole), 1, X(1, vm_body)));
+}
+
+static void null_rotor(void)
+{
+    static const vm_rotor round = {2, 1, 9, R(0.5), 1, 0}, bent = {2, 1, 9, R(0.5), 1, R(0.1)};
+    static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1};
+    vm_rotor rotor = bent;
+    vm_rotor_piece piece;
+    memset(&piece, 0, sizeof piece);
+    piece.mass = R(0.1), piece.inertia = R(0.001), piece.distance = R(0.1);
+    piece.radius = R(0.2), piece.alpha = R(0.1);
+    STATUS(3, vm_rotor_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
+    STATUS(3, vm_rotor_polar_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
+    STATUS(3, vm_rotor_free(1, IN(0, vm_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_rotor_orbit(IN(0, vm_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(4, vm_rotor_break_off(IN(0, vm_rotor, &round), IN(1, vm_real, y), IN(2, vm_rotor_piece, &piece),
+                                 X(3, vm_rotor_break)));
+    STATUS(3, vm_rotor_linear(1, IN(0, vm_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_rotor_linear_uncoupled(1, IN(0, vm_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(2, vm_rotor_to_polar(IN(0, vm_real, y), X(1, vm_real)));
+    STATUS(2, vm_rotor_from_polar(IN(0, vm_real, y), X(1, vm_real)));
+    NUMBER(1, vm_rotor_steady(IN(0, vm_rotor, &bent), 1));
+    STATUS(2, vm_rotor_char_poly(IN(0, vm_rotor, &bent), 1, X(1, vm_real)));
+    STATUS(3, vm_rotor_eigenvalues(IN(0, vm_rotor, &bent), 1, X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_rotor_routh(IN(0, vm_rotor, &bent), 1, X(1, vm_real)));
+    ANSWER(1, vm_rotor_stable(IN(0, vm_rotor, &bent), 1));
+    NUMBER(1, vm_rotor_growth(1, IN(0, vm_rotor, &bent), 3));
+}
+
+static void null_lagrange(void)
+{
+    static const vm_vec3 along[1] = {{1, 0, 0}};
+    static const vm_real two = 2, three = 3, q[2] = {R(0.1), R(0.2)}, y[4] = {R(0.1), R(0.2), R(0.3), R(0.4)};
+    static const vm_impulse blow = {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    const vm_pendulum pendulum = {1, 1, R(0.3), 1, VM_AXES_COS_SIN};
+    const vm_body body = a_body(2);
+    vm_real work[VM_LAGRANGE_WORK(1)], moment = 0, mass = 0;
+    vm_lagrange l = system_of_two();
+    NOTHING(2, vm_lagrange_mass(1, IN(0, vm_body, &body), along, NULL, X(1, vm_real)));
+    NOTHING(2, vm_lagrange_mass(1, IN(0, vm_body, &body), NULL, along, X(1, vm_real)));
+    NOTHING(2, vm_lagrange_momentum(1, IN(0, vm_body, &body), along, NULL, X(1, vm_real)));
+    NOTHING(2, vm_lagrange_impulse(1, IN(0, vm_impulse, &blow), along[0], along, NULL, X(1, vm_real)));
+    vm_lagrange_mass(1, &body, NULL, along, &moment), CHECK(moment == body.inertia.xx); /* no dr: no part of it */
+    vm_lagrange_mass(1, &body, along, NULL, &mass), CHECK(mass == body.mass);
+    STATUS(5, vm_lagrange_separate(1, IN(0, vm_real, &three), IN(1, vm_real, &two), IN(2, vm_real, &two), NULL, NULL,
+                                   X(3, vm_real), IO(4, vm_real, work)));
+    STATUS(5, vm_lagrange_attach(1, IN(0, vm_real, &two), IN(1, vm_real, &three), IN(2, vm_real, &two), NULL, NULL,
+                                 X(3, vm_real), IO(4, vm_real, work)));
+    STATUS(5, vm_lagrange_hit(1, IN(0, vm_real, &two), IN(1, vm_real, &two), IN(2, vm_real, &three), X(3, vm_real),
+                              IO(4, vm_real, work)));
+    STATUS(2, vm_pendulum_separate(IN(0, vm_pendulum, &pendulum), R(0.25), 1, 0, 0, X(1, vm_pendulum_cut)));
+    STATUS(3, vm_lagrange_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_lagrange, &l)));
+    STATUS(4, vm_lagrange_start(IO(0, vm_lagrange, &l), 0, IN(1, vm_real, q), IN(2, vm_real, y), X(3, vm_real)));
+    STATUS(3, vm_lagrange_rates(IO(0, vm_lagrange, &l), 0, IN(1, vm_real, y), X(2, vm_real)));
+    NUMBER(3, vm_frozen_derivative(IO(0, vm_lagrange, &l), 0, IN(1, vm_real, q), IN(2, vm_real, q), 0));
+    NOTHING(1, vm_add_force(1, along[0], along, along[0], NULL, X(0, vm_real)));
+    NOTHING(1, vm_euler_313_axes(1, 1, X(0, vm_vec3)));
+    NOTHING(1, vm_euler_313_body_axes(1, 1, X(0, vm_vec3)));
+    STATUS(1, vm_euler_313_rates(1, 1, along[0], X(0, vm_real)));
+}
+
+static void null_streams(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_body body = a_body(3);
+    const vm_stream1 line = {1, 0, VM_AT_REST};
+    const vm_jet jet = {R(-0.1), 1, 1, R(0.1), R(0.1), R(0.1), 1};
+    vm_drum d = {R(0.3), 20, R(0.9), R(0.45), R(0.9), R(0.05), 2000, 3};
+    vm_drum_shaft shaft;
+    vm_stream stream;
+    vm_stream1 stream1 = line;
+    vm_stream2 stream2;
+    vm_reactive loads;
+    vm_flow flow;
+    vm_flow1 flow1;
+    vm_flow2 flow2;
+    vm_real y[VM_RHS_BALANCED] = {0};
+    memset(&stream, 0, sizeof stream), memset(&stream2, 0, sizeof stream2);
+    memset(&flow, 0, sizeof flow), memset(&flow1, 0, sizeof flow1), memset(&flow2, 0, sizeof flow2);
+    flow.n = flow1.n = flow2.n = 1, stream.rate = stream2.rate = -1;
+    flow.streams = &stream, flow1.streams = &stream1, flow2.streams = &stream2;
+    STATUS(3, vm_reactive_loads(IN(0, vm_body, &body), zero, 1, IN(1, vm_stream, &stream), X(2, vm_reactive)));
+    CHECK(vm_reactive_loads(&body, zero, 1, &stream, &loads) == VM_OK);
+    STATUS(4, vm_accelerations(IN(0, vm_body, &body), IN(1, vm_reactive, &loads), zero, zero, X(2, vm_vec3),
+                               X(3, vm_vec3)));
+    STATUS(3, vm_flow_start(IO(0, vm_flow, &flow), IN(1, vm_body, &body), X(2, vm_real)));
+    CHECK(vm_flow_start(&flow, &body, y) == VM_OK);
+    STATUS(3, vm_flow_body(IN(0, vm_flow, &flow), VM_RHS, IN(1, vm_real, y), X(2, vm_body)));
+    STATUS(3, vm_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_rhs_given(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_rhs_carried(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_rhs_balanced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    NUMBER(2, vm_flow_mass_left(0, IN(0, vm_real, y), IO(1, vm_flow, &flow)));
+    NUMBER(2, vm_flow_inertia_left(0, IN(0, vm_real, y), IO(1, vm_flow, &flow)));
+    y[2] = y[6] = y[9] = 1;
+    STATUS(3, vm_rhs_translation(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_rhs1(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow1, &flow1)));
+    STATUS(3, vm_rhs2(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow2, &flow2)));
+    flow.streams = NULL, flow1.streams = NULL, flow2.streams = NULL; /* one stream, which is not there */
+    CHECK(vm_flow_start(&flow, &body, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_rhs_given(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_rhs_balanced(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_rhs_translation(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_rhs1(0, y, null_output[0], &flow1) == VM_BAD_ARGUMENT);
+    CHECK(vm_rhs2(0, y, null_output[0], &flow2) == VM_BAD_ARGUMENT);
+    STATUS(3, vm_linear_flow(1, 0, 1, 2, 0, IN(0, vm_stream1, &line), X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_jet_damping(1, IN(0, vm_jet, &jet), zero, X(1, vm_vec3)));
+    STATUS(2, vm_drum_at(1, IN(0, vm_drum, &d), X(1, vm_drum_geometry)));
+    STATUS(3, vm_drum_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
+    STATUS(3, vm_drum_rhs_reduced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
+    STATUS(3, vm_drum_rhs_angle(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
+    NUMBER(1, vm_drum_rate(1, IN(0, vm_drum, &d)));
+    NUMBER(1, vm_drum_time(1, IN(0, vm_drum, &d)));
+    NUMBER(1, vm_drum_angle(1, IN(0, vm_drum, &d)));
+    NUMBER(1, vm_drum_stop(IN(0, vm_drum, &d)));
+    NUMBER(1, vm_drum_angle_lambert(R(0.1), IN(0, vm_drum, &d)));
+    STATUS(2, vm_drum_shaft_init(IN(0, vm_drum, &d), IO(1, vm_drum_shaft, &shaft)));
+    CHECK(vm_drum_shaft_init(&d, &shaft) == VM_OK);
+    NUMBER(1, vm_drum_deflection(1, IN(0, vm_drum_shaft, &shaft), 1, 0, 0));
+    ANSWER(1, vm_drum_shaft_valid(IN(0, vm_drum_shaft, &shaft)));
+}
+
+static void null_oscillators(void)
+{
+    const vm_law law = vm_law_linear(1, 0);
+    vm_osc_problem o;
+    vm_osc_plan p;
+    memset(&o, 0, sizeof o);
+    o.mass = law, o.stiffness = vm_law_linear(4, 0), o.x = 1, o.alpha = 1;
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    NOTHING(2, vm_osc_exact(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_osc_trig(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_osc_jacobi(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_osc_amplitude_phase(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_osc_exact_from(1, 1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    STATUS(3, vm_law_at(IN(0, vm_law, &law), 1, X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_law_inverse_integral(IN(0, vm_law, &law), 1, X(1, vm_real)));
+    STATUS(2, vm_osc_plan_init(IO(0, vm_osc_plan, &p), IN(1, vm_osc_problem, &o)));
+    STATUS(2, vm_osc_plan_by(IN(0, vm_osc_plan, &p), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_plan_at(IN(0, vm_osc_plan, &p), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by(IN(0, vm_osc_problem, &o), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_at(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_trig(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_jacobi(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_ateb(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_second(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_variation(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_rk45(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_rk87(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
+    STATUS(4, vm_osc_averaged(IN(0, vm_osc_plan, &p), VM_ROUTE_ATEB, 1, 1, X(1, vm_real), X(2, vm_real),
+                              X(3, vm_real)));
+    o.mass = vm_law_user(NULL, NULL);
+    CHECK(vm_osc_plan_init(&p, &o) == VM_BAD_ARGUMENT);
+    o.mass = vm_law_table(2, NULL, NULL);
+    CHECK(vm_osc_plan_init(&p, &o) == VM_BAD_ARGUMENT);
+}
+
+static void null_slow(void)
+{
+    static const vm_real y[5] = {R(0.1), R(0.2), R(0.3), R(0.4), R(0.5)};
+    const vm_linear_mass mass = {2, R(0.01)};
+    vm_linear_mass linear = mass;
+    vm_power_force power = cubic;
+    vm_vdp v = {3, 2, R(0.1), R(0.2), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
+    vm_laval r = laval(), soft = laval();
+    vm_pair pair = {3, 2, 1, NULL, NULL};
+    vm_forced f = prepared();
+    const vm_power_force first = {3, 1};
+    v.mass = r.mass = soft.mass = pair.mass = vm_slow_mass_linear;
+    v.mass_ctx = r.mass_ctx = soft.mass_ctx = pair.mass_ctx = &linear;
+    soft.stiffness_ctx = (void *)&first;
+    CHECK(vm_vdp_init(&v) == VM_OK);
+    NUMBER(2, vm_slow_mass_linear(1, X(0, vm_real), IO(1, vm_linear_mass, &linear)));
+    STATUS(1, vm_vdp_init(IO(0, vm_vdp, &v)));
+    NUMBER(1, vm_vdp_amplitude(IN(0, vm_vdp, &v), 1, 1, mass));
+    NUMBER(1, vm_vdp_steady(IN(0, vm_vdp, &v), 0, NULL));
+    STATUS(3, vm_vdp_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_vdp, &v)));
+    STATUS(3, vm_vdp_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_vdp, &v)));
+    NUMBER(2, vm_laval_power(1, X(0, vm_real), IO(1, vm_power_force, &power)));
+    NOTHING(2, vm_laval_polar(vmi_complex(1, 2), X(0, vm_real), X(1, vm_real)));
+    NUMBER(1, vm_laval_momentum(IN(0, vm_laval, &r), 1, vmi_complex(1, 2), vmi_complex(2, 3)));
+    STATUS(3, vm_laval_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &r)));
+    STATUS(3, vm_laval_split(IN(0, vm_laval, &soft), 0, IN(1, vm_real, y), 0, X(2, vm_real)));
+    STATUS(3, vm_laval_join(IN(0, vm_laval, &soft), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_laval_exact_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &soft)));
+    STATUS(3, vm_laval_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &soft)));
+    NUMBER(1, vm_laval_frequency(IN(0, vm_laval, &r), 1, 1, 1));
+    STATUS(3, vm_laval_forward_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &r)));
+    STATUS(3, vm_laval_backward_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &r)));
+    NUMBER(1, vm_laval_amplitude(IN(0, vm_laval, &r), 1, 1, 2));
+    STATUS(3, vm_pair_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_pair, &pair)));
+    STATUS(3, vm_pair_split(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_pair_join(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_pair_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_pair, &pair)));
+    STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, y), mass, X(2, vm_real)));
+    STATUS(1, vm_forced_init(IO(0, vm_forced, &f)));
+    STATUS(3, vm_forced_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
+    STATUS(3, vm_forced_exact_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
+    STATUS(3, vm_forced_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
+    STATUS(3, vm_forced_split(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_forced_join(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(2, vm_forced_steady(IN(0, vm_forced, &f), 0, X(1, vm_steady)));
+    STATUS(2, vm_forced_curve(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_steady)));
+    NUMBER(1, vm_forced_peak(IN(0, vm_forced, &f), 0));
+    STATUS(2, vm_forced_passage(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_passage)));
+    /* no mass, no stiffness where one is needed */
+    v.mass = r.mass = soft.mass = pair.mass = NULL;
+    CHECK(vm_pair_rhs(0, y, null_output[0], &pair) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_split(&pair, 0, y, null_output[0]) == VM_BAD_ARGUMENT);
+    CHECK(vm_laval_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_laval_split(&soft, 0, y, 0, null_output[0]) == VM_BAD_ARGUMENT);
+    r.mass = vm_slow_mass_linear, r.stiffness = NULL;
+    CHECK(vm_laval_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_laval_forward_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(isnan((double)vm_laval_frequency(&r, 1, 1, 1)) && isnan((double)vm_laval_amplitude(&r, 1, 1, 2)));
+    memset(&f, 0, sizeof f), f.now.mass = f.now.k = 1; /* not prepared */
+    CHECK(vm_forced_split(&f, 0, y, null_output[0]) < 0 && vm_forced_averaged_rhs(0, y, null_output[0], &f) < 0);
+}
+
+static vm_real null_law(vm_real t, void *ctx) { return (void)ctx, 1 + t; }
+static void null_motion(vm_real t, vm_real *x, vm_real *v, void *ctx) { (void)ctx, *x = t - R(0.5), *v = 1; }
+
+static void null_diagnostics(void)
+{
+    static const vm_point points[1] = {{1, 2, 0}};
+    vm_real y[2] = {R(-0.1), 1}, work[RK45_WORK(2)], buffer[2];
+    rk45 s;
+    STATUS(1, vm_find_points(null_motion, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, X(0, vm_point)));
+    CHECK(vm_find_points(NULL, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, (vm_point *)(void *)null_output) ==
+          VM_BAD_ARGUMENT);
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, y, NULL, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
+    STATUS(3, vm_find_points_of_step(IO(0, rk45, &s), 0, 1, VM_ZERO_CROSSINGS, IO(1, vm_real, buffer), 4,
+                                     X(2, vm_point)));
+    NUMBER(1, vm_envelope_error(VM_TURNING_POINTS, 1, IN(0, vm_point, points), null_law, NULL));
+    CHECK(isnan((double)vm_envelope_error(VM_TURNING_POINTS, 1, points, NULL, NULL)));
+}
+
+/* What a scene is made of: a constructor with a null pointer makes what the check refuses */
+static vm_real null_force(vm_real t, vm_real x, vm_real v, void *ctx) { return (void)ctx, t - x - v; }
+static vm_mass_now null_mass(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const vm_mass_now now = {2, 0, 0, 0};
+    return (void)t, (void)x, (void)v, (void)ctx, now;
+}
+static void null_apply(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    (void)e, (void)t, (void)y, (void)s;
+}
+static void null_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
+{
+    (void)t, (void)ctx, r->x = 2, v->x = 0, a->x = 0;
+}
+static void null_vary(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
+{
+    (void)t, (void)y, (void)ctx, stream->rate = 1;
+}
+static vm_real null_when(vm_real t, const vm_real *y, void *ctx) { return (void)y, (void)ctx, t - 1; }
+static int null_then(vm_real t, vm_real *y, void *ctx) { return (void)t, (void)y, (void)ctx, VM_OK; }
+
+/* Whether a scene of these is refused: a line, an axle, a growing body in the plane and one in space */
+static int null_in_scene(const vm_scene_body *body, const vm_effect *effect, const vm_event *event)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_body free_body = a_body(2);
+    vm_scene_body bodies[6];
+    vm_effect effects[1];
+    vm_event events[1];
+    ode_event located[1];
+    vm_scene s;
+    memset(&s, 0, sizeof s);
+    bodies[0] = vm_scene_line(2, 0, 1), bodies[1] = vm_scene_axle(2, 0, 1);
+    bodies[2] = vm_scene_plane(2, 1, zero, 0, zero, 0);
+    bodies[3] = body ? *body : vm_scene_free(&free_body);
+    bodies[4] = vm_scene_growing_free(vm_scene_free(&free_body));
+    bodies[5] = vm_scene_absent(vm_scene_line(1, 0, 0));
+    s.bodies = bodies, s.n_bodies = 6, s.effects = effects, s.n_effects = effect != NULL;
+    s.events = events, s.n_events = event != NULL, s.located = located;
+    if (effect) effects[0] = *effect;
+    if (event) events[0] = *event;
+    return vm_scene_check(&s, NULL);
+}
+static int body_in_scene(vm_scene_body body) { return null_in_scene(&body, NULL, NULL); }
+static int effect_in_scene(vm_effect effect) { return null_in_scene(NULL, &effect, NULL); }
+static int event_in_scene(vm_event event) { return null_in_scene(NULL, NULL, &event); }
+#define CALLBACK(k, function) (null_at == (k) ? NULL : (function))
+
+static void null_parts_of_scenes(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 0, 0};
+    vm_body body = a_body(2), part;
+    vm_stream stream;
+    vm_effect mass;
+    memset(&stream, 0, sizeof stream), memset(&part, 0, sizeof part);
+    stream.rate = 1, part.mass = 1;
+    mass = vm_effect_stream_mass(4, &stream);
+    STATUS(1, body_in_scene(vm_scene_free(IN(0, vm_body, &body))));
+    STATUS(1, body_in_scene(vm_scene_growing_free(vm_scene_free(IN(0, vm_body, &body)))));
+    STATUS(1, effect_in_scene(vm_effect_user(0, 0, CALLBACK(0, null_force), NULL)));
+    STATUS(1, effect_in_scene(vm_effect_user_between(0, 0, 3, 0, CALLBACK(0, null_force), NULL)));
+    STATUS(1, effect_in_scene(vm_effect_callback(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
+    STATUS(1, effect_in_scene(vm_effect_link(2, VM_GROUND, CALLBACK(0, null_point), NULL, 1, 0, 1)));
+    STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 0)));
+    STATUS(1, effect_in_scene(vm_effect_stream_mass(4, IN(0, vm_stream, &stream))));
+    STATUS(1, effect_in_scene(vm_effect_stream_force(4, IN(0, vm_stream, &stream))));
+    STATUS(1, effect_in_scene(vm_effect_stream_moment(4, IN(0, vm_stream, &stream))));
+    STATUS(1, effect_in_scene(vm_effect_stream_torque(4, IN(0, vm_stream, &stream))));
+    STATUS(1, effect_in_scene(vm_effect_varying(mass, CALLBACK(0, null_vary), NULL)));
+    STATUS(1, effect_in_scene(vm_effect_band(1, IN(0, vm_band, &band))));
+    NUMBER(1, vm_band_at(1, IN(0, vm_band, &band)).inertia);
+    STATUS(1, event_in_scene(vm_then_stop(vm_event_user(CALLBACK(0, null_when), NULL, 0))));
+    STATUS(1, event_in_scene(vm_then_user(vm_event_at(1), CALLBACK(0, null_then), NULL)));
+    STATUS(1, event_in_scene(vm_then_separate(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
+    STATUS(1, event_in_scene(vm_then_separate_on_line(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
+    part.inertia.zz = 1;
+    CHECK(event_in_scene(vm_then_separate_in_plane(vm_event_at(1), 2, 3, NULL, 0)) == VM_BAD_ARGUMENT);
+    NOTHING(2, vm_force_shaft(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_unbalance(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_gyroscopic(1, 2, 3, X(0, vm_real), X(1, vm_real)));
+}
+
+static void null_scenes(void)
+{
+    vm_scene_body body = vm_scene_line(2, 0, 1);
+    vm_real y[2 + VM_BOOK] = {0}, z[2 + VM_BOOK], work[VM_SCENE_WORK(2 + VM_BOOK)], t = 0;
+    vm_culprit culprit;
+    vm_book book, totals;
+    vm_scene s;
+    memset(&s, 0, sizeof s);
+    s.bodies = &body, s.n_bodies = 1;
+    null_clear(), vm_scene_keep_book(NULL, (vm_book *)(void *)null_output);
+    CHECK(null_untouched());
+    vm_scene_keep_book(&s, &book);
+    STATUS(1, vm_scene_check(IN(0, vm_scene, &s), &culprit));
+    STATUS(1, vm_scene_size(IN(0, vm_scene, &s)));
+    STATUS(2, vm_scene_start(IO(0, vm_scene, &s), 0, IO(1, vm_real, y), NULL));
+    CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK);
+    memcpy(z, y, sizeof z);
+    STATUS(3, vm_scene_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_scene, &s)));
+    STATUS(4, (t = 0, vm_scene_run(IO(0, vm_scene, &s), IO(1, vm_real, &t), 1, IO(2, vm_real, z),
+                                   IO(3, vm_real, work), NULL)));
+    STATUS(3, vm_scene_balance(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_book, &totals)));
+    NOTHING(3, vm_scene_body_at(IN(0, vm_scene, &s), 0, IN(1, vm_real, y), X(2, vm_body)));
+    s.bodies = NULL;
+    CHECK(vm_scene_size(&s) == VM_BAD_ARGUMENT && vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
+}
+
+static void test_null_pointers(void)
+{
+    null_bodies();
+    null_rotor();
+    null_lagrange();
+    null_streams();
+    null_oscillators();
+    null_slow();
+    null_diagnostics();
+    null_parts_of_scenes();
+    null_scenes();
+}
