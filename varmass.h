@@ -976,7 +976,10 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 
 /* How a mass or a stiffness depends on time: positive between 0 and the times that are asked for. The value at t = 0
    is f0, but for tables and functions. A table is interpolated monotonically, by cubics with Fritsch and Butland's
-   slopes; times rise, and t must lie between the first and the last. */
+   slopes; times rise, and t must lie between the first and the last.
+   A function is looked at in panels of at most |t|/32, of 20 points each, which are halved where it changes fast. That
+   finds a bump exp(-(time/w)^2) of width w > |t|/3000. If the law changes faster than that, say in change_time how fast:
+   no panel is then longer than change_time, s, and no step of an integrator either. 0 means unknown. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx); /* f(t), df/dt; 0 or failure */
 enum {
     VM_LAW_LINEAR = 0,      /* f0 + f1 t (346); constant where f1 = 0 */
@@ -993,6 +996,7 @@ typedef struct VM_TAG(vm_law) {
     const vm_real *time, *value;
     vm_law_function function;
     void *ctx;
+    vm_real change_time; /* of a function: the shortest time, s, in which it changes; 0: unknown */
 } vm_law;
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1);
 VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2);
@@ -5548,7 +5552,7 @@ VM_API vm_law vmi_law_of(int kind, vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
     law.kind = kind, law.f0 = f0, law.f1 = f1, law.f2 = f2;
-    law.n = 0, law.time = law.value = NULL, law.function = NULL, law.ctx = NULL;
+    law.n = 0, law.time = law.value = NULL, law.function = NULL, law.ctx = NULL, law.change_time = 0;
     return law;
 }
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1) { return vmi_law_of(VM_LAW_LINEAR, f0, f1, 0); }
@@ -5673,6 +5677,8 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     return VM_OK;
 }
 
+#define VMI_LAW_MOST_CHANGES VM_C(1048576.) /* change_times of a run: every call ends */
+
 /* Is the law positive between 0 and t, as far as can be told without going there? Tables: all of it, and in order */
 VM_API int vmi_law_check(const vm_law *law, vm_real t)
 {
@@ -5680,6 +5686,11 @@ VM_API int vmi_law_check(const vm_law *law, vm_real t)
     int i, status = vmi_law_derivatives(law, 0, 1, 0, f);
     if (!status) status = vmi_law_derivatives(law, t, 1, 0, f);
     if (status) return status;
+    if (law->kind == VM_LAW_FUNCTION) {
+        if (!VM_IS_FINITE(law->change_time)) return VM_NOT_FINITE;
+        if (law->change_time < 0 || VM_FABS(t) > law->change_time * VMI_LAW_MOST_CHANGES)
+            return law->change_time == 0 ? VM_OK : VM_BAD_ARGUMENT;
+    }
     if (law->kind == VM_LAW_QUADRATIC && law->f2 > 0) {
         const vm_real lowest = -law->f1 / (2 * law->f2);
         if (lowest * t > 0 && VM_FABS(lowest) < VM_FABS(t)) return vmi_law_derivatives(law, lowest, 1, 0, f);
@@ -5723,14 +5734,23 @@ VM_API vm_real vmi_law_quadratic_integral(const vm_law *law, vm_real t)
 
 /* -- Integrals of the laws along the motion: int dt/m, int Om dt, int q^2/Om dt -- */
 
-typedef struct VM_TAG(vmi_osc_slow) {
+enum { VMI_WALK_ORDERS = 5 };
+
+/* What the walk along the laws from 0 to t gathers. epsilon = q/Om is the small parameter, psi the mean phase. */
+typedef struct VM_TAG(vmi_osc_walk) {
     const vm_law *mass, *stiffness;
     const vm_osc_plan *plan; /* null: only the first integral */
     int side;                /* the direction of time */
+    vm_real y[3];            /* int dt/m, int Om/Om0 dt, int q^2 Om0/Om dt */
+    vm_real fourth;          /* int epsilon^4 + (depsilon/dpsi)^2 dpsi */
+    vm_real change[VMI_WALK_ORDERS]; /* int |d^k epsilon/dpsi^k| dpsi, but for jumps at points of tables */
     vm_real ln_A;            /* what jumps of q' have done to the mean amplitude */
+    vm_real kicks;           /* the sum of their sizes */
     vm_real kick2, kick3;    /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
-    int status;
-} vmi_osc_slow;
+    vm_real shortest;        /* panel that the laws took, s */
+    vm_real error;           /* of the second integral (of the first, where plan is null) */
+    int panels;
+} vmi_osc_walk;
 
 /* The state of things at t: m, k, q, h of the second-order law, and the part of h' that tables make large */
 typedef struct VM_TAG(vmi_osc_rates) {
@@ -5764,26 +5784,6 @@ VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, 
     *ln_Om = ((1 - p->gamma) * ln_k - (1 + p->gamma * r) * ln_m) / 2 - p->gamma * damping;
 }
 
-/* dy/dt of y = int dt/m, int Om/Om0 dt, int q^2 Om0/Om dt */
-VM_API int vmi_osc_slow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
-{
-    vmi_osc_slow *c = (vmi_osc_slow *)ctx;
-    vmi_osc_rates r;
-    vm_real f[4], ln_A, ln_Om, ratio;
-    if (!c->plan) {
-        c->status = vmi_law_derivatives(c->mass, t, c->side, 0, f);
-        dydt[0] = 1 / f[0];
-        return c->status;
-    }
-    c->status = vmi_osc_rates_at(c->plan, t, c->side, 0, &r);
-    if (c->status) return c->status;
-    vmi_osc_adiabatic(c->plan, vmi_log(r.m / c->plan->m0).hi, vmi_log(r.k / c->plan->k0).hi,
-                      c->plan->problem.damping * y[0], &ln_A, &ln_Om);
-    ratio = vmi_exp(ln_Om + (c->plan->problem.alpha - 1) / 2 * c->ln_A, 0);
-    dydt[0] = 1 / r.m, dydt[1] = ratio, dydt[2] = r.q * r.q / ratio;
-    return 0;
-}
-
 /* The next point of a table after t on the way to t_end, or t_end */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
@@ -5814,62 +5814,276 @@ VM_API void vmi_osc_phase_from_mean(const vm_osc_plan *p, const vmi_osc_wave *w,
     vmi_osc_wave_at(w, mean + step, c, s);
 }
 
-/* At t, a point of a table, q' jumps: the motion, which does not, goes on with another mean amplitude */
-VM_API int vmi_osc_knot(vmi_osc_slow *c, vm_real t, const vm_real *y, vm_real ratio)
+/* Gauss' rule of 20 points on [-1, 1], 0 <= i < 20 */
+enum { VMI_GAUSS = 20 };
+VM_API vm_real vmi_gauss_node(int i)
 {
-    const vm_osc_plan *p = c->plan;
-    const vm_real n = p->problem.alpha + 1, Om = p->Om * ratio;
-    const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, p->problem.alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
-    vmi_osc_rates before, after;
-    vm_real ca, sa, jump;
-    int status = vmi_osc_rates_at(p, t, -c->side, 1, &before);
-    if (!status) status = vmi_osc_rates_at(p, t, c->side, 1, &after);
-    c->status = status;
-    if (status || before.h == after.h) return status;
-    vmi_osc_phase_from_mean(p, &w, vmi_osc_mean_phase(p, y), after.q * n / (2 * (n + 2) * Om), &ca, &sa);
-    jump = (before.h - after.h) / (Om * Om);
-    c->ln_A += n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
-    c->kick2 += jump * jump;
-    jump = (VM_FABS(jump * after.q) + VM_FABS(before.h_rate - after.h_rate) / (Om * Om)) / Om;
-    c->kick3 += jump * jump;
+    VM_TABLE vm_real node[10] = {VM_C(0.99312859918509492479), VM_C(0.96397192727791379127),
+                                 VM_C(0.91223442825132590587), VM_C(0.83911697182221882339),
+                                 VM_C(0.74633190646015079261), VM_C(0.63605368072651502545),
+                                 VM_C(0.510867001950827098),   VM_C(0.37370608871541956067),
+                                 VM_C(0.22778585114164507808), VM_C(0.076526521133497333755)};
+    return i % 2 ? node[i / 2] : -node[i / 2];
+}
+VM_API vm_real vmi_gauss_weight(int i)
+{
+    VM_TABLE vm_real weight[10] = {VM_C(0.017614007139152118312), VM_C(0.040601429800386941331),
+                                   VM_C(0.06267204833410906357),  VM_C(0.083276741576704748725),
+                                   VM_C(0.10193011981724043504),  VM_C(0.11819453196151841731),
+                                   VM_C(0.1316886384491766269),   VM_C(0.14209610931838205133),
+                                   VM_C(0.14917298647260374679),  VM_C(0.1527533871307258507)};
+    return weight[i / 2];
+}
+
+/* Coefficients of the series of Legendre's polynomials through values at the points of Gauss' rule */
+VM_API void vmi_legendre_fit(const vm_real *values, vm_real *coefficient)
+{
+    int i, k;
+    for (k = 0; k < VMI_GAUSS; k++) coefficient[k] = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real x = vmi_gauss_node(i), share = vmi_gauss_weight(i) * values[i];
+        vm_real before = 0, now = 1;
+        for (k = 0; k < VMI_GAUSS; k++) {
+            const vm_real next = ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
+            coefficient[k] += ((vm_real)k + VM_C(0.5)) * share * now;
+            before = now;
+            now = next;
+        }
+    }
+}
+
+/* The integral of the series from -1 to x */
+VM_API vm_real vmi_legendre_integral(const vm_real *coefficient, vm_real x)
+{
+    vm_real before = 1, now = x, sum = coefficient[0] * (1 + x);
+    int k;
+    for (k = 1; k < VMI_GAUSS; k++) {
+        const vm_real next = ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
+        sum += coefficient[k] * (next - before) / (vm_real)(2 * k + 1);
+        before = now;
+        now = next;
+    }
+    return sum;
+}
+
+/* The series' derivative, in place: d_k = (2k+1) (c_(k+1) + c_(k+3) + ...) */
+VM_API void vmi_legendre_derive(vm_real *coefficient)
+{
+    vm_real sums[2] = {0, 0};
+    int k;
+    for (k = VMI_GAUSS - 1; k >= 0; k--) {
+        const vm_real own = coefficient[k];
+        coefficient[k] = (vm_real)(2 * k + 1) * sums[(k + 1) % 2];
+        sums[k % 2] += own;
+    }
+}
+
+/* The mean square on [-1, 1] */
+VM_API vm_real vmi_legendre_square(const vm_real *coefficient)
+{
+    vm_real sum = 0;
+    int k;
+    for (k = 0; k < VMI_GAUSS; k++) sum += coefficient[k] * coefficient[k] / (vm_real)(2 * k + 1);
+    return sum;
+}
+
+/* The largest of the last three coefficients: what the series leaves out is of this size */
+VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
+{
+    vm_real largest = 0;
+    int k;
+    for (k = VMI_GAUSS - 3; k < VMI_GAUSS; k++) {
+        const vm_real size = VM_FABS(coefficient[k]);
+        if (!(size <= largest)) largest = size;
+    }
+    return largest;
+}
+
+/* A panel of the walk: the series of 1/m, Om/Om0 and epsilon on it, and its share of the integrals */
+typedef struct VM_TAG(vmi_osc_panel) {
+    vm_real inverse[VMI_GAUSS], ratio[VMI_GAUSS], epsilon[VMI_GAUSS];
+    vm_real drift, fourth; /* int q^2 Om0/Om dt, int epsilon^4 dpsi */
+} vmi_osc_panel;
+
+/* Om/Om0 where k and m are these and int dt/m is y0 */
+VM_API vm_real vmi_osc_walk_ratio(const vmi_osc_walk *w, vm_real m, vm_real k, vm_real y0)
+{
+    const vm_osc_plan *p = w->plan;
+    vm_real ln_A, ln_Om;
+    vmi_osc_adiabatic(p, vmi_log(m / p->m0).hi, vmi_log(k / p->k0).hi, p->problem.damping * y0, &ln_A, &ln_Om);
+    return vmi_exp(ln_Om + (p->problem.alpha - 1) / 2 * w->ln_A, 0);
+}
+
+VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length, vmi_osc_panel *panel)
+{
+    vmi_osc_rates r[VMI_GAUSS];
+    vm_real values[VMI_GAUSS], f[4];
+    int i, status;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real t = start + length * ((1 + vmi_gauss_node(i)) / 2);
+        if (w->plan) status = vmi_osc_rates_at(w->plan, t, w->side, 0, r + i);
+        else status = vmi_law_derivatives(w->mass, t, w->side, 0, f), r[i].m = f[0];
+        if (status) return status;
+        values[i] = 1 / r[i].m;
+    }
+    vmi_legendre_fit(values, panel->inverse);
+    if (!w->plan) return VM_OK;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real way = length / 2 * vmi_legendre_integral(panel->inverse, vmi_gauss_node(i));
+        values[i] = vmi_osc_walk_ratio(w, r[i].m, r[i].k, w->y[0] + way);
+    }
+    vmi_legendre_fit(values, panel->ratio);
+    panel->drift = panel->fourth = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real share = vmi_gauss_weight(i) / 2 * length, drift = r[i].q * r[i].q / values[i];
+        const vm_real small = r[i].q / (w->plan->Om * values[i]);
+        panel->drift += share * drift;
+        panel->fourth += VM_FABS(share * drift) * small * small / w->plan->Om;
+        values[i] = small;
+    }
+    vmi_legendre_fit(values, panel->epsilon);
     return VM_OK;
 }
 
-/* y of vmi_osc_slow_rhs from 0 to t, from one point of a table to the next; n = 1 or 3 */
-VM_API int vmi_osc_slow_integrals(vmi_osc_slow *c, int n, vm_real t, vm_real *y)
+/* Is the panel short enough for its series? Of the integrals Gauss' rule takes twice as many terms, so that their
+   error is about the square of the tail. epsilon need not be known as well. Where a law has a kink no panel is short
+   enough: then what is left out must not matter. whole is the length of the walk. */
+VM_API int vmi_osc_panel_resolved(const vmi_osc_walk *w, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
-    vm_real work[RK87_WORK(3)], atol[3] = {0, 0, 0}, knot, dydt[3];
-    rk45_options options = rk45_defaults(NULL);
-    rk45 s;
-    int status, tight = VM_MANT_DIG > 24;
-    options.rtol = tight ? VM_C(1e-13) : 32 * VM_EPSILON, options.atol_each = atol, options.h0 = t / 64;
-    c->side = t < 0 ? -1 : 1, c->ln_A = c->kick2 = c->kick3 = 0, c->status = VM_OK;
-    y[0] = 0;
-    if (n == 3) y[1] = y[2] = 0, atol[2] = options.rtol * c->plan->Om * c->plan->Om * VM_FABS(t);
-    if (t == 0) return VM_OK;
-    status = tight ? rk87_init(&s, vmi_osc_slow_rhs, c, n, 0, y, &options, work)
-                   : rk45_init(&s, vmi_osc_slow_rhs, c, n, 0, y, &options, work);
-    if (n == 3 && c->side < 0) vmi_osc_knot(c, 0, y, 1); /* the plan starts with what is on the other side of 0 */
-    while (status >= 0 && s.t != t) {
-        knot = vmi_law_next_knot(c->mass, s.t, t);
-        if (n == 3) knot = vmi_law_next_knot(c->stiffness, s.t, knot);
-        status = tight ? rk87_solve(&s, knot) : rk45_solve(&s, knot);
-        if (status < 0 || knot == t) continue;
-        if (n == 3 && vmi_osc_slow_rhs(s.t, s.y, dydt, c) == 0) vmi_osc_knot(c, s.t, s.y, dydt[1]);
-        if (c->status) return c->status;
-        status = tight ? rk87_restart(&s, s.t, s.y) : rk45_restart(&s, s.t, s.y);
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5), epsilon_enough = VM_C(1e-3);
+    const vm_real matters = VM_EPSILON / 4 * whole / VM_FABS(length), phase_matters = 16 * VM_EPSILON;
+    const vm_real limit = enough > matters ? enough : matters;
+    const vm_real *series = w->plan ? panel->ratio : panel->inverse;
+    vm_real phase;
+    if (!(vmi_legendre_tail(panel->inverse) <= limit * panel->inverse[0])) return 0;
+    if (!(vmi_legendre_tail(series) <= limit * series[0])) return 0;
+    if (!w->plan) return 1;
+    phase = w->plan->Om * panel->ratio[0] * VM_FABS(length);
+    return vmi_legendre_tail(panel->epsilon) <=
+           epsilon_enough * VM_SQRT(vmi_legendre_square(panel->epsilon)) + phase_matters / phase;
+}
+
+/* The panel's share of all that the walk gathers */
+VM_API void vmi_osc_walk_add(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
+{
+    const vm_real size = VM_FABS(length), noise = 1024 * VM_EPSILON;
+    vm_real Om, rate, least;
+    int k;
+    w->panels++;
+    w->y[0] += length * panel->inverse[0];
+    if (!w->plan) {
+        w->error += size * vmi_legendre_tail(panel->inverse) * vmi_legendre_tail(panel->inverse) / panel->inverse[0];
+        return;
     }
-    if (c->status) return c->status;
-    if (status < 0) return VM_NOT_INTEGRATED;
-    y[0] = s.y[0];
-    if (n == 3) y[1] = s.y[1], y[2] = s.y[2];
+    w->y[1] += length * panel->ratio[0];
+    w->y[2] += panel->drift;
+    Om = w->plan->Om * panel->ratio[0];
+    rate = 1;
+    least = noise * VM_SQRT(vmi_legendre_square(panel->epsilon));
+    for (k = 0; k < VMI_GAUSS; k++)
+        if (VM_FABS(panel->epsilon[k]) <= least) panel->epsilon[k] = 0;
+    for (k = 0; k < VMI_WALK_ORDERS; k++) {
+        const vm_real square = vmi_legendre_square(panel->epsilon) * rate * rate;
+        w->change[k] += Om * size * VM_SQRT(square);
+        if (k == 1) w->fourth += Om * size * square;
+        vmi_legendre_derive(panel->epsilon);
+        rate *= 2 / (size * Om);
+    }
+    w->fourth += panel->fourth;
+}
+
+/* At t, a point of a table, q' jumps: the motion, which does not, goes on with another mean amplitude. A jump that is
+   not small is none to which this holds: it is left to the estimate. */
+VM_API int vmi_osc_knot(vmi_osc_walk *w, vm_real t)
+{
+    const vm_osc_plan *p = w->plan;
+    const vm_real n = p->problem.alpha + 1, largest = VM_C(0.5);
+    const vmi_osc_wave wave = vmi_osc_wave_of(VM_ROUTE_ATEB, n - 1, p->pi, p->has_ateb ? &p->ateb : NULL);
+    vmi_osc_rates before, after;
+    vm_real ca, sa, jump, kick, Om;
+    int status = vmi_osc_rates_at(p, t, -w->side, 1, &before);
+    if (!status) status = vmi_osc_rates_at(p, t, w->side, 1, &after);
+    if (status || before.h == after.h) return status;
+    Om = p->Om * vmi_osc_walk_ratio(w, after.m, after.k, w->y[0]);
+    jump = (before.h - after.h) / (Om * Om);
+    if (VM_FABS(jump) < largest) {
+        vmi_osc_phase_from_mean(p, &wave, vmi_osc_mean_phase(p, w->y), after.q * n / (2 * (n + 2) * Om), &ca, &sa);
+        kick = n / (4 * (n + 2)) * (ca * ca - p->mean_ca2) * jump;
+        w->ln_A += kick;
+        w->kicks += VM_FABS(kick);
+    }
+    w->kick2 += jump * jump;
+    jump = jump * jump + (VM_FABS(jump * after.q) + VM_FABS(before.h_rate - after.h_rate) / (Om * Om)) / Om;
+    w->kick3 += jump * jump;
     return VM_OK;
+}
+
+/* From start to end, between which no table has a point, by panels of at most longest */
+VM_API int vmi_osc_walk_piece(vmi_osc_walk *w, vm_real start, vm_real end, vm_real longest, vm_real whole)
+{
+    const int most_panels = 4096; /* beyond, for laws with noise, panels are no longer halved */
+    const vm_real least = whole / VM_C(1099511627776.); /* 2^40 */
+    const vm_real side = (vm_real)w->side, most = longest < VM_FABS(end - start) ? longest : VM_FABS(end - start);
+    vm_real t = start, size = most;
+    int halved = 0;
+    while (t != end) {
+        vmi_osc_panel panel;
+        const vm_real left = VM_FABS(end - t), step = left <= size * VM_C(1.0001) ? left : size;
+        int status = vmi_osc_panel_of(w, t, side * step, &panel);
+        if (status) return status;
+        if (!vmi_osc_panel_resolved(w, &panel, step, whole)) {
+            if (step > least && halved < most_panels && t + side * (step / 2) != t) {
+                size = step / 2;
+                halved++;
+                continue;
+            }
+            if (w->plan) w->error += step * vmi_legendre_tail(panel.ratio);
+            else w->error += step * vmi_legendre_tail(panel.inverse);
+        }
+        vmi_osc_walk_add(w, &panel, side * step);
+        if (step < w->shortest && step < left) w->shortest = step;
+        t = step == left ? end : t + side * step;
+        size = 2 * step < most ? 2 * step : most;
+    }
+    return VM_OK;
+}
+
+/* The longest panel in which a law cannot hide a change */
+VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
+{
+    vm_real longest = whole / 32;
+    if (law->kind != VM_LAW_FUNCTION) return whole;
+    return law->change_time > 0 && law->change_time < longest ? law->change_time : longest;
+}
+
+/* The walk along the laws from 0 to t, from one point of a table to the next */
+VM_API int vmi_osc_walk_to(vmi_osc_walk *w, vm_real t)
+{
+    const vm_real whole = VM_FABS(t);
+    vm_real at = 0, longest = vmi_law_longest_panel(w->mass, whole), knot;
+    int k, status = VM_OK;
+    if (w->plan && vmi_law_longest_panel(w->stiffness, whole) < longest)
+        longest = vmi_law_longest_panel(w->stiffness, whole);
+    w->side = t < 0 ? -1 : 1;
+    w->y[0] = w->y[1] = w->y[2] = w->fourth = 0;
+    for (k = 0; k < VMI_WALK_ORDERS; k++) w->change[k] = 0;
+    w->ln_A = w->kicks = w->kick2 = w->kick3 = w->error = 0;
+    w->shortest = longest;
+    w->panels = 0;
+    if (w->plan && w->side < 0) status = vmi_osc_knot(w, 0); /* the plan starts with what is on the other side of 0 */
+    while (!status && at != t) {
+        knot = vmi_law_next_knot(w->mass, at, t);
+        if (w->plan) knot = vmi_law_next_knot(w->stiffness, at, knot);
+        status = vmi_osc_walk_piece(w, at, knot, longest, whole);
+        at = knot;
+        if (!status && w->plan && at != t) status = vmi_osc_knot(w, at);
+    }
+    return status;
 }
 
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real base, rate, y[1];
-    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0, 0, 0};
     int status;
     if (!law || !integral) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
@@ -5880,8 +6094,11 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
         const vm_real u = t * vmi_log_ratio(base * t);
         y[0] = u / law->f0 * vmi_exp_ratio((base - rate) * u);
     } else {
-        c.mass = law;
-        status = vmi_osc_slow_integrals(&c, 1, t, y);
+        vmi_osc_walk w;
+        w.mass = w.stiffness = law;
+        w.plan = NULL;
+        status = vmi_osc_walk_to(&w, t);
+        y[0] = w.y[0];
     }
     return status ? status : vmi_deliver(1, y, integral);
 }
@@ -5993,33 +6210,70 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_rates now;
     vm_real y[3];         /* int dt/m, int Om/Om0 dt, int q^2 Om0/Om dt */
+    vm_real fourth;       /* int epsilon^4 + (depsilon/dpsi)^2 dpsi */
     vm_real ln_A, ratio;  /* ln A/A0, Om/Om0 by the adiabatic law */
     vm_real kick2, kick3; /* of the points of tables, as above */
+    vm_real fast;         /* ln of the action, up to which the laws' fastest part can change it */
+    vm_real phase_error;  /* of y[1], times Om */
 } vmi_osc_mean;
+
+/* The adiabatic law takes no notice of (ln J)' = epsilon w(psi), w = (1 - (n+2)/n sa^2)/2, per phase, whose mean is 0.
+   What that comes to is at most the integral of |epsilon w|; or, integrated by parts k times, but for terms at the
+   ends, which the laws have, the integral of the kth derivative of epsilon and the kth integral of w. The least of
+   them is taken: for slow laws a late one, for a change in less than a period the first. At points of tables the
+   derivatives jump: the laws have what the first derivative's jumps do, kick3 the next; where those kicks are wrong,
+   since the earlier bounds are less, they are in the bound. */
+VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
+{
+    const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
+    vm_real size[VMI_WALK_ORDERS], least = VM_INFINITY;
+    int k;
+    size[0] = n < 2 ? 1 / n : VM_C(0.5);
+    size[1] = VM_C(0.25); /* sa ca/2 */
+    size[2] = n / 8 * (p->mean_ca2 > VM_C(0.5) ? p->mean_ca2 : 1 - p->mean_ca2);
+    for (k = 3; k < VMI_WALK_ORDERS; k++) size[k] = size[k - 1] * turn;
+    for (k = 0; k < VMI_WALK_ORDERS; k++) {
+        const vm_real bound = size[k] * w->change[k] + (k < 2 ? (n + 2) / 2 * w->kicks : 0);
+        if (bound < least) least = bound;
+    }
+    return least;
+}
+
+/* The mean motion where the laws have to be walked along */
+VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
+{
+    const vm_osc_problem *o = &p->problem;
+    vmi_osc_walk w;
+    int i, status;
+    w.mass = &o->mass, w.stiffness = &o->stiffness, w.plan = p;
+    status = vmi_osc_walk_to(&w, t);
+    if (status) return status;
+    vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi, o->damping * w.y[0],
+                      &mean->ln_A, ln_Om);
+    mean->ln_A += w.ln_A, *ln_Om += (o->alpha - 1) / 2 * w.ln_A;
+    for (i = 0; i < 3; i++) mean->y[i] = w.y[i];
+    mean->fourth = w.fourth, mean->kick2 = w.kick2, mean->kick3 = w.kick3;
+    mean->fast = vmi_osc_fast(p, &w), mean->phase_error = p->Om * w.error;
+    return VM_OK;
+}
 
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_osc_problem *o = &p->problem;
-    vmi_osc_slow c = {NULL, NULL, NULL, 1, 0, 0, 0, 0};
-    vm_real ln_Om, ln_m, ln_k;
+    vm_real ln_Om;
     int status = vmi_osc_rates_at(p, t, t < 0 ? 1 : -1, 1, &mean->now);
-    mean->kick2 = mean->kick3 = 0;
+    mean->kick2 = mean->kick3 = mean->fast = mean->phase_error = 0;
     if (status) return status;
-    if (p->closed) {
-        const vm_real u = t * vmi_log_ratio(p->base * t), damping = o->damping * u / p->m0, Q = p->q;
-        ln_m = p->rate_m * u, ln_k = p->rate_k * u;
-        vmi_osc_adiabatic(p, ln_m, ln_k, damping, &mean->ln_A, &ln_Om);
+    if (p->closed) { /* epsilon goes as a power or an exponential: what is fastest is at one of the ends */
+        const vm_real u = t * vmi_log_ratio(p->base * t), damping = p->problem.damping * u / p->m0, Q = p->q;
+        const vm_real e = Q / p->Om, d = p->h / (p->Om * p->Om);
+        vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, damping, &mean->ln_A, &ln_Om);
         mean->y[0] = u / p->m0;
         mean->y[1] = u * vmi_exp_ratio(p->base * u + ln_Om);
         mean->y[2] = Q * Q * u * vmi_exp_ratio(-p->base * u - ln_Om);
+        mean->fourth = (e * e * e * e + d * d) * p->Om * VM_FABS(u * vmi_exp_ratio(-3 * (p->base * u + ln_Om)));
     } else {
-        c.mass = &o->mass, c.stiffness = &o->stiffness, c.plan = p;
-        status = vmi_osc_slow_integrals(&c, 3, t, mean->y);
+        status = vmi_osc_mean_by_walk(p, t, mean, &ln_Om);
         if (status) return status;
-        ln_m = vmi_log(mean->now.m / p->m0).hi, ln_k = vmi_log(mean->now.k / p->k0).hi;
-        vmi_osc_adiabatic(p, ln_m, ln_k, o->damping * mean->y[0], &mean->ln_A, &ln_Om);
-        mean->kick2 = c.kick2, mean->kick3 = c.kick3;
-        mean->ln_A += c.ln_A, ln_Om += (o->alpha - 1) / 2 * c.ln_A;
     }
     mean->ratio = vmi_exp(ln_Om, 0);
     return VM_IS_FINITE(mean->y[1]) && VM_IS_FINITE(mean->ln_A) && VM_IS_FINITE(mean->ratio) ? VM_OK
@@ -6031,7 +6285,15 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 /* What roundings of the phase come to */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->y[1]));
+    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->y[1])) + mean->phase_error;
+}
+
+/* What the laws miss on the way: changes that are not slow, of which the phase makes gamma Om t, and the roughness of
+   tables */
+VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    const vm_real g = VM_FABS(p->gamma * p->Om * mean->y[1]);
+    return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
 }
 
 /* First order leaves out ln rho and the shift of the start, the ripple of a period, and the second order of the mean
@@ -6044,7 +6306,7 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->y[1]) + VM_FABS(p->shift) + ripple +
                           VM_FABS(c2 * mean->y[2] / p->Om);
     const vm_real amplitude = (2 * VM_FABS(p->ln_rho) + e / 2) / (n + 2);
-    return phase + amplitude + vmi_osc_rounding(p, mean);
+    return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
 /* The second-order law leaves out ripples of second order at the start and at t, the third order of ln rho, which the
@@ -6055,10 +6317,9 @@ VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *me
     const vm_real d = VM_FABS(mean->now.h) / (Om * Om), d0 = VM_FABS(p->h) / (p->Om * p->Om);
     const vm_real third = VM_FABS(p->h_rate) / (p->Om * p->Om) / p->Om;
     const vm_real ripple = (e * e + d) + (e0 * e0 + d0), start = e0 * e0 * e0 + e0 * d0 + d0 * VM_SQRT(d0) + third;
-    const vm_real phase = VM_FABS(p->Om * mean->y[1]), drift = mean->y[2] / p->Om, g = VM_FABS(p->gamma) * phase;
-    const vm_real knots = VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3);
-    return (VM_C(0.02) + VM_C(0.015) * p->problem.alpha) * ripple + VM_C(0.15) * g * start + VM_C(0.2) * knots +
-           (phase > 0 ? VM_C(0.1) * drift * drift / phase : 0) + vmi_osc_rounding(p, mean);
+    const vm_real g = VM_FABS(p->gamma * p->Om * mean->y[1]);
+    return (VM_C(0.02) + VM_C(0.015) * p->problem.alpha) * ripple + VM_C(0.15) * g * start +
+           VM_C(0.1) * mean->fourth + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
 /* How far a wave is from ca and sa: cos at x = 0, where its velocity is wrong; cn in the mean of its square, which is
@@ -6123,23 +6384,13 @@ VM_API int vmi_osc_second_order(const vm_osc_plan *p, const vmi_osc_wave *w, con
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
-    VM_TABLE vm_real node[10] = {VM_C(0.99312859918509492479), VM_C(0.96397192727791379127),
-                                 VM_C(0.91223442825132590587), VM_C(0.83911697182221882339),
-                                 VM_C(0.74633190646015079261), VM_C(0.63605368072651502545),
-                                 VM_C(0.510867001950827098),   VM_C(0.37370608871541956067),
-                                 VM_C(0.22778585114164507808), VM_C(0.076526521133497333755)};
-    VM_TABLE vm_real weight[10] = {VM_C(0.017614007139152118312), VM_C(0.040601429800386941331),
-                                   VM_C(0.06267204833410906357),  VM_C(0.083276741576704748725),
-                                   VM_C(0.10193011981724043504),  VM_C(0.11819453196151841731),
-                                   VM_C(0.1316886384491766269),   VM_C(0.14209610931838205133),
-                                   VM_C(0.14917298647260374679),  VM_C(0.1527533871307258507)};
     const vm_real half = p->pi / 2, cut = half < 6 ? half / 2 : 3;
     int i, quarter;
     *Fs = *Fc = 0;
     for (i = 0; i < 40; i++) {
-        const int k = i % 20 / 2, far = i >= 20;
-        const vm_real u = (1 + (i % 2 ? node[k] : -node[k])) / 2, length = far ? half - cut : cut;
-        const vm_real share = weight[k] / 8 * length / half * (far ? 2 * u : 1);
+        const int k = i % 20, far = i >= 20;
+        const vm_real u = (1 + vmi_gauss_node(k)) / 2, length = far ? half - cut : cut;
+        const vm_real share = vmi_gauss_weight(k) / 8 * length / half * (far ? 2 * u : 1);
         vm_real c, s;
         vmi_osc_wave_at(w, far ? half - length * u * u : cut * u, &c, &s);
         for (quarter = 0; quarter < 4; quarter++) {
@@ -6189,11 +6440,14 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real 
 
 /* -- Integration -- */
 
+#define VMI_OSC_LONGEST VM_C(0.2) /* step of the loose run, in periods */
+
 typedef struct VM_TAG(vmi_osc_run) {
     const vm_osc_plan *p;
     vmi_osc_wave wave;
     int route, direct, high, side, status;
     vm_real longest, share; /* step at most, in periods and by the way to the next stop */
+    vm_real law_step;       /* step, s, in which no law of a function changes unseen, for VMI_OSC_LONGEST */
     long evals;
     rk45 s;
     vm_real work[RK87_WORK(2)];
@@ -6273,6 +6527,7 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
     const vm_real most_periods = VM_C(8388608.); /* 2^23: in float more hold no phase, in double they take minutes */
     const vm_real most_steps = 8192; /* a period; 2600 were the most, by rk45 to 16 eps, alpha from 0 to 20 */
+    const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real stop, y[2], period, most, longest, steps;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
@@ -6283,6 +6538,7 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
         if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
         most = c->share * VM_FABS(stop - c->s.t) + 64 * VM_EPSILON * VM_FABS(t);
         longest = period * (c->p->pi < 10 ? c->longest : c->longest * 10 / c->p->pi);
+        if (law_step < longest) longest = law_step;
         c->s.options.h_max = most < longest ? most : longest;
         steps = VM_FABS(stop - c->s.t) * (most_steps / period + 4 / c->s.options.h_max) + most_steps;
         c->s.options.max_steps = steps < VM_C(1e9) ? (long)steps : 1000000000L;
@@ -6366,6 +6622,27 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     return largest;
 }
 
+/* The longest step over which laws that are functions cannot change unseen: a part of the shortest panel that the walk
+   along them takes. Laws with jumps would make it 0; they are seen in steps of a part of the run. */
+VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
+{
+    const vm_law *laws[2];
+    const vm_real panel_steps = 4, run_steps = 8192;
+    vmi_osc_walk w;
+    int i, status;
+    laws[0] = w.mass = &p->problem.mass, laws[1] = w.stiffness = &p->problem.stiffness, w.plan = p;
+    *step = VM_FABS(t);
+    if (laws[0]->kind != VM_LAW_FUNCTION && laws[1]->kind != VM_LAW_FUNCTION) return VM_OK;
+    status = vmi_osc_walk_to(&w, t);
+    if (status) return status;
+    *step = VM_FABS(t) / run_steps;
+    if (w.shortest / panel_steps > *step) *step = w.shortest / panel_steps;
+    for (i = 0; i < 2; i++)
+        if (laws[i]->kind == VM_LAW_FUNCTION && laws[i]->change_time > 0 && laws[i]->change_time < *step)
+            *step = laws[i]->change_time;
+    return VM_OK;
+}
+
 /* Two runs, the second so much stricter that the control, which keeps a step while its error is within a factor of 3
    (rk87: 7.5), makes other steps, with half the longest step; and again stricter until what they differ by is within
    the tolerance. The factor of the difference leaves room for errors that do not go as the tolerance. */
@@ -6379,8 +6656,9 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vmi_osc_run c;
     vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
     vm_real step_tolerance = tolerance < VM_C(0.008) ? tolerance / 8 : VM_C(1e-3), before = VM_INFINITY;
-    vm_real longest = VM_C(0.2);
-    int attempt, status = VM_NOT_INTEGRATED, stalled = 0;
+    vm_real longest = VMI_OSC_LONGEST;
+    int attempt, status = vmi_osc_law_step(plan, t, &c.law_step), stalled = 0;
+    if (status) return status;
     c.p = plan, c.route = route, c.evals = 0;
     c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;
     if (!plan->has_ateb) {
