@@ -6604,6 +6604,137 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
     return VM_OK;
 }
 
+/* -- How good averaged equations with a force are -- */
+
+/* What averaging leaves out at time t and amplitude A, all by ln A or by radians of the Ateb phase */
+typedef struct VM_TAG(vmi_osc_averaging) {
+    vm_real Om;
+    vm_real start_A, start_psi; /* the ripple at the phase that is given, */
+    vm_real ripple;             /* and the largest of both */
+    vm_real rate_A, rate_psi;   /* errors of the mean rates, per second */
+    vm_real growth;             /* of a small change of ln A, per second */
+} vmi_osc_averaging;
+
+enum { VMI_AVERAGING_POINTS = 64 };
+
+/* The rates of ln A and psi over the period that lies before t on the way from 0 to t_end, but within that way: with
+   the force as it is at t (frozen), and as time goes on */
+VM_API void vmi_osc_period_rates(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real A, vm_real Om, vm_real psi,
+                                 vm_real t, vm_real t_end, int frozen, vm_real *rate_A, vm_real *rate_psi)
+{
+    const vm_real n = p->problem.alpha + 1, V = 2 * A * Om / n, side = t_end < 0 ? (vm_real)-1 : (vm_real)1;
+    const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, n - 1, p->pi, p->has_ateb ? &p->ateb : NULL);
+    int i;
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
+        const vm_real way = 2 * p->pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
+        vm_real ca, sa, F, time = t + side * (way - 2 * p->pi) / Om;
+        if ((time < 0) != (t_end < 0)) time = side * way / Om; /* before the start: the first period instead */
+        if (VM_FABS(time) > VM_FABS(t_end)) time = t_end;
+        if (frozen) time = t;
+        vmi_osc_wave_at(&w, psi + way, &ca, &sa);
+        F = p->problem.force(time, A * ca, -V * sa, p->problem.ctx) / (now->m * V);
+        rate_A[i] = -now->q / n * sa * sa - 2 / n * F * sa;
+        rate_psi[i] = -now->q / 2 * sa * ca - F * ca;
+    }
+}
+
+/* Takes the mean off values over a period, and returns it */
+VM_API vm_real vmi_osc_take_mean(vm_real *values)
+{
+    vm_real mean = 0;
+    int i;
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++) mean += values[i] / VMI_AVERAGING_POINTS;
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++) values[i] -= mean;
+    return mean;
+}
+
+/* The integral over the phase, in steps of width, of values without mean, without mean */
+VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
+{
+    int i;
+    ripple[0] = 0;
+    for (i = 1; i < VMI_AVERAGING_POINTS; i++)
+        ripple[i] = ripple[i - 1] + width * (values[i - 1] + values[i]) / 2;
+    vmi_osc_take_mean(ripple);
+}
+
+VM_API vm_real vmi_osc_largest(const vm_real *values)
+{
+    vm_real largest = 0;
+    int i;
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++)
+        if (VM_FABS(values[i]) > largest) largest = VM_FABS(values[i]);
+    return largest;
+}
+
+VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
+                                vm_real psi, vmi_osc_averaging *a)
+{
+    const vm_real second_order = VM_C(0.25); /* of rate times ripple: 1.6 times what Duffing's equation has */
+    const vm_real change = VM_C(0.02);       /* of ln A, for the growth of a small change */
+    const vm_real width = 2 * p->pi / VMI_AVERAGING_POINTS, bend = (w->alpha - 1) / 2;
+    const vmi_osc_wave exact = vmi_osc_wave_of(VM_ROUTE_ATEB, w->alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
+    vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS];
+    vm_real ripple_A[VMI_AVERAGING_POINTS], ripple_psi[VMI_AVERAGING_POINTS];
+    vm_real mean_A, mean_psi, own_A, own_psi, exact_A, exact_psi, more_A, more_psi, rates, second;
+    vmi_osc_rates now;
+    int i, status = vmi_osc_rates_at(p, t, t_end < 0 ? 1 : -1, 0, &now);
+    if (status) return status;
+    a->Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w->alpha);
+    vmi_osc_period_rates(p, &now, A, a->Om, psi, t, t_end, 1, rate_A, rate_psi);
+    own_A = vmi_osc_take_mean(rate_A), own_psi = vmi_osc_take_mean(rate_psi);
+    vmi_osc_period_rates(p, &now, A, a->Om, psi, t, t_end, 0, rate_A, rate_psi);
+    rates = vmi_osc_largest(rate_A) + vmi_osc_largest(rate_psi);
+    mean_A = vmi_osc_take_mean(rate_A), mean_psi = vmi_osc_take_mean(rate_psi);
+    a->rate_A = VM_FABS(mean_A - own_A), a->rate_psi = VM_FABS(mean_psi - own_psi);
+    vmi_osc_averaged_rates(p, w, &now, t, A, a->Om, &own_A, &own_psi);
+    vmi_osc_averaged_rates(p, &exact, &now, t, A, a->Om, &exact_A, &exact_psi);
+    a->rate_A += VM_FABS(own_A - exact_A), a->rate_psi += VM_FABS(own_psi / w->turn - exact_psi);
+    vmi_osc_averaged_rates(p, w, &now, t, A * (1 + change), a->Om * (1 + bend * change), &more_A, &more_psi);
+    a->growth = (more_A - own_A) / change;
+    vmi_osc_integrate_ripple(rate_A, width / a->Om, ripple_A);
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++) rate_psi[i] += bend * a->Om * ripple_A[i];
+    vmi_osc_take_mean(rate_psi);
+    vmi_osc_integrate_ripple(rate_psi, width / a->Om, ripple_psi);
+    a->start_A = VM_FABS(ripple_A[0]), a->start_psi = VM_FABS(ripple_psi[0]);
+    a->ripple = vmi_osc_largest(ripple_A) + vmi_osc_largest(ripple_psi);
+    second = second_order * rates * a->ripple;
+    a->rate_A += second, a->rate_psi += second;
+    return VM_OK;
+}
+
+/* Estimate of what the averaged equations with a force err by at t, from the amplitudes at the times of
+   vmi_osc_check: the start's ripple, which is taken for the mean, and the errors of the rates, carried on as small
+   changes are, the phase by what the amplitude makes of it; then the ripple at t, the wave that is not ca and sa, and
+   what is too fast in the laws of mass and stiffness */
+VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
+                                   const vm_osc_motion *motion, vm_real *error)
+{
+    const vm_real bend = VM_FABS(w->alpha - 1) / 2;
+    vmi_osc_averaging before, after;
+    vmi_osc_mean mean;
+    vm_real time = 0, in_A, in_psi;
+    int i, status = vmi_osc_averaging_at(p, w, 0, t, p->A, p->psi, &before);
+    if (!status) status = vmi_osc_mean_at(p, t, &mean);
+    if (status) return status;
+    in_A = before.start_A, in_psi = before.start_psi;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        const vm_real next = vmi_osc_check(t, i), step = VM_FABS(next - time);
+        vm_real largest_A = in_A, growth;
+        status = vmi_osc_averaging_at(p, w, next, t, motion[i].amplitude, 0, &after);
+        if (status) return status;
+        growth = (before.growth + after.growth) / 2 * (next - time);
+        in_A = (in_A + (before.rate_A > after.rate_A ? before.rate_A : after.rate_A) * step) * vmi_exp(growth, 0);
+        if (in_A > largest_A) largest_A = in_A;
+        in_psi += ((before.rate_psi > after.rate_psi ? before.rate_psi : after.rate_psi) +
+                   bend * (before.Om > after.Om ? before.Om : after.Om) * largest_A) *
+                  step;
+        before = after, time = next;
+    }
+    *error = in_A + in_psi + after.ripple + vmi_osc_wave_error(p, w) + vmi_osc_way_error(p, &mean);
+    return VM_OK;
+}
+
 /* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check: at one time
    two runs may agree by chance */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
@@ -6656,7 +6787,7 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vmi_osc_run c;
     vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
     vm_real step_tolerance = tolerance < VM_C(0.008) ? tolerance / 8 : VM_C(1e-3), before = VM_INFINITY;
-    vm_real longest = VMI_OSC_LONGEST;
+    vm_real longest = VMI_OSC_LONGEST, averaging = 0;
     int attempt, status = vmi_osc_law_step(plan, t, &c.law_step), stalled = 0;
     if (status) return status;
     c.p = plan, c.route = route, c.evals = 0;
@@ -6685,10 +6816,13 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         before = last->error;
         step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
     }
+    if (!status && route <= VM_ROUTE_ATEB) status = vmi_osc_averaging_error(c.p, &c.wave, t, strict, &averaging);
     if (status) return status;
     last->evals = c.evals;
     *motion = *last;
-    return last->error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+    status = last->error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+    if (route <= VM_ROUTE_ATEB) motion->error += averaging;
+    return status;
 }
 
 /* -- By a given route, and by the cheapest -- */
