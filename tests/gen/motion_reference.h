@@ -125,7 +125,7 @@ static void ref_rates(ref_motion *o, REAL t, REAL x, REAL P, REAL elastic, REAL 
     *P_rate = M / m * (-k * elastic - o->damping * *v + F);
 }
 
-/* y' over t (y = x, P) or over sigma (y = t, P) */
+/* y' over t (y = x, P) or over sigma (y = time since the leg began, P) */
 static void ref_rhs(ref_motion *o, int over_sigma, REAL s, const REAL *y, REAL *dy)
 {
     REAL v, P_rate;
@@ -138,7 +138,7 @@ static void ref_rhs(ref_motion *o, int over_sigma, REAL s, const REAL *y, REAL *
         const REAL x = o->sign * o->X * ref_whole_power(s, o->bottom);
         const REAL elastic = o->sign * REAL_POW(o->X, o->alpha) * ref_whole_power(s, o->top);
         const REAL x_rate = o->sign * o->X * (REAL)o->bottom * ref_whole_power(s, o->bottom - 1);
-        ref_rates(o, y[0], x, y[1], elastic, &v, &P_rate);
+        ref_rates(o, o->t + y[0], x, y[1], elastic, &v, &P_rate);
         dy[0] = x_rate / v, dy[1] = P_rate * dy[0];
     }
 }
@@ -171,7 +171,8 @@ static int ref_step(ref_motion *o, int over_sigma, REAL s, REAL h, const REAL *y
                 table[k - 1][i] = now, now = better;
             }
             table[row][i] = now;
-            difference = REAL_FABS(now - diagonal_before) > difference ? REAL_FABS(now - diagonal_before) : difference;
+            now = REAL_FABS(now - diagonal_before) / (1 + REAL_FABS(now));
+            if (!(now <= difference)) difference = now;
         }
         if (row > 2 && difference <= o->tolerance) {
             out[0] = table[row][0], out[1] = table[row][1];
@@ -221,19 +222,19 @@ static void ref_sigma_leg(ref_motion *o, REAL A, REAL v, REAL stop)
     o->X = (REAL)0.55 * A;
     from = REAL_POW(start / o->X, root);
     to = away ? 1 : 0;
-    y[0] = o->t, y[1] = o->P;
+    y[0] = 0, y[1] = o->P;
     ref_over(o, 1, from, to, 4, y);
     least_x = start, most_x = to * o->X;
-    if (y[0] > stop) {
-        REAL goal = start + (most_x - least_x) * (stop - o->t) / (y[0] - o->t);
+    if (y[0] > stop - o->t) {
+        REAL goal = start + (most_x - least_x) * (stop - o->t) / y[0];
         for (i = 0; i < 40; i++) {
             REAL slip, M;
             to = REAL_POW(goal / o->X, root);
-            y[0] = o->t, y[1] = o->P;
+            y[0] = 0, y[1] = o->P;
             ref_over(o, 1, from, to, 4, y);
-            slip = y[0] - stop;
-            if (REAL_FABS(slip) <= 4 * o->tolerance) break;
-            M = REAL_POW(ref_law_at(&o->mass, y[0]), o->r);
+            slip = y[0] - (stop - o->t);
+            if (REAL_FABS(slip) <= 64 * o->tolerance * (1 + y[0])) break;
+            M = REAL_POW(ref_law_at(&o->mass, o->t + y[0]), o->r);
             goal -= REAL_FABS(y[1] / M) * (away ? slip : -slip);
             if (goal < 0) goal = 0;
         }
@@ -241,7 +242,7 @@ static void ref_sigma_leg(ref_motion *o, REAL A, REAL v, REAL stop)
         o->t = stop, o->x = o->sign * (to == 0 ? 0 : goal), o->P = y[1];
         return;
     }
-    o->t = y[0], o->x = away ? o->sign * o->X : 0, o->P = y[1];
+    o->t += y[0], o->x = away ? o->sign * o->X : 0, o->P = y[1];
 }
 
 /* A step over t, not so long that x comes near 0 */
