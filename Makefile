@@ -225,6 +225,9 @@ data:
 	python3 tests/gen/slow.py
 	python3 tests/gen/oscillator_reference.py
 	python3 tests/gen/hard_reference.py
+	@mkdir -p build && echo '*' >build/.gitignore
+	$(COMPILE) tests/gen/routes_reference.c -o build/routes_reference -lm
+	./build/routes_reference >tests/data/routes_table.h
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h

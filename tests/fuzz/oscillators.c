@@ -73,6 +73,7 @@ static vm_law draw_law(table_of *table, vm_real *ctx)
 {
     const vm_real f0 = MOSTLY(draw_log(0.1, 10)), f1 = MOSTLY(draw_in(-0.1, 0.1)),
                   f2 = MOSTLY(draw_in(-0.01, 0.01));
+    vm_law law;
     int i;
     switch (draw_below(7)) {
     case 0: return vm_law_linear(f0, f1);
@@ -86,7 +87,9 @@ static vm_law draw_law(table_of *table, vm_real *ctx)
         return vm_law_table(draw_byte() % 8 ? TABLE : draw_below(TABLE), table->time, table->value);
     case 5:
         ctx[0] = draw_log(0.5, 5), ctx[1] = draw_in(-0.3, 0.3), ctx[2] = draw_in(0, 1);
-        return vm_law_user(wave, ctx);
+        law = vm_law_user(wave, ctx);
+        if (ctx[1] > R(0.2)) law.change_time = MOSTLY(draw_log(0.1, 10));
+        return law;
     default: return vm_law_linear(f0, 0);
     }
 }

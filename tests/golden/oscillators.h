@@ -47,7 +47,11 @@ static vm_law some_law(int kind)
     case 2: return vm_law_exponential(f0, f1);
     case 3: return vm_law_power(f0, f1, VM_C(1.5));
     case 4: return vm_law_table(5, times, values);
-    default: return vm_law_user(rational, &rational_by);
+    default: {
+        vm_law law = vm_law_user(rational, &rational_by);
+        law.change_time = uniform(0, 1) < VM_C(0.5) ? 0 : 1;
+        return law;
+    }
     }
 }
 
