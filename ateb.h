@@ -632,7 +632,7 @@ VM_API vm_two vmi_minus(vm_two x)
 /* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
    polynomial in t = 2 q - 1 for (1 + q)(2 + q)(3 + q) f, Chebyshev interpolation, whose coefficients fall by 18
    each (tests/gen/ateb_coefficients.py); here the i-th, of three words, of which the last may be absent. */
-VM_API vm_real vmi_ateb_coefficient(int word, int i)
+VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
     VM_TABLE vm_real high[34] = {
@@ -676,8 +676,8 @@ VM_API vm_real vmi_ateb_coefficient(int word, int i)
     VM_TABLE vm_real lowest[5] = {VM_C(-7.41197620451e-15), VM_C(1.18689975044e-14), VM_C(2.07874802509e-15),
                                   VM_C(-6.6640947106e-16), VM_C(-2.54688931285e-18)};
 #endif
-    if (word == 0) return high[i];
-    if (word == 1) return i < (int)(sizeof low / sizeof *low) ? low[i] : 0;
+    if (which_word == 0) return high[i];
+    if (which_word == 1) return i < (int)(sizeof low / sizeof *low) ? low[i] : 0;
     return i < (int)(sizeof lowest / sizeof *lowest) ? lowest[i] : 0;
 }
 
@@ -1892,9 +1892,9 @@ VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
     const vm_real size = VM_FABS(t);
     const vm_real e = vmi_exp(-size, 0); /* rounded; y = 1 - x holds in two words if its own logarithm is taken */
     const vm_two ln_e = e > VM_MIN ? vmi_log(e) : vmi_two(-size, 0);
-    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(ln_e, l);
-    at->ln_x = t < 0 ? small : l;
-    at->ln_y = t < 0 ? l : small;
+    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), ln_small = vmi_two_plus(ln_e, l);
+    at->ln_x = t < 0 ? ln_small : l;
+    at->ln_y = t < 0 ? l : ln_small;
     at->x = vmi_exp(at->ln_x.hi, at->ln_x.lo);
     at->y = vmi_exp(at->ln_y.hi, at->ln_y.lo);
 }

@@ -773,12 +773,12 @@ VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
     const vm_real A23 = VM_C(0.0747659708874116175) + c * VM_C(0.0604635753570759646);
     const vm_real A45 = VM_C(0.0492978880327891861) + c * VM_C(0.0339442681568997914);
     const vm_real A67 = VM_C(0.012474590931201476) + c * VM_C(6.09741459959139043e-4);
-    const vm_real B01 = VM_C(0.164062499943033208) + c * VM_C(0.120442655878206961);
-    const vm_real B23 = VM_C(0.0948766696910365165) + c * VM_C(0.0779033129747223191);
-    const vm_real B45 = VM_C(0.0624531825687128506) + c * VM_C(0.037162517735165726);
-    const vm_real B67 = VM_C(7.51299469689479475e-3) - c * VM_C(1.21456158984582113e-3);
+    const vm_real b01 = VM_C(0.164062499943033208) + c * VM_C(0.120442655878206961);
+    const vm_real b23 = VM_C(0.0948766696910365165) + c * VM_C(0.0779033129747223191);
+    const vm_real b45 = VM_C(0.0624531825687128506) + c * VM_C(0.037162517735165726);
+    const vm_real b67 = VM_C(7.51299469689479475e-3) - c * VM_C(1.21456158984582113e-3);
     const vm_real A = (A01 + cc * A23) + cc * cc * ((A45 + cc * A67) - cc * cc * VM_C(1.47954745189517243e-4));
-    const vm_real B = (B01 + cc * B23) + cc * cc * (B45 + cc * B67);
+    const vm_real B = (b01 + cc * b23) + cc * cc * (b45 + cc * b67);
 #else
     const vm_real A01 = VM_C(0.1406276673) + c * VM_C(0.09707102925);
     const vm_real A = A01 + cc * (VM_C(0.06059887633) + c * VM_C(0.012512994));
@@ -797,17 +797,17 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     const vm_real A23 = VM_C(0.117186821989593418) + c * VM_C(0.0853987891959771678);
     const vm_real A45 = VM_C(0.0661404122824279239) + c * VM_C(0.0462006550177885);
     const vm_real A67 = VM_C(0.0180993698311603043) + c * VM_C(5.73337947036873879e-4);
-    const vm_real B01 = VM_C(0.24999999999566927) + c * VM_C(0.203124990160116814);
-    const vm_real B23 = VM_C(0.140622372161008674) + c * VM_C(0.106750406049363547);
-    const vm_real B45 = VM_C(0.0830562354113903306) + c * VM_C(0.0517296710396015144);
-    const vm_real B67 = VM_C(0.0113912385296323967) + c * VM_C(-2.40808484454518293e-3);
+    const vm_real b01 = VM_C(0.24999999999566927) + c * VM_C(0.203124990160116814);
+    const vm_real b23 = VM_C(0.140622372161008674) + c * VM_C(0.106750406049363547);
+    const vm_real b45 = VM_C(0.0830562354113903306) + c * VM_C(0.0517296710396015144);
+    const vm_real b67 = VM_C(0.0113912385296323967) + c * VM_C(-2.40808484454518293e-3);
     const vm_real A = (A01 + cc * A23) + cc * cc * ((A45 + cc * A67) - cc * cc * VM_C(3.4706602508716508e-4));
-    const vm_real B = (B01 + cc * B23) + cc * cc * (B45 + cc * B67);
+    const vm_real B = (b01 + cc * b23) + cc * cc * (b45 + cc * b67);
 #else
     const vm_real A23 = VM_C(0.09726078063) + c * VM_C(0.01954176836);
-    const vm_real B23 = VM_C(0.09307274967) + c * VM_C(1.615328365e-4);
+    const vm_real b23 = VM_C(0.09307274967) + c * VM_C(1.615328365e-4);
     const vm_real A = VM_C(0.4999949038) + c * VM_C(0.1864423007) + cc * A23;
-    const vm_real B = VM_C(0.2499748766) + c * VM_C(0.1995639652) + cc * B23;
+    const vm_real B = VM_C(0.2499748766) + c * VM_C(0.1995639652) + cc * b23;
 #endif
     return c * (l * A - B);
 }
@@ -1362,9 +1362,9 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
                                      vm_real *dn)
 {
     const jacobi_plan local = *p; /* the compiler sees that no element of the arrays is a part of it */
-    int i, far = 0;
-    for (i = 0; i < n; i++) far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
-    if (far)
+    int i, any_far = 0;
+    for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
+    if (any_far)
         for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
     else if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
     else if (local.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
@@ -1770,7 +1770,7 @@ VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : 
    2^-n of the largest asks for log2(n) rounds more than the usual 7. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
-    const vm_real small = VM_SQRT(VM_SQRT(VM_EPSILON));
+    const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
     vm_two A, X, Y, Z, E2, E3, sum;
     vm_real e2, e3, rest;
     for (;;) {
@@ -1778,7 +1778,7 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
         X = vmi_two_over(vmi_two_minus(A, x), A);
         Y = vmi_two_over(vmi_two_minus(A, y), A);
         Z = vmi_two_shifted(vmi_two_plus(X, Y), -1);
-        if (!(VM_FABS(X.hi) > small || VM_FABS(Y.hi) > small || VM_FABS(Z.hi) > small)) break;
+        if (!(VM_FABS(X.hi) > enough || VM_FABS(Y.hi) > enough || VM_FABS(Z.hi) > enough)) break;
         X = vmi_two_root(x), Y = vmi_two_root(y), Z = vmi_two_root(z);
         A = vmi_two_plus(vmi_two_times(X, vmi_two_plus(Y, Z)), vmi_two_times(Y, Z));
         x = vmi_two_shifted(vmi_two_plus(x, A), VM_C(0.25));
@@ -1809,8 +1809,8 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
-    int round;
-    for (round = 0; round < 200; round++) { /* 5 to 10, and one for every binary digit of p */
+    int step;
+    for (step = 0; step < 200; step++) { /* 5 to 10, and one for every binary digit of p */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);

@@ -1118,10 +1118,10 @@ enum {
 };
 VM_API int vm_vdp_init(vm_vdp *v);
 
-/* Amplitude at t where it was A0 at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
+/* Amplitude at t where it was first_A at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
    (427), (429), (431)-(435), (437) in one, as corrected, smooth through q = 0. Right to 1e-14 but for what is
    averaged. c < 0 may carry it to infinity in a finite time: NaN from there on. */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m);
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m);
 /* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
    none. stable, where not null: whether the amplitudes around tend to the one returned. */
 VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL);
@@ -1184,11 +1184,11 @@ VM_API int vm_laval_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, int sense);
 VM_API int vm_laval_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 VM_API int vm_laval_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
-/* The same without F_z: the radius when the mass has gone from mass0, where it was A0, to mass, of
+/* The same without F_z: the radius when the mass has gone from mass0, where it was first_A, to mass, of
      A^4 (g^2 + m F_e'(A)) = const, r = 1, which is A^2 (m W - g) = const;  A^4 F_e'(A) m^(2r-1) = const, g = 0 (509)
-   NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from A0. For
-   powers it is A0 vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
-VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass);
+   NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from
+   first_A. For powers it is first_A vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
+VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real first_A, vm_real mass0, vm_real mass);
 
 /* -- Chapter 7.8: two bodies with a nonlinear connection -- */
 
@@ -1928,10 +1928,10 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
    |im|, real ones by falling re */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real near = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
     int i, j, k;
     for (i = 0; i < n; i++) {
-        if (VM_FABS(im[i]) <= near * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
+        if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
         for (j = i; j > 0; j--) {
             const vm_real rise = VM_FABS(im[j]) - VM_FABS(im[j - 1]);
             if (rise > 0 || (rise == 0 && re[j] <= re[j - 1])) break;
@@ -6137,11 +6137,11 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
     int i, quarter;
     *Fs = *Fc = 0;
     for (i = 0; i < 40; i++) {
-        const int k = i % 20 / 2, far = i >= 20;
-        const vm_real u = (1 + (i % 2 ? node[k] : -node[k])) / 2, length = far ? half - cut : cut;
-        const vm_real share = weight[k] / 8 * length / half * (far ? 2 * u : 1);
+        const int k = i % 20 / 2, outer = i >= 20;
+        const vm_real u = (1 + (i % 2 ? node[k] : -node[k])) / 2, length = outer ? half - cut : cut;
+        const vm_real share = weight[k] / 8 * length / half * (outer ? 2 * u : 1);
         vm_real c, s;
-        vmi_osc_wave_at(w, far ? half - length * u * u : cut * u, &c, &s);
+        vmi_osc_wave_at(w, outer ? half - length * u * u : cut * u, &c, &s);
         for (quarter = 0; quarter < 4; quarter++) {
             const vm_real qc = quarter & 1 ? -c : c, qs = quarter & 2 ? -s : s;
             const vm_real F = p->problem.force(t, A * qc, -V * qs, p->problem.ctx);
@@ -6606,21 +6606,25 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return 2 * v->b - (2 * v->reactive - 1) * mass_rate;
 }
 
-/* 1/A^2 = e^-F (1/A0^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
+/* 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
    constant, so that the integral is phi(F) int dt/m. Written with e^-|F| and the larger of the two terms taken out.
    */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m)
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m)
 {
     vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
-    if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
     damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(damping));
-    s = VM_FABS(A0) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
-    if (s > 1) denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping), A0 = VM_COPYSIGN(1 / root, A0);
-    else denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
-    return denominator < 0 ? VM_NAN : A0 * VM_SQRT((F > 0 ? 1 : e) / denominator);
+    s = VM_FABS(first_A) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
+    if (s > 1) {
+        denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping);
+        first_A = VM_COPYSIGN(1 / root, first_A);
+    } else {
+        denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
+    }
+    return denominator < 0 ? VM_NAN : first_A * VM_SQRT((F > 0 ? 1 : e) / denominator);
 }
 
 VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
@@ -6886,34 +6890,34 @@ VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
     return VM_FABS(fa) < VM_FABS(fb) ? a : b;
 }
 
-/* ln of the invariant over its first value at the radius A0 e^x */
+/* ln of the invariant over its first value at the radius first_A e^x */
 typedef struct VM_TAG(vmi_laval_orbit) {
     const vm_laval *r;
-    vm_real A0, mass, first; /* first: that of g^2 + m F_e' */
+    vm_real first_A, mass, first; /* first: that of g^2 + m F_e' */
 } vmi_laval_orbit;
 
 VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
 {
     const vmi_laval_orbit *o = (const vmi_laval_orbit *)orbit;
     vm_real slope;
-    const vm_real stiffness = vmi_laval_stiffness(o->r, o->A0 * vmi_exp(x, 0), &slope);
+    const vm_real stiffness = vmi_laval_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope);
     const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
     return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
 }
 
-VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass)
+VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     vmi_laval_orbit o;
     vm_real slope, here, there, step = VM_C(0.0625), x = 0;
     int bounded = 0;
-    if (!(A0 > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(A0) || !VM_IS_FINITE(mass0) ||
+    if (!(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
     if (r->gyro == 0) mass = vmi_raised(mass / mass0, 2 * r->reactive - 1), mass0 = 1;
-    o.r = r, o.A0 = A0, o.mass = mass;
-    o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, A0, &slope);
+    o.r = r, o.first_A = first_A, o.mass = mass;
+    o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, first_A, &slope);
     here = vmi_laval_invariant(0, &o);
-    if (here == 0 || here != here) return here == 0 ? A0 : VM_NAN;
+    if (here == 0 || here != here) return here == 0 ? first_A : VM_NAN;
     for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
         there = vmi_laval_invariant(x + step, &o);
         while (there != there) { /* F_e' is no number there */
@@ -6924,7 +6928,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
         if (there == 0 || (there > 0) != (here > 0)) break;
         x += step, here = there;
     }
-    return A0 * vmi_exp(vmi_slow_zero(vmi_laval_invariant, &o, x, x + step, here, there), 0);
+    return first_A * vmi_exp(vmi_slow_zero(vmi_laval_invariant, &o, x, x + step, here, there), 0);
 }
 
 /* ---- Chapter 7.8: two bodies with a nonlinear connection ---------------------------------------------------- */
@@ -7257,11 +7261,11 @@ VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
 VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
 {
     const vm_real steep = VM_FABS(z->exponent) > 1 ? VM_FABS(z->exponent) : 1;
-    const vm_real far = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
+    const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
     vm_real ends[5], turns[3], left, right;
     int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
-    ends[0] = -far, ends[n + 1] = far;
-    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -far ? -far : turns[i] > far ? far : turns[i];
+    ends[0] = -reach, ends[n + 1] = reach;
+    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -reach ? -reach : turns[i] > reach ? reach : turns[i];
     for (i = 0; i <= n; i++) {
         left = vmi_forced_excess(ends[i], z), right = vmi_forced_excess(ends[i + 1], z);
         if (!((left > 0) != (right > 0))) continue;
@@ -8378,24 +8382,24 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     const int n = b->motion == VM_PLANE ? 2 : 3;
     /* shorter by this, a cord does not pull: more than its length is uncertain by, or it would be taut by turns */
     const vm_real rate = e->p[1], loose = VM_C(1e-6) + 512 * VM_EPSILON;
-    vmi_link_end near, far;
+    vmi_link_end here, there;
     vm_real d[3], dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C, lambda;
     int i;
-    vmi_link_body(s, e->body, y, &near);
-    if (far_force) vmi_link_body(s, e->other, y, &far);
-    else vmi_link_point(e, t, &far);
+    vmi_link_body(s, e->body, y, &here);
+    if (far_force) vmi_link_body(s, e->other, y, &there);
+    else vmi_link_point(e, t, &there);
     for (i = 0; i < n; i++) {
-        const vm_real v = near.v[i] - far.v[i];
-        d[i] = near.r[i] - far.r[i];
-        dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (near.a[i] - far.a[i]);
-        mobility += d[i] * d[i] * (near.mobility[i] + far.mobility[i]);
+        const vm_real v = here.v[i] - there.v[i];
+        d[i] = here.r[i] - there.r[i];
+        dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (here.a[i] - there.a[i]);
+        mobility += d[i] * d[i] * (here.mobility[i] + there.mobility[i]);
     }
     C = (dd - e->p[0] * e->p[0]) / 2;
     lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
     if (e->p[2] != 0 && (lambda > 0 || C < -loose * dd)) return; /* slack */
     for (i = 0; i < n; i++) {
         force[i] += lambda * d[i];
-        if (far_force && far.mobility[i] > 0) far_force[i] -= lambda * d[i];
+        if (far_force && there.mobility[i] > 0) far_force[i] -= lambda * d[i];
     }
 }
 
@@ -8617,7 +8621,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
-    return b->check ? b->check(&b->start) : (int)VM_OK;
+    return b->check ? (b->check)(&b->start) : (int)VM_OK;
 }
 
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
@@ -8656,7 +8660,7 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_MASS_IS_NO_STATE;
-    if (e->check && (status = e->check(e)) != 0) return status;
+    if (e->check && (status = (e->check)(e)) != 0) return status;
     status = vmi_scene_check_order(s->bodies + e->body, e->order);
     return status || e->other < 0 ? status : vmi_scene_check_order(s->bodies + e->other, e->order);
 }
@@ -8691,7 +8695,7 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
     if (!e->then || e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
-    return e->check ? e->check(s, e) : status;
+    return e->check ? (e->check)(s, e) : status;
 }
 
 VM_API int vmi_scene_check_arrays(const vm_scene *s)

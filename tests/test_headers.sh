@@ -65,6 +65,40 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h: the manual's example builds" $cc -std=c99 -I. "$build/$header.c" -o "$build/$header.example" -lm
     check "$header.h: the manual's example runs" "$build/$header.example"
 done
+# hostile HEADER... : #include lines for standard headers, then every word of tests/hostile_words.txt as a syntax error
+hostile_words() {
+    for header in assert float limits math stddef stdint stdio stdlib string time; do echo "#include <$header.h>"; done
+    sed 's/#.*//' tests/hostile_words.txt | tr ' ' '\n' | awk '
+        function define(word) {
+            if (sub(/\(\)$/, "", word)) word = word "(...)"
+            name = word
+            sub(/\(.*/, "", name)
+            print "#undef " name "\n#define " word " @ " name " is a macro of another header @"
+        }
+        function binary(digits, count) {
+            if (digits != "") define("B" digits)
+            if (count < 8) { binary(digits "0", count + 1); binary(digits "1", count + 1) }
+        }
+        NF { define($1) }
+        END { binary("", 0) }'
+}
+hostile_words >"$build/hostile.h"
+survives() { # survives COMPILER... SOURCE: compiles where all hostile words are macros
+    "$@" -include "$build/hostile.h" -I. -o "$build/hostile.o"
+}
+check "the hostile words are found" test "$(grep -c define "$build/hostile.h")" -gt 700
+check "the hostile words are hostile" fails $cc -std=c99 -include "$build/hostile.h" -DVM_NAME=near -x c -c - -o "$build/hostile.o" <<'END'
+int VM_NAME;
+END
+for header in jacobi ateb integrators varmass; do
+    printf '#include "%s.h"\n' $header >"$build/words.c"
+    for options in "-std=c99" "-std=gnu99" "-std=c99 -DVM_USE_FLOAT"; do
+        check "$header.h among hostile words, $options" survives $cc $options -c "$build/words.c"
+    done
+done
+for example in examples/*.c examples/first_steps/*.c examples/wasm/*.c examples/package/consumer/*.c; do
+    check "$example among hostile words" survives $cc -std=c99 -c $example
+done
 inlined() { # the right-hand side of the integrators is in the loop: no call of it is left
     cat >"$build/inlined.c" <<'END'
 #include "integrators.h"
