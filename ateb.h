@@ -119,9 +119,6 @@
 #ifndef VM_INLINE
 #define VM_INLINE VM_API /* which is enough for the results */
 #endif
-#ifndef VM_TABLE
-#define VM_TABLE static const /* storage of every table */
-#endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
@@ -147,6 +144,17 @@ typedef double vm_real;
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
+#endif
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
@@ -384,10 +392,11 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
-    const vm_real *row = table[(int)(44 * z - VM_C(30.5))];
-    const vm_real r_head = z_head * row[0] - 1, r_tail = (z - z_head) * row[0]; /* exact, half of the digits each */
-    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                          /* |r| < 0.0162 */
-    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + row[1], r.hi);
+    const int row = (int)(44 * z - VM_C(30.5));
+    const vm_real by_c = VM_READ(table[row][0]);
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
+    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
     const vm_real rr = r.hi * r.hi;
 #if VM_MANT_DIG > 24
@@ -400,7 +409,8 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
     const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
 #endif
-    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + row[2]) + (r.lo - r_tail * (r.hi + r_head) / 2);
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
+                        (r.lo - r_tail * (r.hi + r_head) / 2);
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
@@ -676,9 +686,9 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
     VM_TABLE vm_real lowest[5] = {VM_C(-7.41197620451e-15), VM_C(1.18689975044e-14), VM_C(2.07874802509e-15),
                                   VM_C(-6.6640947106e-16), VM_C(-2.54688931285e-18)};
 #endif
-    if (which_word == 0) return high[i];
-    if (which_word == 1) return i < (int)(sizeof low / sizeof *low) ? low[i] : 0;
-    return i < (int)(sizeof lowest / sizeof *lowest) ? lowest[i] : 0;
+    if (which_word == 0) return VM_READ(high[i]);
+    if (which_word == 1) return i < (int)(sizeof low / sizeof *low) ? VM_READ(low[i]) : 0;
+    return i < (int)(sizeof lowest / sizeof *lowest) ? VM_READ(lowest[i]) : 0;
 }
 
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
@@ -946,14 +956,17 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
 #endif
     const vm_real shifted = vmi_rounded(q.hi + shift), h = q.hi - vmi_rounded(shifted - shift),
                   h_head = vmi_head(h);
-    const vm_real *row = table[vmi_to_bits(shifted) & 63];
-    vm_two g = vmi_fast_two_sum(row[2], row[3] * h_head); /* half of the digits each: exact */
+    const int row = (int)(vmi_to_bits(shifted) & 63);
+    const vm_real slope = VM_READ(table[row][3]);
+    vm_two g = vmi_fast_two_sum(VM_READ(table[row][2]), slope * h_head); /* half of the digits each: exact */
     const vm_real hh = (h + q.lo) * (h + q.lo);
-    vm_real high = (row[4] + h * row[5]) + hh * (row[6] + h * row[7]);
+    vm_real high = (VM_READ(table[row][4]) + h * VM_READ(table[row][5])) +
+                   hh * (VM_READ(table[row][6]) + h * VM_READ(table[row][7]));
 #if VM_MANT_DIG > 24
-    high += (hh * hh) * ((row[8] + h * row[9]) + hh * (row[10] + h * row[11]));
+    high += (hh * hh) * ((VM_READ(table[row][8]) + h * VM_READ(table[row][9])) +
+                         hh * (VM_READ(table[row][10]) + h * VM_READ(table[row][11])));
 #endif
-    g.lo += (row[3] * ((h - h_head) + q.lo) + row[1] * h + row[0]) + hh * high;
+    g.lo += (slope * ((h - h_head) + q.lo) + VM_READ(table[row][1]) * h + VM_READ(table[row][0])) + hh * high;
     return g;
 }
 
@@ -1156,7 +1169,7 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
                                   VM_C(-28.0) / 783, VM_C(30.0) / 899};
     vm_real e_by_w[VMI_ATEB_W_LEVELS + 2], P, Q;
     int j;
-    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = constant[j] + q * slope[j];
+    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = VM_READ(constant[j]) + q * VM_READ(slope[j]);
     vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4),
                       &P, &Q);
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
@@ -1172,7 +1185,8 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vm_real e_by_p[VMI_ATEB_P_LEVELS];
     int j;
     for (j = 0; j < VMI_ATEB_P_LEVELS; j++)
-        e_by_p[j] = (constant[j] + q * (slope[j] + q * square[j])) / ((q + index[j]) * (q + index[j + 1]));
+        e_by_p[j] = (VM_READ(constant[j]) + q * (VM_READ(slope[j]) + q * VM_READ(square[j]))) /
+                    ((q + VM_READ(index[j])) * (q + VM_READ(index[j + 1])));
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
@@ -1721,9 +1735,9 @@ VM_API vm_real vmi_stirling(vm_real z)
         VM_C(-5.952380952380952381e-4), VM_C(8.4175084175084175084e-4),  VM_C(-0.0019175269175269175269),
         VM_C(0.0064102564102564102564), VM_C(-0.029550653594771241830),  VM_C(0.17964437236883057316)};
     const vm_real square = 1 / (z * z);
-    vm_real sum = c[8];
+    vm_real sum = VM_READ(c[8]);
     int i;
-    for (i = 7; i >= 0; i--) sum = c[i] + square * sum;
+    for (i = 7; i >= 0; i--) sum = VM_READ(c[i]) + square * sum;
     return sum / z;
 }
 

@@ -119,9 +119,6 @@
 #ifndef VM_INLINE
 #define VM_INLINE VM_API /* which is enough for the results */
 #endif
-#ifndef VM_TABLE
-#define VM_TABLE static const /* storage of every table */
-#endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
@@ -147,6 +144,17 @@ typedef double vm_real;
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
+#endif
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
@@ -1035,10 +1043,10 @@ VM_API int vmi_rk87_extend(rk45 *s)
         int status;
         for (i = 0; i < s->n; i++) {
             vm_real sum = 0;
-            for (j = 1; j < 14 + stage; j++) sum += a[stage][j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (c[stage] * k1[i] + sum);
+            for (j = 1; j < 14 + stage; j++) sum += VM_READ(a[stage][j]) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
         }
-        status = vmi_eval(s, s->t_old + c[stage] * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
+        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
         if (status) return status;
         if (!vmi_all_finite(s->n, vmi_part(s, VMI_K + 14 + stage))) return ODE_NOT_FINITE;
     }
@@ -1220,7 +1228,7 @@ VM_API int vmi_rk87_weights(vm_real x, vm_real *b)
     for (up[0] = 1, i = 1; i < 8; i++) up[i] = up[i - 1] * u;
     for (j = 0; j < 21; j++) b[j] = 0;
     for (i = 0; i < 8; i++, power *= x)
-        for (j = 0; j < 21; j++) b[j] += binomial[i] * power * up[7 - i] * c[i][j];
+        for (j = 0; j < 21; j++) b[j] += VM_READ(binomial[i]) * power * up[7 - i] * VM_READ(c[i][j]);
     return 21;
 }
 
@@ -1463,7 +1471,8 @@ VM_API void vmi_look_for_stiffness(rk45 *s, int method)
     for (i = 0; i < s->n; i++) {
         vm_real d = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]), sum = 0;
         dk = VMI_LARGER(dk, d);
-        for (j = 0; j < count; j++) sum += (method == VMI_RK45 ? rk45_dz : rk87_dz)[j] * vmi_part(s, VMI_K + j)[i];
+        for (j = 0; j < count; j++)
+            sum += (method == VMI_RK45 ? VM_READ(rk45_dz[j]) : VM_READ(rk87_dz[j])) * vmi_part(s, VMI_K + j)[i];
         dz = VMI_LARGER(dz, VM_FABS(sum));
     }
     if (dk > edge / h * dz * h) {

@@ -108,9 +108,6 @@
 #ifndef VM_INLINE
 #define VM_INLINE VM_API /* which is enough for the results */
 #endif
-#ifndef VM_TABLE
-#define VM_TABLE static const /* storage of every table */
-#endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
@@ -136,6 +133,17 @@ typedef double vm_real;
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
+#endif
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
@@ -6138,8 +6146,8 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
     *Fs = *Fc = 0;
     for (i = 0; i < 40; i++) {
         const int k = i % 20 / 2, outer = i >= 20;
-        const vm_real u = (1 + (i % 2 ? node[k] : -node[k])) / 2, length = outer ? half - cut : cut;
-        const vm_real share = weight[k] / 8 * length / half * (outer ? 2 * u : 1);
+        const vm_real u = (1 + (i % 2 ? VM_READ(node[k]) : -VM_READ(node[k]))) / 2, length = outer ? half - cut : cut;
+        const vm_real share = VM_READ(weight[k]) / 8 * length / half * (outer ? 2 * u : 1);
         vm_real c, s;
         vmi_osc_wave_at(w, outer ? half - length * u * u : cut * u, &c, &s);
         for (quarter = 0; quarter < 4; quarter++) {

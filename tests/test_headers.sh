@@ -48,6 +48,10 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
 done
 printf '#include "varmass.h"\n' >"$build/shared.c"
+# tables that a plain read does not find, such as those of PROGMEM on AVR, need to be read in their own way
+check "VM_TABLE without VM_READ is refused" fails $cc -std=c99 "-DVM_TABLE=static const" -I. -c "$build/shared.c" -o "$build/shared.o"
+check "VM_READ without VM_TABLE is refused" fails $cc -std=c99 "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
+check "VM_TABLE and VM_READ" $cc -std=c99 "-DVM_TABLE=static const" "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
 single_precision() { # in float nothing is computed in double, for which a Cortex-M4F has no unit
     arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -DVM_USE_FLOAT -DVM_API= -I. \
         -c "$build/shared.c" -o "$build/cortex.o" || return 1
@@ -99,6 +103,12 @@ done
 for example in examples/*.c examples/first_steps/*.c examples/wasm/*.c examples/package/consumer/*.c; do
     check "$example among hostile words" survives $cc -std=c99 -c $example
 done
+has_tables() { # has_tables VALUE : whether the section of the tables is there if VM_READ(x) is VALUE
+    $cc -std=c99 -O2 '-DVM_TABLE=static const __attribute__((section("vm_tables")))' "-DVM_READ(x)=$1" -DVM_API= -I. \
+        -c "$build/shared.c" -o "$build/tables.o" && objdump -h "$build/tables.o" | grep vm_tables
+}
+check "VM_TABLE places the tables" has_tables "(x)"
+check "every table is read by VM_READ" fails has_tables "((vm_real)1)"
 inlined() { # the right-hand side of the integrators is in the loop: no call of it is left
     cat >"$build/inlined.c" <<'END'
 #include "integrators.h"
