@@ -34,11 +34,19 @@
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
-     VM_TABLE             storage of the tables, default static const
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
+                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN   the functions of the C library that are used; they are exact, so that
                           results are the same everywhere where products and sums are not contracted
-     VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
+
+   OPTIONS THAT CHANGE VALUES
+     -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
+     -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
+     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma clang fp", another rounding mode, or that the processor takes subnormal numbers for zero.
+     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
 
    METHOD
      Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
@@ -103,11 +111,12 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#define VM_NO_NAN
-#endif
-#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
+#if !defined(VM_ALLOW_FAST_MATH) &&                                                                                 \
+    (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                      \
+     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||                  \
+     defined(_M_FP_FAST) || defined(__ARM_FP_FAST))
+#error "-ffast-math or a part of it (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, \
+-ffinite-math-only, -fno-signed-zeros, /fp:fast) changes results; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -145,6 +154,9 @@ typedef double vm_real;
 #define VM_FAST_FMA
 #endif
 #endif
+
+/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
 #error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
@@ -203,6 +215,62 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
+}
+
+/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
+{
+    const vm_real above = one + eps, third = one / 3;
+    const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
+    const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
+    const vm_real product = vmi_rounded(third * above + 0);
+    volatile vm_real stored = third * above;
+    return sum.hi == one && sum.lo == eps / 4 && other.hi == -one && other.lo == eps / 4 && (hi - third) + lo == eps &&
+           head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
+}
+
+/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+VM_API int vmi_divides(vm_real one)
+{
+    const vm_real root_of_2 = VM_C(1.4142135623730950488);
+    volatile vm_real numbers[4] = {41, 47, 49, 55};
+    int i, right = numbers[0] / 41 == 1 && numbers[1] / 47 == 1 && numbers[2] / 49 == 1 && numbers[3] / 55 == 1;
+    for (i = 0; i < 4; i++) {
+        const vm_real divisor = numbers[i], same = numbers[i];
+        right &= one / divisor > 0 && same / divisor == 1 && 3 * same / divisor == 3 && 7 * same / divisor == 7;
+    }
+    return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
+}
+
+/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+VM_API int vmi_rounds(vm_real one, vm_real eps)
+{
+    const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
+    const vm_real minus_below = -one - eps / 4, minus_above = -one - eps * VM_C(0.75);
+    return below - one == 0 && middle - one == 0 && above - one == eps && minus_below + one == 0 &&
+           minus_above + one == -eps;
+}
+
+/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
+{
+    const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
+    return nan != nan && !(nan < 1) && !(nan >= 1) && !VM_IS_FINITE(nan) && !VM_IS_FINITE(infinity) &&
+           1 / minus_zero < 0 && 1 / (minus_zero + 0) > 0 && VM_COPYSIGN(1, minus_zero) == -1 && subnormal > 0 &&
+           subnormal * 8 == smallest;
+}
+
+/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
+   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
+   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+VM_API int vm_self_check(void)
+{
+    volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
+    volatile vm_real split = VM_MANT_DIG > 24 ? VM_C(134217729.0) : VM_C(4097.0);
+    return vmi_keeps_order(one, eps, split) && vmi_divides(one) && vmi_rounds(one, eps) &&
+           vmi_has_all_numbers(zero, infinity, smallest);
 }
 
 #endif
@@ -604,7 +672,8 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b);
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x);
 
-/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan.c prints it).
+/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan.c prints it), on AVR as
+   PROGMEM, of which memcpy_P makes a copy in RAM.
    ateb_plan_init returns 0, or -1 for alpha < 0, NaN or infinite, and then leaves the plan as it was. A plan for less
    accuracy, 1e-4 or 1e-8 of the largest value, is shorter and quicker; 0 means full. Arrays may overlap exactly. */
 #if VM_MANT_DIG > 24
