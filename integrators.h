@@ -86,7 +86,7 @@
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma clang fp", another rounding mode, or that the processor takes subnormal numbers for zero.
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
      vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
 
    REFERENCES

@@ -1,10 +1,17 @@
 /* Results whose bits compilers' options may change, as hexadecimal numbers in a line, and after it what vm_self_check
    says. tests/test_options.sh compares them. -DUPWARD and -DFLUSH set the processor's rounding and its way with
-   subnormal numbers first; -DALONE="file" takes another header, of which vm_self_check alone is called. */
+   subnormal numbers first; -DPRAGMA_CLANG and -DPRAGMA_GCC
+   change values without an option; -DALONE="file" takes another header, of which vm_self_check alone is called. */
 #include <fenv.h>
 #include <stdio.h>
 #ifdef FLUSH
 #include <xmmintrin.h>
+#endif
+#ifdef PRAGMA_CLANG
+#pragma float_control(precise, off)
+#endif
+#ifdef PRAGMA_GCC
+#pragma GCC optimize("unsafe-math-optimizations")
 #endif
 #ifdef ALONE
 #include ALONE

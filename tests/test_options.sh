@@ -64,6 +64,10 @@ for compiler in gcc clang; do
         check "$compiler: the check notices flushing to zero" warned -DFLUSH
     fi
 done
+compiler=clang
+if command -v clang >/dev/null; then check "clang: the check notices #pragma float_control" warned -DPRAGMA_CLANG; fi
+compiler=gcc
+if command -v gcc >/dev/null; then check "gcc: #pragma optimize is refused" fails answer -DPRAGMA_GCC; fi
 for header in jacobi ateb integrators varmass; do
     for compiler in gcc clang; do
         command -v $compiler >/dev/null || continue
