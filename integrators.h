@@ -5,8 +5,10 @@
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx)
        {
-           (void)t, (void)ctx;
-           dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0];
+           (void)t;   // which this spring does not need
+           (void)ctx;
+           dydt[0] = y[1];
+           dydt[1] = -y[0] * y[0] * y[0];
            return 0;
        }
        int main(void)

@@ -724,12 +724,27 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration);
 
 /* The free body in space. A vm_flow is the ctx of the right-hand sides below:
-     vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle, flow.least_mass = dry;
-     ode_event empty = {vm_flow_mass_left, &flow, -1, ODE_STOP};
-     rk45_options o = rk45_defaults(NULL);  o.events = &empty, o.n_events = 1;
-     if (vm_flow_start(&flow, &body, y) == VM_OK &&
-         rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &o, work) >= 0 && rk45_solve(&s, 3) >= 0)
-         vm_flow_body(&flow, VM_RHS, s.y, &body);
+
+       vm_flow flow;
+       ode_event empty;
+       rk45_options options = rk45_defaults(NULL);
+       rk45 s;
+       vm_real y[VM_RHS], work[RK45_WORK(VM_RHS)];
+       memset(&flow, 0, sizeof flow); // what is not set is zero: not there
+       flow.n = 1;
+       flow.streams = &nozzle;
+       flow.least_mass = dry;
+       memset(&empty, 0, sizeof empty);
+       empty.g = vm_flow_mass_left;
+       empty.ctx = &flow;
+       empty.direction = -1;
+       empty.action = ODE_STOP;
+       options.events = &empty;
+       options.n_events = 1;
+       if (vm_flow_start(&flow, &body, y) == VM_OK &&
+           rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
+           vm_flow_body(&flow, VM_RHS, s.y, &body);
+
    What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
    and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
    The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
@@ -1382,10 +1397,16 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
        vm_scene_body bodies[] = {vm_scene_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
-       vm_scene scene = {bodies, 1, effects, 2};                             // what is not set is zero: not there
+       vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
        vm_culprit culprit;
-       int status = vm_scene_start(&scene, t, y, &culprit);                  // checks, and fills y
+       int status;
+       memset(&scene, 0, sizeof scene);                                      // what is not set is zero: not there
+       scene.bodies = bodies;
+       scene.n_bodies = 1;
+       scene.effects = effects;
+       scene.n_effects = 2;
+       status = vm_scene_start(&scene, t, y, &culprit);                      // checks, and fills y
        if (status < 0) printf("%s %d: %s\n", culprit.kind, culprit.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 

@@ -62,7 +62,7 @@ static int turning(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 static int moved(const vm_body *from, double t, vm_body *to)
 {
     spinning s;
-    rk45_options o = {0};
+    rk45_options o = rk45_defaults(NULL);
     rk45 run;
     vm_real y[4], work[RK45_WORK(4)];
     int status;
