@@ -107,6 +107,10 @@
 #define VM_SHARED
 #define VARMASS_VERSION "0.1.0"
 
+#if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "varmass is C99 or C++11: compile with -std=c99 or later"
+#endif
+
 #include <float.h>
 #include <math.h>
 #include <stddef.h>

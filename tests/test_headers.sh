@@ -47,6 +47,16 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h refuses -ffast-math" fails $cc -std=c99 -ffast-math -I. -c "$build/fast.c" -o "$build/fast.o"
     check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
 done
+tells_standard() { # C89 has no inline functions: an error that says what to do comes first
+    ! $cc -std=c89 -I. -fsyntax-only "$build/standard.c" 2>"$build/c89" && grep error "$build/c89" | head -n 1 | grep -q -e '-std=c99'
+}
+for header in jacobi ateb integrators varmass; do
+    printf '#include "%s.h"\n' $header >"$build/standard.c"
+    check "$header.h: -std=c89 is told to be too old" tells_standard
+    if command -v g++ >/dev/null; then
+        check "$header.h: C++20" g++ -x c++ -std=c++20 -Wall -Wextra -Wpedantic -Werror -I. -fsyntax-only "$build/standard.c"
+    fi
+done
 printf '#include "varmass.h"\n' >"$build/shared.c"
 # tables that a plain read does not find, such as those of PROGMEM on AVR, need to be read in their own way
 check "VM_TABLE without VM_READ is refused" fails $cc -std=c99 "-DVM_TABLE=static const" -I. -c "$build/shared.c" -o "$build/shared.o"
@@ -100,6 +110,12 @@ for header in jacobi ateb integrators varmass; do
         check "$header.h among hostile words, $options" survives $cc $options -c "$build/words.c"
     done
 done
+if command -v x86_64-w64-mingw32-gcc >/dev/null; then
+    for header in jacobi ateb integrators varmass; do
+        printf '#include <windows.h>\n#include "%s.h"\n' $header >"$build/windows.c"
+        check "$header.h after <windows.h>" x86_64-w64-mingw32-gcc -std=c99 -I. -c "$build/windows.c" -o "$build/windows.o"
+    done
+fi
 for example in examples/*.c examples/first_steps/*.c examples/wasm/*.c examples/package/consumer/*.c; do
     check "$example among hostile words" survives $cc -std=c99 -c $example
 done
