@@ -1,7 +1,7 @@
 /* Results whose bits compilers' options may change, as hexadecimal numbers in a line, and after it what vm_self_check
    says. tests/test_options.sh compares them. -DUPWARD and -DFLUSH set the processor's rounding and its way with
-   subnormal numbers first; -DPRAGMA_CLANG and -DPRAGMA_GCC
-   change values without an option; -DALONE="file" takes another header, of which vm_self_check alone is called. */
+   subnormal numbers first; -DPRAGMA_CLANG and -DPRAGMA_GCC change values without an option; -DALONE="file" takes another
+   header, of which vm_self_check alone is called. */
 #include <fenv.h>
 #include <stdio.h>
 #ifdef FLUSH
