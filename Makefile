@@ -29,7 +29,7 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events coincidences varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard refusals ladder
-SCRIPTS = headers plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
+SCRIPTS = headers snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)

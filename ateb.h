@@ -34,11 +34,19 @@
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
-     VM_TABLE             storage of the tables, default static const
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
+                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN   the functions of the C library that are used; they are exact, so that
                           results are the same everywhere where products and sums are not contracted
-     VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where no bound below holds
    Names that begin with vmi_ or VMI_ are internal.
+
+   OPTIONS THAT CHANGE VALUES
+     -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
+     -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
+     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
+     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
 
    METHOD
      Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
@@ -99,15 +107,20 @@
 #define VM_SHARED
 #define VARMASS_VERSION "0.1.0"
 
+#if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "varmass is C99 or C++11: compile with -std=c99 or later"
+#endif
+
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#define VM_NO_NAN
-#endif
-#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
+#if !defined(VM_ALLOW_FAST_MATH) &&                                                                                 \
+    (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                      \
+     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||                  \
+     defined(_M_FP_FAST) || defined(__ARM_FP_FAST))
+#error "-ffast-math or a part of it (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, \
+-ffinite-math-only, -fno-signed-zeros, /fp:fast) changes results; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -118,9 +131,6 @@
 #endif
 #ifndef VM_INLINE
 #define VM_INLINE VM_API /* which is enough for the results */
-#endif
-#ifndef VM_TABLE
-#define VM_TABLE static const /* storage of every table */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -147,6 +157,20 @@ typedef double vm_real;
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
+#endif
+
+/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
@@ -195,6 +219,62 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
+}
+
+/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
+{
+    const vm_real above = one + eps, third = one / 3;
+    const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
+    const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
+    const vm_real product = vmi_rounded(third * above + 0);
+    volatile vm_real stored = third * above;
+    return sum.hi == one && sum.lo == eps / 4 && other.hi == -one && other.lo == eps / 4 && (hi - third) + lo == eps &&
+           head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
+}
+
+/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+VM_API int vmi_divides(vm_real one)
+{
+    const vm_real root_of_2 = VM_C(1.4142135623730950488);
+    volatile vm_real numbers[4] = {41, 47, 49, 55};
+    int i, right = numbers[0] / 41 == 1 && numbers[1] / 47 == 1 && numbers[2] / 49 == 1 && numbers[3] / 55 == 1;
+    for (i = 0; i < 4; i++) {
+        const vm_real divisor = numbers[i], same = numbers[i];
+        right &= one / divisor > 0 && same / divisor == 1 && 3 * same / divisor == 3 && 7 * same / divisor == 7;
+    }
+    return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
+}
+
+/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+VM_API int vmi_rounds(vm_real one, vm_real eps)
+{
+    const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
+    const vm_real minus_below = -one - eps / 4, minus_above = -one - eps * VM_C(0.75);
+    return below - one == 0 && middle - one == 0 && above - one == eps && minus_below + one == 0 &&
+           minus_above + one == -eps;
+}
+
+/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
+{
+    const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
+    return nan != nan && !(nan < 1) && !(nan >= 1) && !VM_IS_FINITE(nan) && !VM_IS_FINITE(infinity) &&
+           1 / minus_zero < 0 && 1 / (minus_zero + 0) > 0 && VM_COPYSIGN(1, minus_zero) == -1 && subnormal > 0 &&
+           subnormal * 8 == smallest;
+}
+
+/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
+   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
+   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+VM_API int vm_self_check(void)
+{
+    volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
+    volatile vm_real split = VM_MANT_DIG > 24 ? VM_C(134217729.0) : VM_C(4097.0);
+    return vmi_keeps_order(one, eps, split) && vmi_divides(one) && vmi_rounds(one, eps) &&
+           vmi_has_all_numbers(zero, infinity, smallest);
 }
 
 #endif
@@ -384,10 +464,11 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
-    const vm_real *row = table[(int)(44 * z - VM_C(30.5))];
-    const vm_real r_head = z_head * row[0] - 1, r_tail = (z - z_head) * row[0]; /* exact, half of the digits each */
-    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                          /* |r| < 0.0162 */
-    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + row[1], r.hi);
+    const int row = (int)(44 * z - VM_C(30.5));
+    const vm_real by_c = VM_READ(table[row][0]);
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
+    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
     const vm_real rr = r.hi * r.hi;
 #if VM_MANT_DIG > 24
@@ -400,7 +481,8 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
     const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
 #endif
-    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + row[2]) + (r.lo - r_tail * (r.hi + r_head) / 2);
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
+                        (r.lo - r_tail * (r.hi + r_head) / 2);
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
@@ -594,7 +676,8 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b);
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x);
 
-/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan.c prints it).
+/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan.c prints it), on AVR as
+   PROGMEM, of which memcpy_P makes a copy in RAM.
    ateb_plan_init returns 0, or -1 for alpha < 0, NaN or infinite, and then leaves the plan as it was. A plan for less
    accuracy, 1e-4 or 1e-8 of the largest value, is shorter and quicker; 0 means full. Arrays may overlap exactly. */
 #if VM_MANT_DIG > 24
@@ -632,7 +715,7 @@ VM_API vm_two vmi_minus(vm_two x)
 /* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
    polynomial in t = 2 q - 1 for (1 + q)(2 + q)(3 + q) f, Chebyshev interpolation, whose coefficients fall by 18
    each (tests/gen/ateb_coefficients.py); here the i-th, of three words, of which the last may be absent. */
-VM_API vm_real vmi_ateb_coefficient(int word, int i)
+VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
     VM_TABLE vm_real high[34] = {
@@ -676,9 +759,9 @@ VM_API vm_real vmi_ateb_coefficient(int word, int i)
     VM_TABLE vm_real lowest[5] = {VM_C(-7.41197620451e-15), VM_C(1.18689975044e-14), VM_C(2.07874802509e-15),
                                   VM_C(-6.6640947106e-16), VM_C(-2.54688931285e-18)};
 #endif
-    if (word == 0) return high[i];
-    if (word == 1) return i < (int)(sizeof low / sizeof *low) ? low[i] : 0;
-    return i < (int)(sizeof lowest / sizeof *lowest) ? lowest[i] : 0;
+    if (which_word == 0) return VM_READ(high[i]);
+    if (which_word == 1) return i < (int)(sizeof low / sizeof *low) ? VM_READ(low[i]) : 0;
+    return i < (int)(sizeof lowest / sizeof *lowest) ? VM_READ(lowest[i]) : 0;
 }
 
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
@@ -946,14 +1029,17 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
 #endif
     const vm_real shifted = vmi_rounded(q.hi + shift), h = q.hi - vmi_rounded(shifted - shift),
                   h_head = vmi_head(h);
-    const vm_real *row = table[vmi_to_bits(shifted) & 63];
-    vm_two g = vmi_fast_two_sum(row[2], row[3] * h_head); /* half of the digits each: exact */
+    const int row = (int)(vmi_to_bits(shifted) & 63);
+    const vm_real slope = VM_READ(table[row][3]);
+    vm_two g = vmi_fast_two_sum(VM_READ(table[row][2]), slope * h_head); /* half of the digits each: exact */
     const vm_real hh = (h + q.lo) * (h + q.lo);
-    vm_real high = (row[4] + h * row[5]) + hh * (row[6] + h * row[7]);
+    vm_real high = (VM_READ(table[row][4]) + h * VM_READ(table[row][5])) +
+                   hh * (VM_READ(table[row][6]) + h * VM_READ(table[row][7]));
 #if VM_MANT_DIG > 24
-    high += (hh * hh) * ((row[8] + h * row[9]) + hh * (row[10] + h * row[11]));
+    high += (hh * hh) * ((VM_READ(table[row][8]) + h * VM_READ(table[row][9])) +
+                         hh * (VM_READ(table[row][10]) + h * VM_READ(table[row][11])));
 #endif
-    g.lo += (row[3] * ((h - h_head) + q.lo) + row[1] * h + row[0]) + hh * high;
+    g.lo += (slope * ((h - h_head) + q.lo) + VM_READ(table[row][1]) * h + VM_READ(table[row][0])) + hh * high;
     return g;
 }
 
@@ -1156,7 +1242,7 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
                                   VM_C(-28.0) / 783, VM_C(30.0) / 899};
     vm_real e_by_w[VMI_ATEB_W_LEVELS + 2], P, Q;
     int j;
-    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = constant[j] + q * slope[j];
+    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = VM_READ(constant[j]) + q * VM_READ(slope[j]);
     vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4),
                       &P, &Q);
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
@@ -1172,7 +1258,8 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vm_real e_by_p[VMI_ATEB_P_LEVELS];
     int j;
     for (j = 0; j < VMI_ATEB_P_LEVELS; j++)
-        e_by_p[j] = (constant[j] + q * (slope[j] + q * square[j])) / ((q + index[j]) * (q + index[j + 1]));
+        e_by_p[j] = (VM_READ(constant[j]) + q * (VM_READ(slope[j]) + q * VM_READ(square[j]))) /
+                    ((q + VM_READ(index[j])) * (q + VM_READ(index[j + 1])));
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
@@ -1721,9 +1808,9 @@ VM_API vm_real vmi_stirling(vm_real z)
         VM_C(-5.952380952380952381e-4), VM_C(8.4175084175084175084e-4),  VM_C(-0.0019175269175269175269),
         VM_C(0.0064102564102564102564), VM_C(-0.029550653594771241830),  VM_C(0.17964437236883057316)};
     const vm_real square = 1 / (z * z);
-    vm_real sum = c[8];
+    vm_real sum = VM_READ(c[8]);
     int i;
-    for (i = 7; i >= 0; i--) sum = c[i] + square * sum;
+    for (i = 7; i >= 0; i--) sum = VM_READ(c[i]) + square * sum;
     return sum / z;
 }
 
@@ -1892,9 +1979,9 @@ VM_API void vmi_beta_point_at(vm_real t, vmi_beta_point *at)
     const vm_real size = VM_FABS(t);
     const vm_real e = vmi_exp(-size, 0); /* rounded; y = 1 - x holds in two words if its own logarithm is taken */
     const vm_two ln_e = e > VM_MIN ? vmi_log(e) : vmi_two(-size, 0);
-    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), small = vmi_two_plus(ln_e, l);
-    at->ln_x = t < 0 ? small : l;
-    at->ln_y = t < 0 ? l : small;
+    const vm_two l = vmi_minus(vmi_two_log(vmi_two_sum(1, e))), ln_small = vmi_two_plus(ln_e, l);
+    at->ln_x = t < 0 ? ln_small : l;
+    at->ln_y = t < 0 ? l : ln_small;
     at->x = vmi_exp(at->ln_x.hi, at->ln_x.lo);
     at->y = vmi_exp(at->ln_y.hi, at->ln_y.lo);
 }

@@ -5,8 +5,10 @@
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx)
        {
-           (void)t, (void)ctx;
-           dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0];
+           (void)t;   // which this spring does not need
+           (void)ctx;
+           dydt[0] = y[1];
+           dydt[1] = -y[0] * y[0] * y[0];
            return 0;
        }
        int main(void)
@@ -91,8 +93,17 @@
      VM_API               linkage of the functions, default static inline
      VM_INLINE            linkage of what has to be inlined for speed; VM_API makes smaller code with the same results
      VM_SQRT, VM_FABS     the functions of the C library that are used (all of the shared block's, if any)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math, where the checks for NaN do not work
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
+                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where the checks for NaN do not work
    Names that begin with vmi_ or VMI_ are internal.
+
+   OPTIONS THAT CHANGE VALUES
+     -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
+     -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
+     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
+     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
 
    REFERENCES
      [1] Ch. Tsitouras, Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption,
@@ -113,15 +124,20 @@
 #define VM_SHARED
 #define VARMASS_VERSION "0.1.0"
 
+#if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "varmass is C99 or C++11: compile with -std=c99 or later"
+#endif
+
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#define VM_NO_NAN
-#endif
-#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
+#if !defined(VM_ALLOW_FAST_MATH) &&                                                                                 \
+    (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                      \
+     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||                  \
+     defined(_M_FP_FAST) || defined(__ARM_FP_FAST))
+#error "-ffast-math or a part of it (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, \
+-ffinite-math-only, -fno-signed-zeros, /fp:fast) changes results; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -132,9 +148,6 @@
 #endif
 #ifndef VM_INLINE
 #define VM_INLINE VM_API /* which is enough for the results */
-#endif
-#ifndef VM_TABLE
-#define VM_TABLE static const /* storage of every table */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -161,6 +174,20 @@ typedef double vm_real;
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
+#endif
+
+/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
@@ -209,6 +236,62 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
+}
+
+/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
+{
+    const vm_real above = one + eps, third = one / 3;
+    const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
+    const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
+    const vm_real product = vmi_rounded(third * above + 0);
+    volatile vm_real stored = third * above;
+    return sum.hi == one && sum.lo == eps / 4 && other.hi == -one && other.lo == eps / 4 && (hi - third) + lo == eps &&
+           head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
+}
+
+/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+VM_API int vmi_divides(vm_real one)
+{
+    const vm_real root_of_2 = VM_C(1.4142135623730950488);
+    volatile vm_real numbers[4] = {41, 47, 49, 55};
+    int i, right = numbers[0] / 41 == 1 && numbers[1] / 47 == 1 && numbers[2] / 49 == 1 && numbers[3] / 55 == 1;
+    for (i = 0; i < 4; i++) {
+        const vm_real divisor = numbers[i], same = numbers[i];
+        right &= one / divisor > 0 && same / divisor == 1 && 3 * same / divisor == 3 && 7 * same / divisor == 7;
+    }
+    return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
+}
+
+/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+VM_API int vmi_rounds(vm_real one, vm_real eps)
+{
+    const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
+    const vm_real minus_below = -one - eps / 4, minus_above = -one - eps * VM_C(0.75);
+    return below - one == 0 && middle - one == 0 && above - one == eps && minus_below + one == 0 &&
+           minus_above + one == -eps;
+}
+
+/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
+{
+    const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
+    return nan != nan && !(nan < 1) && !(nan >= 1) && !VM_IS_FINITE(nan) && !VM_IS_FINITE(infinity) &&
+           1 / minus_zero < 0 && 1 / (minus_zero + 0) > 0 && VM_COPYSIGN(1, minus_zero) == -1 && subnormal > 0 &&
+           subnormal * 8 == smallest;
+}
+
+/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
+   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
+   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+VM_API int vm_self_check(void)
+{
+    volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
+    volatile vm_real split = VM_MANT_DIG > 24 ? VM_C(134217729.0) : VM_C(4097.0);
+    return vmi_keeps_order(one, eps, split) && vmi_divides(one) && vmi_rounds(one, eps) &&
+           vmi_has_all_numbers(zero, infinity, smallest);
 }
 
 #endif
@@ -1155,10 +1238,10 @@ VM_API int vmi_rk87_extend(rk45 *s)
         int status;
         for (i = 0; i < s->n; i++) {
             vm_real sum = 0;
-            for (j = 1; j < 14 + stage; j++) sum += a[stage][j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (c[stage] * k1[i] + sum);
+            for (j = 1; j < 14 + stage; j++) sum += VM_READ(a[stage][j]) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
         }
-        status = vmi_eval(s, s->t_old + c[stage] * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
+        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
         if (status) return status;
         if (!vmi_all_finite(s->n, vmi_part(s, VMI_K + 14 + stage))) return ODE_NOT_FINITE;
     }
@@ -1340,7 +1423,7 @@ VM_API int vmi_rk87_weights(vm_real x, vm_real *b)
     for (up[0] = 1, i = 1; i < 8; i++) up[i] = up[i - 1] * u;
     for (j = 0; j < 21; j++) b[j] = 0;
     for (i = 0; i < 8; i++, power *= x)
-        for (j = 0; j < 21; j++) b[j] += binomial[i] * power * up[7 - i] * c[i][j];
+        for (j = 0; j < 21; j++) b[j] += VM_READ(binomial[i]) * power * up[7 - i] * VM_READ(c[i][j]);
     return 21;
 }
 
@@ -1724,7 +1807,8 @@ VM_API void vmi_look_for_stiffness(rk45 *s, int method)
     for (i = 0; i < s->n; i++) {
         vm_real d = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]), sum = 0;
         dk = VMI_LARGER(dk, d);
-        for (j = 0; j < count; j++) sum += (method == VMI_RK45 ? rk45_dz : rk87_dz)[j] * vmi_part(s, VMI_K + j)[i];
+        for (j = 0; j < count; j++)
+            sum += (method == VMI_RK45 ? VM_READ(rk45_dz[j]) : VM_READ(rk87_dz[j])) * vmi_part(s, VMI_K + j)[i];
         dz = VMI_LARGER(dz, VM_FABS(sum));
     }
     if (dk > edge * dz) {

@@ -22,7 +22,8 @@
    WHAT TO CALL
      jacobi_sncndn        the three functions for one u and one m; twelve quotients and the amplitude singly
      jacobi_plan_init     where m stays: the plan is prepared once, then jacobi_plan_sncndn, or .._array for many u.
-                          A plan is plain data and may be a constant in flash; examples/jacobi_plan prints one.
+                          A plan is plain data and may be a constant in flash; examples/jacobi_plan prints one. On
+                          AVR copy it from there to RAM, by memcpy_P, before it is used.
      jacobi_solve_kpK     m from k'K(k^2), jacobi_solve_K m from K
      jacobi_agm_...       the same functions by the arithmetic-geometric mean, with its steps counted
 
@@ -42,10 +43,19 @@
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API, VM_INLINE    linkage of the functions, default static inline (forced where loops must vectorise)
      VM_SQRT, VM_FLOOR .. the functions of the C library that are used (all of them, if any)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math, where no bound below holds
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
+                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where no bound below holds
    On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
    below nor symmetry to the bit hold: -fexcess-precision=standard, or -msse2 -mfpmath=sse, mends it.
    Names that begin with vmi_ or VMI_ are internal.
+
+   OPTIONS THAT CHANGE VALUES
+     -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
+     -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
+     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
+     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
 
    ACCURACY AND COST, measured (make test, scan, bench; docs/measurements.md, cost.md), inputs taken as exact
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and 2^40 K (float 1e4, 2^17 K); from K/eps on u
@@ -75,15 +85,20 @@
 #define VM_SHARED
 #define VARMASS_VERSION "0.1.0"
 
+#if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "varmass is C99 or C++11: compile with -std=c99 or later"
+#endif
+
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#define VM_NO_NAN
-#endif
-#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
+#if !defined(VM_ALLOW_FAST_MATH) &&                                                                                 \
+    (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                      \
+     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||                  \
+     defined(_M_FP_FAST) || defined(__ARM_FP_FAST))
+#error "-ffast-math or a part of it (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, \
+-ffinite-math-only, -fno-signed-zeros, /fp:fast) changes results; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -94,9 +109,6 @@
 #endif
 #ifndef VM_INLINE
 #define VM_INLINE VM_API /* which is enough for the results */
-#endif
-#ifndef VM_TABLE
-#define VM_TABLE static const /* storage of every table */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -123,6 +135,20 @@ typedef double vm_real;
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
+#endif
+
+/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
@@ -171,6 +197,62 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
+}
+
+/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
+{
+    const vm_real above = one + eps, third = one / 3;
+    const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
+    const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
+    const vm_real product = vmi_rounded(third * above + 0);
+    volatile vm_real stored = third * above;
+    return sum.hi == one && sum.lo == eps / 4 && other.hi == -one && other.lo == eps / 4 && (hi - third) + lo == eps &&
+           head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
+}
+
+/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+VM_API int vmi_divides(vm_real one)
+{
+    const vm_real root_of_2 = VM_C(1.4142135623730950488);
+    volatile vm_real numbers[4] = {41, 47, 49, 55};
+    int i, right = numbers[0] / 41 == 1 && numbers[1] / 47 == 1 && numbers[2] / 49 == 1 && numbers[3] / 55 == 1;
+    for (i = 0; i < 4; i++) {
+        const vm_real divisor = numbers[i], same = numbers[i];
+        right &= one / divisor > 0 && same / divisor == 1 && 3 * same / divisor == 3 && 7 * same / divisor == 7;
+    }
+    return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
+}
+
+/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+VM_API int vmi_rounds(vm_real one, vm_real eps)
+{
+    const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
+    const vm_real minus_below = -one - eps / 4, minus_above = -one - eps * VM_C(0.75);
+    return below - one == 0 && middle - one == 0 && above - one == eps && minus_below + one == 0 &&
+           minus_above + one == -eps;
+}
+
+/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
+{
+    const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
+    return nan != nan && !(nan < 1) && !(nan >= 1) && !VM_IS_FINITE(nan) && !VM_IS_FINITE(infinity) &&
+           1 / minus_zero < 0 && 1 / (minus_zero + 0) > 0 && VM_COPYSIGN(1, minus_zero) == -1 && subnormal > 0 &&
+           subnormal * 8 == smallest;
+}
+
+/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
+   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
+   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+VM_API int vm_self_check(void)
+{
+    volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
+    volatile vm_real split = VM_MANT_DIG > 24 ? VM_C(134217729.0) : VM_C(4097.0);
+    return vmi_keeps_order(one, eps, split) && vmi_divides(one) && vmi_rounds(one, eps) &&
+           vmi_has_all_numbers(zero, infinity, smallest);
 }
 
 #endif
@@ -360,10 +442,11 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
-    const vm_real *row = table[(int)(44 * z - VM_C(30.5))];
-    const vm_real r_head = z_head * row[0] - 1, r_tail = (z - z_head) * row[0]; /* exact, half of the digits each */
-    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                          /* |r| < 0.0162 */
-    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + row[1], r.hi);
+    const int row = (int)(44 * z - VM_C(30.5));
+    const vm_real by_c = VM_READ(table[row][0]);
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
+    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
     const vm_real rr = r.hi * r.hi;
 #if VM_MANT_DIG > 24
@@ -376,7 +459,8 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
     const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
 #endif
-    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + row[2]) + (r.lo - r_tail * (r.hi + r_head) / 2);
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
+                        (r.lo - r_tail * (r.hi + r_head) / 2);
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
@@ -773,12 +857,12 @@ VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
     const vm_real A23 = VM_C(0.0747659708874116175) + c * VM_C(0.0604635753570759646);
     const vm_real A45 = VM_C(0.0492978880327891861) + c * VM_C(0.0339442681568997914);
     const vm_real A67 = VM_C(0.012474590931201476) + c * VM_C(6.09741459959139043e-4);
-    const vm_real B01 = VM_C(0.164062499943033208) + c * VM_C(0.120442655878206961);
-    const vm_real B23 = VM_C(0.0948766696910365165) + c * VM_C(0.0779033129747223191);
-    const vm_real B45 = VM_C(0.0624531825687128506) + c * VM_C(0.037162517735165726);
-    const vm_real B67 = VM_C(7.51299469689479475e-3) - c * VM_C(1.21456158984582113e-3);
+    const vm_real b01 = VM_C(0.164062499943033208) + c * VM_C(0.120442655878206961);
+    const vm_real b23 = VM_C(0.0948766696910365165) + c * VM_C(0.0779033129747223191);
+    const vm_real b45 = VM_C(0.0624531825687128506) + c * VM_C(0.037162517735165726);
+    const vm_real b67 = VM_C(7.51299469689479475e-3) - c * VM_C(1.21456158984582113e-3);
     const vm_real A = (A01 + cc * A23) + cc * cc * ((A45 + cc * A67) - cc * cc * VM_C(1.47954745189517243e-4));
-    const vm_real B = (B01 + cc * B23) + cc * cc * (B45 + cc * B67);
+    const vm_real B = (b01 + cc * b23) + cc * cc * (b45 + cc * b67);
 #else
     const vm_real A01 = VM_C(0.1406276673) + c * VM_C(0.09707102925);
     const vm_real A = A01 + cc * (VM_C(0.06059887633) + c * VM_C(0.012512994));
@@ -797,17 +881,17 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     const vm_real A23 = VM_C(0.117186821989593418) + c * VM_C(0.0853987891959771678);
     const vm_real A45 = VM_C(0.0661404122824279239) + c * VM_C(0.0462006550177885);
     const vm_real A67 = VM_C(0.0180993698311603043) + c * VM_C(5.73337947036873879e-4);
-    const vm_real B01 = VM_C(0.24999999999566927) + c * VM_C(0.203124990160116814);
-    const vm_real B23 = VM_C(0.140622372161008674) + c * VM_C(0.106750406049363547);
-    const vm_real B45 = VM_C(0.0830562354113903306) + c * VM_C(0.0517296710396015144);
-    const vm_real B67 = VM_C(0.0113912385296323967) + c * VM_C(-2.40808484454518293e-3);
+    const vm_real b01 = VM_C(0.24999999999566927) + c * VM_C(0.203124990160116814);
+    const vm_real b23 = VM_C(0.140622372161008674) + c * VM_C(0.106750406049363547);
+    const vm_real b45 = VM_C(0.0830562354113903306) + c * VM_C(0.0517296710396015144);
+    const vm_real b67 = VM_C(0.0113912385296323967) + c * VM_C(-2.40808484454518293e-3);
     const vm_real A = (A01 + cc * A23) + cc * cc * ((A45 + cc * A67) - cc * cc * VM_C(3.4706602508716508e-4));
-    const vm_real B = (B01 + cc * B23) + cc * cc * (B45 + cc * B67);
+    const vm_real B = (b01 + cc * b23) + cc * cc * (b45 + cc * b67);
 #else
     const vm_real A23 = VM_C(0.09726078063) + c * VM_C(0.01954176836);
-    const vm_real B23 = VM_C(0.09307274967) + c * VM_C(1.615328365e-4);
+    const vm_real b23 = VM_C(0.09307274967) + c * VM_C(1.615328365e-4);
     const vm_real A = VM_C(0.4999949038) + c * VM_C(0.1864423007) + cc * A23;
-    const vm_real B = VM_C(0.2499748766) + c * VM_C(0.1995639652) + cc * B23;
+    const vm_real B = VM_C(0.2499748766) + c * VM_C(0.1995639652) + cc * b23;
 #endif
     return c * (l * A - B);
 }
@@ -1362,9 +1446,9 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
                                      vm_real *dn)
 {
     const jacobi_plan local = *p; /* the compiler sees that no element of the arrays is a part of it */
-    int i, far = 0;
-    for (i = 0; i < n; i++) far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
-    if (far)
+    int i, any_far = 0;
+    for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
+    if (any_far)
         for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
     else if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
     else if (local.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
@@ -1770,7 +1854,7 @@ VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : 
    2^-n of the largest asks for log2(n) rounds more than the usual 7. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
-    const vm_real small = VM_SQRT(VM_SQRT(VM_EPSILON));
+    const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
     vm_two A, X, Y, Z, E2, E3, sum;
     vm_real e2, e3, rest;
     for (;;) {
@@ -1778,7 +1862,7 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
         X = vmi_two_over(vmi_two_minus(A, x), A);
         Y = vmi_two_over(vmi_two_minus(A, y), A);
         Z = vmi_two_shifted(vmi_two_plus(X, Y), -1);
-        if (!(VM_FABS(X.hi) > small || VM_FABS(Y.hi) > small || VM_FABS(Z.hi) > small)) break;
+        if (!(VM_FABS(X.hi) > enough || VM_FABS(Y.hi) > enough || VM_FABS(Z.hi) > enough)) break;
         X = vmi_two_root(x), Y = vmi_two_root(y), Z = vmi_two_root(z);
         A = vmi_two_plus(vmi_two_times(X, vmi_two_plus(Y, Z)), vmi_two_times(Y, Z));
         x = vmi_two_shifted(vmi_two_plus(x, A), VM_C(0.25));
@@ -1809,8 +1893,8 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
-    int round;
-    for (round = 0; round < 200; round++) { /* 5 to 10, and one for every binary digit of p */
+    int step;
+    for (step = 0; step < 200; step++) { /* 5 to 10, and one for every binary digit of p */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);

@@ -57,10 +57,18 @@
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
      VM_API               linkage of the functions, default static inline
-     VM_TABLE             storage of the tables, default static const
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
+                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (all of them, if any)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math, where nothing is promised
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where nothing is promised
    Names that begin with vmi_ or VMI_ are internal.
+
+   OPTIONS THAT CHANGE VALUES
+     -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
+     -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
+     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
+     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
 
    ACCURACY, measured (make test; docs/measurements.md)
      Jumps keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the sum
@@ -89,15 +97,20 @@
 #define VM_SHARED
 #define VARMASS_VERSION "0.1.0"
 
+#if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "varmass is C99 or C++11: compile with -std=c99 or later"
+#endif
+
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
-#define VM_NO_NAN
-#endif
-#if (defined(__FAST_MATH__) || defined(VM_NO_NAN)) && !defined(VM_ALLOW_FAST_MATH)
-#error "-ffast-math breaks two-word arithmetic and the checks for NaN; VM_ALLOW_FAST_MATH compiles anyway"
+#if !defined(VM_ALLOW_FAST_MATH) &&                                                                                 \
+    (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                      \
+     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||                  \
+     defined(_M_FP_FAST) || defined(__ARM_FP_FAST))
+#error "-ffast-math or a part of it (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, \
+-ffinite-math-only, -fno-signed-zeros, /fp:fast) changes results; VM_ALLOW_FAST_MATH compiles anyway"
 #endif
 
 #ifndef VM_API
@@ -108,9 +121,6 @@
 #endif
 #ifndef VM_INLINE
 #define VM_INLINE VM_API /* which is enough for the results */
-#endif
-#ifndef VM_TABLE
-#define VM_TABLE static const /* storage of every table */
 #endif
 
 #ifdef VM_USE_FLOAT
@@ -137,6 +147,20 @@ typedef double vm_real;
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
+#endif
+
+/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
 #endif
 
 #ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
@@ -185,6 +209,62 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     b_part = vmi_rounded(s.hi - a);
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
+}
+
+/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
+{
+    const vm_real above = one + eps, third = one / 3;
+    const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
+    const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
+    const vm_real product = vmi_rounded(third * above + 0);
+    volatile vm_real stored = third * above;
+    return sum.hi == one && sum.lo == eps / 4 && other.hi == -one && other.lo == eps / 4 && (hi - third) + lo == eps &&
+           head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
+}
+
+/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+VM_API int vmi_divides(vm_real one)
+{
+    const vm_real root_of_2 = VM_C(1.4142135623730950488);
+    volatile vm_real numbers[4] = {41, 47, 49, 55};
+    int i, right = numbers[0] / 41 == 1 && numbers[1] / 47 == 1 && numbers[2] / 49 == 1 && numbers[3] / 55 == 1;
+    for (i = 0; i < 4; i++) {
+        const vm_real divisor = numbers[i], same = numbers[i];
+        right &= one / divisor > 0 && same / divisor == 1 && 3 * same / divisor == 3 && 7 * same / divisor == 7;
+    }
+    return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
+}
+
+/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+VM_API int vmi_rounds(vm_real one, vm_real eps)
+{
+    const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
+    const vm_real minus_below = -one - eps / 4, minus_above = -one - eps * VM_C(0.75);
+    return below - one == 0 && middle - one == 0 && above - one == eps && minus_below + one == 0 &&
+           minus_above + one == -eps;
+}
+
+/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
+{
+    const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
+    return nan != nan && !(nan < 1) && !(nan >= 1) && !VM_IS_FINITE(nan) && !VM_IS_FINITE(infinity) &&
+           1 / minus_zero < 0 && 1 / (minus_zero + 0) > 0 && VM_COPYSIGN(1, minus_zero) == -1 && subnormal > 0 &&
+           subnormal * 8 == smallest;
+}
+
+/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
+   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
+   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+VM_API int vm_self_check(void)
+{
+    volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
+    volatile vm_real split = VM_MANT_DIG > 24 ? VM_C(134217729.0) : VM_C(4097.0);
+    return vmi_keeps_order(one, eps, split) && vmi_divides(one) && vmi_rounds(one, eps) &&
+           vmi_has_all_numbers(zero, infinity, smallest);
 }
 
 #endif
@@ -670,12 +750,27 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration);
 
 /* The free body in space. A vm_flow is the ctx of the right-hand sides below:
-     vm_flow flow = {0};  flow.n = 1, flow.streams = &nozzle, flow.least_mass = dry;
-     ode_event empty = {vm_flow_mass_left, &flow, -1, ODE_STOP};
-     rk45_options o = rk45_defaults(NULL);  o.events = &empty, o.n_events = 1;
-     if (vm_flow_start(&flow, &body, y) == VM_OK &&
-         rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &o, work) >= 0 && rk45_solve(&s, 3) >= 0)
-         vm_flow_body(&flow, VM_RHS, s.y, &body);
+
+       vm_flow flow;
+       ode_event empty;
+       rk45_options options = rk45_defaults(NULL);
+       rk45 s;
+       vm_real y[VM_RHS], work[RK45_WORK(VM_RHS)];
+       memset(&flow, 0, sizeof flow); // what is not set is zero: not there
+       flow.n = 1;
+       flow.streams = &nozzle;
+       flow.least_mass = dry;
+       memset(&empty, 0, sizeof empty);
+       empty.g = vm_flow_mass_left;
+       empty.ctx = &flow;
+       empty.direction = -1;
+       empty.action = ODE_STOP;
+       options.events = &empty;
+       options.n_events = 1;
+       if (vm_flow_start(&flow, &body, y) == VM_OK &&
+           rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
+           vm_flow_body(&flow, VM_RHS, s.y, &body);
+
    What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
    and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
    The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
@@ -1158,10 +1253,10 @@ enum {
 };
 VM_API int vm_vdp_init(vm_vdp *v);
 
-/* Amplitude at t where it was A0 at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
+/* Amplitude at t where it was first_A at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
    (427), (429), (431)-(435), (437) in one, as corrected, smooth through q = 0. Right to 1e-14 but for what is
    averaged. c < 0 may carry it to infinity in a finite time: NaN from there on. */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m);
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m);
 /* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
    none. stable, where not null: whether the amplitudes around tend to the one returned. */
 VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL);
@@ -1224,11 +1319,11 @@ VM_API int vm_laval_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, int sense);
 VM_API int vm_laval_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
 VM_API int vm_laval_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor);
-/* The same without F_z: the radius when the mass has gone from mass0, where it was A0, to mass, of
+/* The same without F_z: the radius when the mass has gone from mass0, where it was first_A, to mass, of
      A^4 (g^2 + m F_e'(A)) = const, r = 1, which is A^2 (m W - g) = const;  A^4 F_e'(A) m^(2r-1) = const, g = 0 (509)
-   NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from A0. For
-   powers it is A0 vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
-VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass);
+   NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from
+   first_A. For powers it is first_A vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
+VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real first_A, vm_real mass0, vm_real mass);
 
 /* -- Chapter 7.8: two bodies with a nonlinear connection -- */
 
@@ -1346,10 +1441,16 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
        vm_scene_body bodies[] = {vm_scene_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
-       vm_scene scene = {bodies, 1, effects, 2};                             // what is not set is zero: not there
+       vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
        vm_culprit culprit;
-       int status = vm_scene_start(&scene, t, y, &culprit);                  // checks, and fills y
+       int status;
+       memset(&scene, 0, sizeof scene);                                      // what is not set is zero: not there
+       scene.bodies = bodies;
+       scene.n_bodies = 1;
+       scene.effects = effects;
+       scene.n_effects = 2;
+       status = vm_scene_start(&scene, t, y, &culprit);                      // checks, and fills y
        if (status < 0) printf("%s %d: %s\n", culprit.kind, culprit.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
@@ -2000,10 +2101,10 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
    |im|, real ones by falling re */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real near = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
     int i, j, k;
     for (i = 0; i < n; i++) {
-        if (VM_FABS(im[i]) <= near * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
+        if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
         for (j = i; j > 0; j--) {
             const vm_real rise = VM_FABS(im[j]) - VM_FABS(im[j - 1]);
             if (rise > 0 || (rise == 0 && re[j] <= re[j - 1])) break;
@@ -5962,7 +6063,7 @@ VM_API vm_real vmi_gauss_node(int i)
                                  VM_C(0.74633190646015079261), VM_C(0.63605368072651502545),
                                  VM_C(0.510867001950827098),   VM_C(0.37370608871541956067),
                                  VM_C(0.22778585114164507808), VM_C(0.076526521133497333755)};
-    return i % 2 ? node[i / 2] : -node[i / 2];
+    return i % 2 ? VM_READ(node[i / 2]) : -VM_READ(node[i / 2]);
 }
 VM_API vm_real vmi_gauss_weight(int i)
 {
@@ -5971,7 +6072,7 @@ VM_API vm_real vmi_gauss_weight(int i)
                                    VM_C(0.10193011981724043504),  VM_C(0.11819453196151841731),
                                    VM_C(0.1316886384491766269),   VM_C(0.14209610931838205133),
                                    VM_C(0.14917298647260374679),  VM_C(0.1527533871307258507)};
-    return weight[i / 2];
+    return VM_READ(weight[i / 2]);
 }
 
 /* Coefficients of the series of Legendre's polynomials through values at the points of Gauss' rule */
@@ -6558,11 +6659,11 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
     int i, quarter;
     *Fs = *Fc = 0;
     for (i = 0; i < 40; i++) {
-        const int k = i % 20, far = i >= 20;
-        const vm_real u = (1 + vmi_gauss_node(k)) / 2, length = far ? half - cut : cut;
-        const vm_real share = vmi_gauss_weight(k) / 8 * length / half * (far ? 2 * u : 1);
+        const int k = i % 20, outer = i >= 20;
+        const vm_real u = (1 + vmi_gauss_node(k)) / 2, length = outer ? half - cut : cut;
+        const vm_real share = vmi_gauss_weight(k) / 8 * length / half * (outer ? 2 * u : 1);
         vm_real c, s;
-        vmi_osc_wave_at(w, far ? half - length * u * u : cut * u, &c, &s);
+        vmi_osc_wave_at(w, outer ? half - length * u * u : cut * u, &c, &s);
         for (quarter = 0; quarter < 4; quarter++) {
             const vm_real qc = quarter & 1 ? -c : c, qs = quarter & 2 ? -s : s;
             const vm_real F = p->problem.force(t, A * qc, -V * qs, p->problem.ctx);
@@ -7193,22 +7294,26 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return 2 * v->b - (2 * v->reactive - 1) * mass_rate;
 }
 
-/* 1/A^2 = e^-F (1/A0^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
+/* 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
    constant, so that the integral is phi(F) int dt/m. Written with e^-|F| and the larger of the two terms taken out.
    */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real A0, vm_linear_mass m)
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m)
 {
     if (!v) return VM_NAN;
     vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
-    if (!VM_IS_FINITE(A0) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
+    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
     damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(damping));
-    s = VM_FABS(A0) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
-    if (s > 1) denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping), A0 = VM_COPYSIGN(1 / root, A0);
-    else denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
-    return denominator < 0 ? VM_NAN : A0 * VM_SQRT((F > 0 ? 1 : e) / denominator);
+    s = VM_FABS(first_A) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
+    if (s > 1) {
+        denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping);
+        first_A = VM_COPYSIGN(1 / root, first_A);
+    } else {
+        denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
+    }
+    return denominator < 0 ? VM_NAN : first_A * VM_SQRT((F > 0 ? 1 : e) / denominator);
 }
 
 VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
@@ -7491,35 +7596,35 @@ VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
     return VM_FABS(fa) < VM_FABS(fb) ? a : b;
 }
 
-/* ln of the invariant over its first value at the radius A0 e^x */
+/* ln of the invariant over its first value at the radius first_A e^x */
 typedef struct VM_TAG(vmi_laval_orbit) {
     const vm_laval *r;
-    vm_real A0, mass, first; /* first: that of g^2 + m F_e' */
+    vm_real first_A, mass, first; /* first: that of g^2 + m F_e' */
 } vmi_laval_orbit;
 
 VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
 {
     const vmi_laval_orbit *o = (const vmi_laval_orbit *)orbit;
     vm_real slope;
-    const vm_real stiffness = vmi_laval_stiffness(o->r, o->A0 * vmi_exp(x, 0), &slope);
+    const vm_real stiffness = vmi_laval_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope);
     const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
     return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
 }
 
-VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, vm_real mass)
+VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
     vmi_laval_orbit o;
     vm_real slope, here, there, step = VM_C(0.0625), x = 0;
     int bounded = 0;
-    if (!(A0 > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(A0) || !VM_IS_FINITE(mass0) ||
+    if (!(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
     if (r->gyro == 0) mass = vmi_raised(mass / mass0, 2 * r->reactive - 1), mass0 = 1;
-    o.r = r, o.A0 = A0, o.mass = mass;
-    o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, A0, &slope);
+    o.r = r, o.first_A = first_A, o.mass = mass;
+    o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, first_A, &slope);
     here = vmi_laval_invariant(0, &o);
-    if (here == 0 || here != here) return here == 0 ? A0 : VM_NAN;
+    if (here == 0 || here != here) return here == 0 ? first_A : VM_NAN;
     for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
         there = vmi_laval_invariant(x + step, &o);
         while (there != there) { /* F_e' is no number there */
@@ -7530,7 +7635,7 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real A0, vm_real mass0, 
         if (there == 0 || (there > 0) != (here > 0)) break;
         x += step, here = there;
     }
-    return A0 * vmi_exp(vmi_slow_zero(vmi_laval_invariant, &o, x, x + step, here, there), 0);
+    return first_A * vmi_exp(vmi_slow_zero(vmi_laval_invariant, &o, x, x + step, here, there), 0);
 }
 
 /* ---- Chapter 7.8: two bodies with a nonlinear connection ---------------------------------------------------- */
@@ -7873,11 +7978,11 @@ VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
 VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
 {
     const vm_real steep = VM_FABS(z->exponent) > 1 ? VM_FABS(z->exponent) : 1;
-    const vm_real far = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
+    const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
     vm_real ends[5], turns[3], left, right;
     int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
-    ends[0] = -far, ends[n + 1] = far;
-    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -far ? -far : turns[i] > far ? far : turns[i];
+    ends[0] = -reach, ends[n + 1] = reach;
+    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -reach ? -reach : turns[i] > reach ? reach : turns[i];
     for (i = 0; i <= n; i++) {
         left = vmi_forced_excess(ends[i], z), right = vmi_forced_excess(ends[i + 1], z);
         if (!((left > 0) != (right > 0))) continue;
@@ -9023,17 +9128,17 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vm_real *force = b->load.force, *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
     /* shorter by this, a cord does not pull: more than its length is uncertain by, or it would be taut by turns */
     const vm_real rate = e->p[1], loose = VM_C(1e-6) + 512 * VM_EPSILON;
-    vmi_link_end near, far;
+    vmi_link_end here, there;
     vm_real d[3], dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C, lambda;
     int i;
-    vmi_link_body(s, e->body, y, &near);
-    if (far_force) vmi_link_body(s, e->other, y, &far);
-    else vmi_link_point(e, t, &far);
+    vmi_link_body(s, e->body, y, &here);
+    if (far_force) vmi_link_body(s, e->other, y, &there);
+    else vmi_link_point(e, t, &there);
     for (i = 0; i < 3; i++) {
-        const vm_real v = near.v[i] - far.v[i];
-        d[i] = near.r[i] - far.r[i];
-        dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (near.a[i] - far.a[i]);
-        mobility += d[i] * d[i] * (near.mobility[i] + far.mobility[i]);
+        const vm_real v = here.v[i] - there.v[i];
+        d[i] = here.r[i] - there.r[i];
+        dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (here.a[i] - there.a[i]);
+        mobility += d[i] * d[i] * (here.mobility[i] + there.mobility[i]);
     }
     if (!(mobility > 0)) { /* the ends are in one place, or cannot move along the link */
         s->status = mobility == 0 ? VM_SINGULAR : VM_NOT_FINITE;
@@ -9043,8 +9148,8 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
     if (e->p[2] != 0 && (lambda > 0 || C < -loose * dd)) return; /* slack */
     for (i = 0; i < 3; i++) {
-        if (near.mobility[i] > 0) force[i] += lambda * d[i];
-        if (far_force && far.mobility[i] > 0) far_force[i] -= lambda * d[i];
+        if (here.mobility[i] > 0) force[i] += lambda * d[i];
+        if (far_force && there.mobility[i] > 0) far_force[i] -= lambda * d[i];
     }
 }
 
@@ -9308,7 +9413,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
-    return b->check ? b->check(&b->start) : (int)VM_OK;
+    return b->check ? (b->check)(&b->start) : (int)VM_OK;
 }
 
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
@@ -9348,7 +9453,7 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_DOES_NOT_GROW;
-    if (e->check && (status = e->check(e)) != 0) return status;
+    if (e->check && (status = (e->check)(e)) != 0) return status;
     status = vmi_scene_check_order(s->bodies + e->body, e->order);
     return status || e->other < 0 ? status : vmi_scene_check_order(s->bodies + e->other, e->order);
 }
@@ -9384,7 +9489,7 @@ VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
     if (e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
-    return e->check ? e->check(s, e) : status;
+    return e->check ? (e->check)(s, e) : status;
 }
 
 VM_API int vmi_scene_check_arrays(const vm_scene *s)

@@ -61,7 +61,7 @@ int main(int argc, char **argv)
     if (vm_free_init_principal(&motion, moments, upright, spin, 0) != VM_OK) return 1;
     for (run = 0; run < RUNS; run++) {
         const vm_real y0[7] = {spin.x, spin.y, spin.z, 1, 0, 0, 0};
-        rk45_options options = {0};
+        rk45_options options = rk45_defaults(NULL);
         options.rtol = options.atol = tolerances[run];
         if (rk45_init(runs + run, free_rhs, NULL, 7, 0, y0, &options, work[run]) != ODE_OK) return 1;
     }

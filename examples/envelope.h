@@ -81,7 +81,7 @@ static inline int envelope_errors(const oscillator *o, double t_end, envelope *e
 {
     vm_real y0[2] = {1, 0}, work[RK45_WORK(2)], y[2], last[2] = {1, -1}; /* x' is negative after the start */
     oscillator ctx = *o;
-    rk45_options options = {0};
+    rk45_options options = rk45_defaults(NULL);
     rk45 s;
     double t_next = 0;
     int i, k, status;

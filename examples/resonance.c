@@ -25,7 +25,8 @@ static void drift(vm_real t, vm_forced_now *now, void *ctx)
 
 static vm_forced cubic(double b, double force, drifts *d)
 {
-    vm_forced f = {0};
+    vm_forced f;
+    memset(&f, 0, sizeof f);
     f.alpha = 3, f.b = b, f.reactive = 1;
     f.now.mass = f.now.k = f.now.nu = 1, f.now.force = force;
     f.drift = drift, f.drift_ctx = d;
@@ -40,7 +41,7 @@ static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, do
 {
     vm_real work[RK45_WORK(3)], buffer[3];
     vm_point p;
-    rk45_options options = {0};
+    rk45_options options = rk45_defaults(NULL);
     rk45 s;
     double last = 0, passed = VM_NAN, nu;
     int status;

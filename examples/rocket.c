@@ -47,12 +47,12 @@ static void burnt_out(double t, double *y, void *flow)
 static int with_others(double t, const double *y, double *dydt, void *ctx)
 {
     const vm_flow *flow = (const vm_flow *)ctx;
-    const double rate = -flow->streams[0].rate, lever = nozzle - y[VM_Y_CENTRE + 2], I = y[VM_Y_INERTIA];
+    const double rate = -flow->streams[0].rate, lever = nozzle - y[VM_Y_CENTRE + 2], inertia = y[VM_Y_INERTIA];
     const int status = vm_rhs_balanced(t, y, dydt, ctx);
     int k;
     for (k = PRINTED; k <= UNDAMPED; k += 2) {
         dydt[k] = y[k + 1];
-        dydt[k + 1] = rate * (exhaust * off_axis - (k == PRINTED ? lever * lever : 0) * y[k + 1]) / I;
+        dydt[k + 1] = rate * (exhaust * off_axis - (k == PRINTED ? lever * lever : 0) * y[k + 1]) / inertia;
     }
     return status;
 }

@@ -51,7 +51,8 @@ static double vdp_printed(double t, const motion_case *c)
 
 static vm_vdp vdp_of(const motion_case *c)
 {
-    vm_vdp v = {0};
+    vm_vdp v;
+    memset(&v, 0, sizeof v);
     v.alpha = c->b < 0 ? 5. / 3 : 4. / 3, v.k = 1, v.reactive = 1; /* b < 0 marks (440) */
     v.b = c->b < 0 ? 0.01 : -0.01 * c->b, v.c = c->b < 0 ? 0.01 : 0;
     v.mass = vm_slow_mass_linear;
@@ -72,7 +73,8 @@ static double fifth_root(double t, const motion_case *c) { return (void)c, pow(1
 static double radius(double t, const motion_case *c)
 {
     vm_power_force cubic = {1, 3};
-    vm_laval r = {0};
+    vm_laval r;
+    memset(&r, 0, sizeof r);
     r.stiffness = vm_laval_power, r.stiffness_ctx = &cubic, r.reactive = 1;
     return vm_laval_amplitude(&r, c->x0, c->m0, c->m0 + c->m1 * t);
 }
@@ -155,7 +157,7 @@ static int run(const motion_case *c, FILE *csv, errors *e)
     static vm_point points[MOST_POINTS];
     vm_real y[4], work[RK45_WORK(4)], sample[4];
     const double spacing = c->t_end / 1500;
-    rk45_options options = {0};
+    rk45_options options = rk45_defaults(NULL);
     rk45 s;
     context x;
     double t_next = 0;

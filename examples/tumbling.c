@@ -9,13 +9,13 @@
 #include "../varmass.h"
 #include <stdio.h>
 
-static vm_vec3 vector(double x, double y, double z)
+static vm_vec3 vec3(double x, double y, double z)
 {
     vm_vec3 a = {x, y, z};
     return a;
 }
 
-static vm_vec3 plus(vm_vec3 a, double c, vm_vec3 b) { return vector(a.x + c * b.x, a.y + c * b.y, a.z + c * b.z); }
+static vm_vec3 plus(vm_vec3 a, double c, vm_vec3 b) { return vec3(a.x + c * b.x, a.y + c * b.y, a.z + c * b.z); }
 
 /* A box of edges a, b, c about its middle */
 static vm_body box(double mass, vm_vec3 edges, vm_vec3 at)
@@ -62,7 +62,7 @@ static int turning(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 static int moved(const vm_body *from, double t, vm_body *to)
 {
     spinning s;
-    rk45_options o = {0};
+    rk45_options o = rk45_defaults(NULL);
     rk45 run;
     vm_real y[4], work[RK45_WORK(4)];
     int status;
@@ -81,7 +81,7 @@ static int moved(const vm_body *from, double t, vm_body *to)
 
 static void print_motion(const char *name, const vm_body *b)
 {
-    const vm_vec3 K = vm_momentum(b), L = vm_angular_momentum(b, vector(0, 0, 0));
+    const vm_vec3 K = vm_momentum(b), L = vm_angular_momentum(b, vec3(0, 0, 0));
     printf("  %-14s%9.4f%9.4f%9.4f  %10.4f%10.4f%10.4f  %9.4f\n", name, K.x, K.y, K.z, L.x, L.y, L.z,
            vm_kinetic_energy(b));
 }
@@ -98,7 +98,7 @@ static void draw_box(FILE *csv, int colour, const vm_body *b, vm_vec3 place, vm_
                 int i;
                 for (i = 0; i < 2; i++) {
                     int c = corner | i << axis;
-                    vm_vec3 p = vector(edges.x * ((c & 1) - 0.5), edges.y * ((c >> 1 & 1) - 0.5),
+                    vm_vec3 p = vec3(edges.x * ((c & 1) - 0.5), edges.y * ((c >> 1 & 1) - 0.5),
                                        edges.z * ((c >> 2 & 1) - 0.5));
                     end[i] = plus(b->r, 1, vmi_times(&turn, plus(place, 1, p)));
                 }
@@ -145,8 +145,8 @@ static int draw(const scene *s, const char *file)
         failed = moved(t < 0 ? &s->whole : &s->hub, t, &a) || moved(&s->panel, t, &b);
         if (failed) break;
         turn = vmi_rotation(a.q), w = vmi_times_transposed(&turn, a.omega);
-        hub = vm_angular_momentum(&a, vector(0, 0, 0)).z;
-        if (t >= 0) panel = vm_angular_momentum(&b, vector(0, 0, 0)).z;
+        hub = vm_angular_momentum(&a, vec3(0, 0, 0)).z;
+        if (t >= 0) panel = vm_angular_momentum(&b, vec3(0, 0, 0)).z;
         fprintf(csv, "%g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", t, w.x, w.y, w.z, hub, panel, hub + panel);
     }
     fputs("\n\n", csv);
@@ -177,22 +177,22 @@ int main(int argc, char **argv)
     vm_body relative, after[2];
     vm_balance balance;
     vm_vec3 wrong;
-    s.hub_edges = vector(1, 0.8, 0.6), s.panel_edges = vector(1.6, 0.7, 0.05);
-    s.hub = box(60, s.hub_edges, vector(0, 0, 0)), s.panel = box(12, s.panel_edges, vector(1.3, 0, 0.2));
-    s.hub.v = s.panel.v = vector(1.2, 0, 0.2);
+    s.hub_edges = vec3(1, 0.8, 0.6), s.panel_edges = vec3(1.6, 0.7, 0.05);
+    s.hub = box(60, s.hub_edges, vec3(0, 0, 0)), s.panel = box(12, s.panel_edges, vec3(1.3, 0, 0.2));
+    s.hub.v = s.panel.v = vec3(1.2, 0, 0.2);
     if (vm_attach(&s.hub, &s.panel, NULL, &s.whole)) return 1;
-    s.whole.omega = vector(0.3, 0.25, 0.7);
+    s.whole.omega = vec3(0.3, 0.25, 0.7);
     s.hub_in_whole = plus(s.hub.r, -1, s.whole.r), s.panel_in_whole = plus(s.panel.r, -1, s.whole.r);
 
     relative = s.panel; /* it leaves at 0.15 m/s outwards, and turning, (25), (41) */
-    relative.v = vector(0.15, 0, 0), relative.omega = vector(0.4, -0.3, -1);
+    relative.v = vec3(0.15, 0, 0), relative.omega = vec3(0.4, -0.3, -1);
     if (vm_to_absolute(&s.whole, &relative, &s.panel) || vm_separate(&s.whole, &s.panel, NULL, &s.hub)) return 1;
 
     puts("A satellite of 72 kg sheds a panel of 12 kg: M v, N s; angular momentum about the origin, N m s; energy, "
          "J");
     print_motion("whole", &s.whole), print_motion("hub", &s.hub), print_motion("panel", &s.panel);
     after[0] = s.hub, after[1] = s.panel;
-    if (vm_balance_between(1, &s.whole, 2, after, NULL, vector(0, 0, 0), &balance)) return 1;
+    if (vm_balance_between(1, &s.whole, 2, after, NULL, vec3(0, 0, 0), &balance)) return 1;
     printf("  after - before %8.1e %8.1e %8.1e   %8.1e  %8.1e  %8.1e  %9.4f\n", balance.momentum.x,
            balance.momentum.y, balance.momentum.z, balance.angular_momentum.x, balance.angular_momentum.y,
            balance.angular_momentum.z, balance.energy);

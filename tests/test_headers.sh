@@ -48,7 +48,21 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h refuses -ffast-math" fails $cc -std=c99 -ffast-math -I. -c "$build/fast.c" -o "$build/fast.o"
     check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
 done
+tells_standard() { # C89 has no inline functions: an error that says what to do comes first
+    ! $cc -std=c89 -I. -fsyntax-only "$build/standard.c" 2>"$build/c89" && grep error "$build/c89" | head -n 1 | grep -q -e '-std=c99'
+}
+for header in jacobi ateb integrators varmass; do
+    printf '#include "%s.h"\n' $header >"$build/standard.c"
+    check "$header.h: -std=c89 is told to be too old" tells_standard
+    if command -v g++ >/dev/null; then
+        check "$header.h: C++20" g++ -x c++ -std=c++20 -Wall -Wextra -Wpedantic -Werror -I. -fsyntax-only "$build/standard.c"
+    fi
+done
 printf '#include "varmass.h"\n' >"$build/shared.c"
+# tables that a plain read does not find, such as those of PROGMEM on AVR, need to be read in their own way
+check "VM_TABLE without VM_READ is refused" fails $cc -std=c99 "-DVM_TABLE=static const" -I. -c "$build/shared.c" -o "$build/shared.o"
+check "VM_READ without VM_TABLE is refused" fails $cc -std=c99 "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
+check "VM_TABLE and VM_READ" $cc -std=c99 "-DVM_TABLE=static const" "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
 single_precision() { # in float nothing is computed in double, for which a Cortex-M4F has no unit
     arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -DVM_USE_FLOAT -DVM_API= -I. \
         -c "$build/shared.c" -o "$build/cortex.o" || return 1
@@ -66,6 +80,52 @@ for header in jacobi ateb integrators varmass; do
     check "$header.h: the manual's example builds" $cc -std=c99 -I. "$build/$header.c" -o "$build/$header.example" -lm
     check "$header.h: the manual's example runs" "$build/$header.example"
 done
+# hostile HEADER... : #include lines for standard headers, then every word of tests/hostile_words.txt as a syntax error
+hostile_words() {
+    for header in assert float limits math stddef stdint stdio stdlib string time; do echo "#include <$header.h>"; done
+    sed 's/#.*//' tests/hostile_words.txt | tr ' ' '\n' | awk '
+        function define(word) {
+            if (sub(/\(\)$/, "", word)) word = word "(...)"
+            name = word
+            sub(/\(.*/, "", name)
+            print "#undef " name "\n#define " word " @ " name " is a macro of another header @"
+        }
+        function binary(digits, count) {
+            if (digits != "") define("B" digits)
+            if (count < 8) { binary(digits "0", count + 1); binary(digits "1", count + 1) }
+        }
+        NF { define($1) }
+        END { binary("", 0) }'
+}
+hostile_words >"$build/hostile.h"
+survives() { # survives COMPILER... SOURCE: compiles where all hostile words are macros
+    "$@" -include "$build/hostile.h" -I. -o "$build/hostile.o"
+}
+check "the hostile words are found" test "$(grep -c define "$build/hostile.h")" -gt 700
+check "the hostile words are hostile" fails $cc -std=c99 -include "$build/hostile.h" -DVM_NAME=near -x c -c - -o "$build/hostile.o" <<'END'
+int VM_NAME;
+END
+for header in jacobi ateb integrators varmass; do
+    printf '#include "%s.h"\n' $header >"$build/words.c"
+    for options in "-std=c99" "-std=gnu99" "-std=c99 -DVM_USE_FLOAT"; do
+        check "$header.h among hostile words, $options" survives $cc $options -c "$build/words.c"
+    done
+done
+if command -v x86_64-w64-mingw32-gcc >/dev/null; then
+    for header in jacobi ateb integrators varmass; do
+        printf '#include <windows.h>\n#include "%s.h"\n' $header >"$build/windows.c"
+        check "$header.h after <windows.h>" x86_64-w64-mingw32-gcc -std=c99 -I. -c "$build/windows.c" -o "$build/windows.o"
+    done
+fi
+for example in examples/*.c examples/first_steps/*.c examples/wasm/*.c examples/package/consumer/*.c; do
+    check "$example among hostile words" survives $cc -std=c99 -c $example
+done
+has_tables() { # has_tables VALUE : whether the section of the tables is there if VM_READ(x) is VALUE
+    $cc -std=c99 -O2 '-DVM_TABLE=static const __attribute__((section("vm_tables")))' "-DVM_READ(x)=$1" -DVM_API= -I. \
+        -c "$build/shared.c" -o "$build/tables.o" && objdump -h "$build/tables.o" | grep vm_tables
+}
+check "VM_TABLE places the tables" has_tables "(x)"
+check "every table is read by VM_READ" fails has_tables "((vm_real)1)"
 inlined() { # the right-hand side of the integrators is in the loop: no call of it is left
     cat >"$build/inlined.c" <<'END'
 #include "integrators.h"

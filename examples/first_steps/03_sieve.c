@@ -18,12 +18,13 @@ int main(int argc, char **argv)
     vm_event events[] = {vm_then_switch(vm_event_at(4), GRAVEL, 0),
                          vm_then_switch(vm_event_mass(SIEVE, 40, 1), GRAVEL, 1)};
     ode_event located[2];
-    vm_scene scene = {0};
+    vm_scene scene;
     vm_culprit culprit;
     vm_real t = 0, y[3], work[VM_SCENE_WORK(3)], next, widest = 0, when = 0; /* y: x, v, mass */
     int status;
 
     effects[GRAVEL].off = 1; /* until the first event */
+    memset(&scene, 0, sizeof scene);
     scene.bodies = bodies, scene.n_bodies = 1;
     scene.effects = effects, scene.n_effects = 4;
     scene.events = events, scene.n_events = 2, scene.located = located;

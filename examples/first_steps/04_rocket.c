@@ -24,12 +24,14 @@ int main(int argc, char **argv)
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     vm_stream1 jet = {-5, -2000, VM_RELATIVE}; /* 5 kg/s leave, downwards, at 2000 m/s against the rocket */
     vm_flow1 rocket = {1, &jet, 0, weight, NULL, 0};
-    ode_event empty = {0};
-    rk45_options options = {0};                        /* zero is the default */
+    ode_event empty;
+    rk45_options options;
     vm_real y[3] = {0, 0, 100}, work[RK45_WORK(3)], t; /* x, momentum, mass */
     rk45 s;
     int status;
 
+    memset(&empty, 0, sizeof empty);
+    memset(&options, 0, sizeof options); /* zero is the default */
     empty.g = propellant, empty.ctx = &rocket, empty.direction = -1;
     empty.action = ODE_RESTART, empty.change = burnt_out;
     options.rtol = 1e-10, options.events = &empty, options.n_events = 1;

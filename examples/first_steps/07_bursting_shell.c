@@ -12,7 +12,7 @@ int main(int argc, char **argv)
     const double g = 9.81;
     vm_body shell = {10, {0.3, 0.1, 0.3, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 500}, {200, 0, 0}, {0, 100, 0}};
     vm_body piece[3], pair[2];
-    vm_balance balance = {0};
+    vm_balance balance;
     double t;
     int k, status;
 
@@ -27,6 +27,7 @@ int main(int argc, char **argv)
            vm_strerror(status), piece[2].mass, piece[2].v.x, piece[2].v.y, piece[2].v.z, piece[2].omega.x,
            piece[2].omega.y, piece[2].omega.z);
     printf("energy from the charge: %.3f kJ\n", vm_energy_gain(&shell, 2, pair, NULL, &piece[2]) / 1000);
+    memset(&balance, 0, sizeof balance);
     vm_balance_between(1, &shell, 3, piece, NULL, shell.r, &balance);
     printf("momentum changed by (%.1e, %.1e, %.1e) of %g kg m/s\n", balance.momentum.x, balance.momentum.y,
            balance.momentum.z, shell.mass * shell.v.x);

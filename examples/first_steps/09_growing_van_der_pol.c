@@ -13,12 +13,13 @@ int main(int argc, char **argv)
     vm_linear_mass mass = {1, 0.02}; /* 1 + 0.02 t */
     vm_vdp v = {1, 1, 0.1, 0.1, 1, VM_VDP_ATEB, vm_slow_mass_linear, NULL, 0, 0, 0};
     vm_real work[2][RK45_WORK(2)], t;
-    rk45_options options = {0};
+    rk45_options options;
     rk45 s[2];
     int k, status;
 
     v.mass_ctx = &mass;
     status = vm_vdp_init(&v);
+    memset(&options, 0, sizeof options); /* zero is the default */
     options.rtol = 1e-8;
     for (k = 0; k < 2 && status >= 0; k++) {
         vm_real y[2] = {0, 0};

@@ -5,6 +5,7 @@ if(NOT TARGET varmass::varmass)
   set_target_properties(varmass::varmass PROPERTIES
     INTERFACE_INCLUDE_DIRECTORIES "${varmass_prefix}/include/varmass")
   if(UNIX)
-    set_property(TARGET varmass::varmass PROPERTY INTERFACE_LINK_LIBRARIES m)
+    # "-lm", not "m", which would be a target of the consumer's that has this name
+    set_property(TARGET varmass::varmass PROPERTY INTERFACE_LINK_LIBRARIES -lm)
   endif()
 endif()

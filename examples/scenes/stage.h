@@ -49,7 +49,7 @@ static inline int stage_start(stage *s)
 
 static inline rk45_options stage_options(void) /* closely */
 {
-    rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0};
+    rk45_options o = rk45_defaults(NULL);
     o.rtol = 1000 * VM_EPSILON < (vm_real)1e-10 ? (vm_real)1e-11 : 10 * VM_EPSILON;
     o.atol = o.rtol / 100;
     return o;

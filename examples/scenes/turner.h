@@ -4,9 +4,11 @@
      (J + m rho^2) omega' = Q - (1 - lam) m'(phi) rho^2 omega^2,     Q = T - g (S0 + m e) sin(phi + phase) */
 #include "stage.h"
 
+enum turner_stage { FULL, POURING, EMPTY };
+
 typedef struct turner_data {
     double J, rho2, e, S0, m0, fa, fb, fe, torque, phase;
-    enum { FULL, POURING, EMPTY } stage; /* events say which formula holds, so that no step is made across a kink */
+    enum turner_stage stage; /* events say which formula holds, so that no step is made across a kink */
 } turner_data;
 
 static const turner_data turner = {60000, 1.06, 0.4, 5000, 60000, 0.9, 2.5, 2.9, 300000, 0, FULL};

@@ -11,7 +11,7 @@ static const double vessel_a = 1.2, vessel_h = 1.5, vessel_rho_b = 7000, vessel_
                     vessel_y = -0.8, trunnion_x = -0.6, trunnion_y = -0.7;
 
 typedef struct metal {
-    double m, Sx, Sy, I, L; /* mass, static moments, inertia about the lip, surface */
+    double m, Sx, Sy, inertia, L; /* mass, static moments, inertia about the lip, surface */
 } metal;
 
 static inline metal metal_at(double phi)
@@ -23,13 +23,13 @@ static inline metal metal_at(double phi)
         f.m = rb * (a * h - a * a * k / 2);
         f.Sx = -rb * (a * a * h / 2 - a * a * a * k / 3);
         f.Sy = -rb * (a * h * h / 2 - a * a * a * k * k / 6);
-        f.I = rb * (a * h * (a * a + h * h) / 3 - a * a * a * a / 4 * (k + k * k * k / 3));
+        f.inertia = rb * (a * h * (a * a + h * h) / 3 - a * a * a * a / 4 * (k + k * k * k / 3));
     } else {
         f.L = h / sin(phi);
         f.m = rb * h * h / k / 2;
         f.Sx = -rb * h * h * h / (k * k) / 6;
         f.Sy = -rb * h * h * h / k / 3;
-        f.I = rb * h * h * h * h / 4 * (1 / k + 1 / (k * k * k) / 3);
+        f.inertia = rb * h * h * h * h / 4 * (1 / k + 1 / (k * k * k) / 3);
     }
     return f;
 }
@@ -50,7 +50,7 @@ static inline vm_mass_now vessel_inertia(vm_real t, vm_real phi, vm_real omega, 
     const metal f = metal_at((double)phi);
     vm_mass_now now = {0, 0, 0, 0};
     (void)t, (void)omega, (void)ctx;
-    now.mass = REAL(5000 + f.I);
+    now.mass = REAL(5000 + f.inertia);
     now.by_x = REAL(-vessel_rho_b * f.L * f.L * f.L * f.L / 4);
     return now;
 }
@@ -65,7 +65,7 @@ static inline double hook_force(double t)
                  slope = t <= t1 ? a * sin(phi) / (cos(phi) * cos(phi)) : -h * cos(phi) / (sin(phi) * sin(phi));
     const double turning = -2 * rate * rate * slope / f.L; /* phi'' */
     const double L4 = f.L * f.L * f.L * f.L;
-    return ((5000 + f.I) * turning - vessel_weight(phi, 0, 0) - rb * L4 / 4 * rate * rate) /
+    return ((5000 + f.inertia) * turning - vessel_weight(phi, 0, 0) - rb * L4 / 4 * rate * rate) /
            (a * cos(phi) + h * sin(phi));
 }
 
@@ -95,7 +95,7 @@ static inline vm_mass_now trunnion_inertia(vm_real t, vm_real phi, vm_real omega
     const double ep = -px * cos((double)phi) - py * sin((double)phi);
     vm_mass_now now = {0, 0, 0, 0};
     (void)t, (void)omega, (void)ctx;
-    now.mass = REAL(2030 + f.I - 2 * (px * f.Sx + py * f.Sy) + pp * f.m);
+    now.mass = REAL(2030 + f.inertia - 2 * (px * f.Sx + py * f.Sy) + pp * f.m);
     now.by_x = REAL(-vessel_rho_b * (L * L * L * L / 4 - L * L * L * ep * 2 / 3 + pp * L * L / 2));
     return now;
 }

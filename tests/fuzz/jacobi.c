@@ -215,6 +215,7 @@ static void check_solvers(void)
 
 static void fuzz_jacobi(void)
 {
+    HOLDS(vm_self_check());
     switch (draw_below(5)) {
     case 0: check_integrals(); break;
     case 1: check_solvers(); break;

@@ -4,6 +4,7 @@
 static void golden_kernels(void)
 {
     int i;
+    if (!vm_self_check()) fold_int(0); /* which would be another number */
     for (i = 0; i < COUNT; i++) {
         const vm_real x = uniform(0, 20), y = uniform(-20, 20);
         const vm_two l = vmi_log(x + VM_C(0.001));
