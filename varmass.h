@@ -6205,10 +6205,10 @@ VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length
     panel->drift = panel->fourth = 0;
     for (i = 0; i < VMI_GAUSS; i++) {
         const vm_real share = vmi_gauss_weight(i) / 2 * length, drift = r[i].q * r[i].q / values[i];
-        const vm_real small = r[i].q / (w->plan->Om * values[i]);
+        const vm_real epsilon = r[i].q / (w->plan->Om * values[i]);
         panel->drift += share * drift;
-        panel->fourth += VM_FABS(share * drift) * small * small / w->plan->Om;
-        values[i] = small;
+        panel->fourth += VM_FABS(share * drift) * epsilon * epsilon / w->plan->Om;
+        values[i] = epsilon;
     }
     vmi_legendre_fit(values, panel->epsilon);
     return VM_OK;
@@ -6914,7 +6914,7 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
 {
     vm_real mean = 0;
     int i;
-    for (i = 0; i < VMI_AVERAGING_POINTS; i++) mean += values[i] / VMI_AVERAGING_POINTS;
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++) mean += values[i] / (vm_real)VMI_AVERAGING_POINTS;
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) values[i] -= mean;
     return mean;
 }
