@@ -445,6 +445,26 @@ static double run(int order, ode_rhs f, void *ctx, int n, const vm_real *y0, dou
     return error;
 }
 
+/* The ends in the table that have closed forms: A1 to A4, and D1 to D5 by Kepler's equation */
+static void test_detest_ends(void)
+{
+    const double closed[4] = {exp(-20.), 1 / sqrt(21.), exp(sin(20.)), 20 / (1 + 19 * exp(-5.))};
+    const double *orbit = detest_ends;
+    int k, i;
+    for (k = 0; k < 4; k++)
+        check_error("DETEST, the ends", "A", "eps", fabs(detest_ends[k] / closed[k] - 1) / DBL_EPSILON, 4, k + 1, 0);
+    for (k = 0; k < 15; k++) orbit += detest_problems[k].n;
+    for (k = 1; k <= 5; k++, orbit += 4) {
+        const double e = 0.2 * k - 0.1, side = sqrt(1 - e * e);
+        double E = 20, wanted[4];
+        for (i = 0; i < 50; i++) E -= (E - e * sin(E) - 20) / (1 - e * cos(E));
+        wanted[0] = cos(E) - e, wanted[1] = side * sin(E);
+        wanted[2] = -sin(E) / (1 - e * cos(E)), wanted[3] = side * cos(E) / (1 - e * cos(E));
+        for (i = 0; i < 4; i++)
+            check_error("DETEST, the ends", "D", "eps", fabs(orbit[i] - wanted[i]) / DBL_EPSILON, 1000, e, i);
+    }
+}
+
 /* The error of a problem of DETEST at t = 20, in tolerances of a step */
 static double detest_error(const detest_problem *p, const double *y_end, int order, double tol, long *evals)
 {
@@ -857,6 +877,7 @@ int main(void)
     test_known_solutions();
     test_interpolation();
     test_control();
+    test_detest_ends();
     test_detest();
     test_detest_jumps();
     test_sign();
