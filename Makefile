@@ -18,6 +18,7 @@
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
+#   make toronto   the Toronto test set of initial value problems, docs/toronto.md
 #   make clean    remove build/
 
 CC = cc
@@ -35,7 +36,7 @@ TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -209,6 +210,12 @@ figures: run
 first-steps: build/command
 	CC="$(CC)" sh examples/first_steps/steps.sh build write
 
+# docs/toronto.md: the Toronto test set, beside version 0.1 and DOP853
+toronto: build/toronto
+	./build/toronto markdown bench/toronto_before.csv >build/toronto.md && mv build/toronto.md docs/toronto.md
+build/toronto: bench/toronto.c bench/dop853.h tests/detest.h tests/data/detest_table.h build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
+
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/ateb_reference.py
@@ -228,6 +235,8 @@ data:
 	@mkdir -p build && echo '*' >build/.gitignore
 	$(COMPILE) tests/gen/routes_reference.c -o build/routes_reference -lm
 	./build/routes_reference >tests/data/routes_table.h
+	mkdir -p build && $(CC) -std=gnu99 -O2 tests/gen/detest_reference.c -o build/detest_reference -lquadmath -lm
+	./build/detest_reference >build/detest_table.h && mv build/detest_table.h tests/data
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h

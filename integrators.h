@@ -47,8 +47,10 @@
      an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they
      come to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
      No step is shorter than h_min or than what t resolves, 2 eps |t|. Where even the shortest step misses the
-     tolerance, f jumps, and the run goes on behind it: s.missed counts these steps. But when another one misses within
-     the next three steps, f is singular there, or too stiff for t: ODE_STEP_TOO_SMALL, and s.t, s.y are those before.
+     tolerance, f jumps: the step is accepted, s.missed counts it, and the run goes on behind the jump. But when another
+     one misses before three steps have kept the tolerance, f is singular there, or too stiff for t, and the run ends
+     with ODE_STEP_TOO_SMALL. If these two follow each other in one call of rk45_solve without events, both are dropped,
+     so that s.t, s.y are where the trouble begins.
 
    TIME
      A step ends at a time that the type can hold, and is exactly as long as the difference of the two times: the clock
@@ -319,8 +321,8 @@ enum {
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
     ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
-    /* Two steps of the smallest size (h_min, or what t can resolve), nearly in a row, missed the tolerance: f is singular
-       there, or too stiff for t. A jump of f is not: there one step misses, is counted in s->missed, and the run goes on. */
+    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, nearly in a row: f is singular
+       there, or too stiff for t; or h_max is below what t can resolve. A jump of f does not end a run: see s->missed. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; call again to go on */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */

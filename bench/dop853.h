@@ -146,7 +146,7 @@ static inline long dop853_solve(dop853_rhs f, void *ctx, int n, double t, double
     dop853_eval(&s, t, s.y, s.k[0]);
     h = dop853_first_step(&s, t, t_end - t);
     while (t < t_end) {
-        const double least = 10 * (nextafter(t, INFINITY) - t);
+        const double least = 10 * (nextafter(t, HUGE_VAL) - t);
         double t_new, error, factor;
         if (rejected && h < least) return -1;
         if (h < least) h = least;

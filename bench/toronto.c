@@ -2,15 +2,17 @@
    The error is that of the end, |error_i|/(tolerance (1 + |y_i|)), the largest of all components: that over the
    tolerance of a step. Nothing is timed; the cost is the number of evaluations of the right-hand side.
 
-   usage: toronto [csv] [LIST]   a line for each problem and method, or the same numbers as CSV; LIST: only these problems
-                                 or classes, for example F1,D */
+   usage: toronto [csv] [LIST]       a line for each problem and method, or the same numbers as CSV; LIST: only these
+                                     problems or classes, for example F1,D
+          toronto markdown BEFORE    docs/toronto.md, with the results of an older integrators.h from the file BEFORE,
+                                     which is what `toronto csv` printed with it */
 #include "../integrators.h"
 #include <stdio.h>
 #include "../tests/detest.h"
 #include "../tests/data/detest_table.h"
 #include "dop853.h"
 
-enum { METHODS = 3, TOLERANCES = 11 };
+enum { METHODS = 3, TOLERANCES = 11, FIRST_DIGITS = 3 }; /* tolerances 1e-3, 1e-4 ... */
 static const char *const methods[METHODS] = {"rk45", "rk87", "DOP853"};
 
 typedef struct result {
@@ -60,7 +62,7 @@ static void print_csv(const char *list)
         const detest_problem *p = detest_problems + problem;
         if (!is_wanted(list, p->name)) continue;
         for (method = 0; method < METHODS; method++)
-            for (digits = 3; digits < 3 + TOLERANCES; digits++) {
+            for (digits = FIRST_DIGITS; digits < FIRST_DIGITS + TOLERANCES; digits++) {
                 const result r = solve(p, y_end, method, pow(10, -digits));
                 printf("%s,%s,1e-%d,%.3g,%ld,%d\n", p->name, methods[method], digits, r.error, r.evals, r.status);
             }
@@ -73,14 +75,14 @@ static void print_lines(const char *list)
     const double *y_end = detest_ends;
     int problem, method, digits;
     printf("error in tolerances/evaluations   ");
-    for (digits = 3; digits < 3 + TOLERANCES; digits++) printf("%*s-%-2d", digits == 3 ? 8 : 14, "1e", digits);
+    for (digits = FIRST_DIGITS; digits < FIRST_DIGITS + TOLERANCES; digits++) printf("%*s-%-2d", digits == FIRST_DIGITS ? 8 : 14, "1e", digits);
     puts("");
     for (problem = 0; problem < DETEST_PROBLEMS; y_end += detest_problems[problem++].n) {
         const detest_problem *p = detest_problems + problem;
         if (!is_wanted(list, p->name)) continue;
         for (method = 0; method < METHODS; method++) {
             printf("%s %-22s %-6s", p->name, p->what, methods[method]);
-            for (digits = 3; digits < 3 + TOLERANCES; digits++) {
+            for (digits = FIRST_DIGITS; digits < FIRST_DIGITS + TOLERANCES; digits++) {
                 const result r = solve(p, y_end, method, pow(10, -digits));
                 printf(" %9.2g/%-5ld", r.error, r.evals);
                 if (r.status) printf("(%d)", r.status);
@@ -90,10 +92,113 @@ static void print_lines(const char *list)
     }
 }
 
+/* ---- docs/toronto.md ---- */
+
+typedef result results[DETEST_PROBLEMS][METHODS][TOLERANCES];
+
+static void solve_all(results all)
+{
+    const double *y_end = detest_ends;
+    int problem, method, i;
+    for (problem = 0; problem < DETEST_PROBLEMS; y_end += detest_problems[problem++].n)
+        for (method = 0; method < METHODS; method++)
+            for (i = 0; i < TOLERANCES; i++)
+                all[problem][method][i] = solve(detest_problems + problem, y_end, method, pow(10, -FIRST_DIGITS - i));
+}
+
+/* What `toronto csv` printed; returns how many results there were */
+static int read_all(const char *name, results all)
+{
+    FILE *file = fopen(name, "r");
+    char line[200], problem_name[3], method_name[8];
+    int count = 0, problem, method, digits;
+    result r;
+    if (!file) return 0;
+    while (fgets(line, sizeof line, file)) {
+        if (sscanf(line, "%2[^,],%7[^,],1e-%d,%lf,%ld,%d", problem_name, method_name, &digits, &r.error, &r.evals,
+                   &r.status) != 6)
+            continue;
+        for (problem = 0; problem < DETEST_PROBLEMS; problem++)
+            for (method = 0; method < METHODS; method++)
+                if (!strcmp(problem_name, detest_problems[problem].name) && !strcmp(method_name, methods[method])) {
+                    all[problem][method][digits - FIRST_DIGITS] = r;
+                    count++;
+                }
+    }
+    fclose(file);
+    return count;
+}
+
+static void print_head(const char *first)
+{
+    int i;
+    printf("\n| %s | by |", first);
+    for (i = 0; i < TOLERANCES; i++) printf(" 1e-%d |", FIRST_DIGITS + i);
+    printf("\n|---|---|");
+    for (i = 0; i < TOLERANCES; i++) printf("---|");
+    puts("");
+}
+
+/* One class: the geometric mean of the errors, and the sum of the evaluations */
+static void print_mean_row(const char *by, int class, int method, results all)
+{
+    int i, k;
+    printf("| %c | %s |", 'A' + class, by);
+    for (i = 0; i < TOLERANCES; i++) {
+        double sum = 0;
+        long evals = 0;
+        for (k = 5 * class; k < 5 * class + 5; k++) {
+            sum += log(fmax(all[k][method][i].error, 1e-9));
+            evals += all[k][method][i].evals;
+        }
+        printf(" %.2g / %ld |", exp(sum / 5), evals);
+    }
+    puts("");
+}
+
+static void print_row(const char *by, const detest_problem *p, const result *row)
+{
+    int i;
+    printf("| %s %s | %s |", p->name, p->what, by);
+    for (i = 0; i < TOLERANCES; i++) printf(" %.2g / %ld%s |", row[i].error, row[i].evals, row[i].status < 0 ? " (failed)" : "");
+    puts("");
+}
+
+static int print_markdown(const char *name)
+{
+    static results before, now;
+    static const char *const rows[5] = {"rk45, 0.1", "rk45", "rk87, 0.1", "rk87", "DOP853"};
+    int k, row;
+    if (read_all(name, before) < DETEST_PROBLEMS * 2 * TOLERANCES) return fprintf(stderr, "%s is not complete\n", name);
+    solve_all(now);
+    puts("# The Toronto test set\n\n"
+         "Written by `make toronto` (bench/toronto.c). DETEST, thirty problems from t = 0 to 20 by Hull, Enright, Fellen and\n"
+         "Sedgwick (1972; class F by Enright and Pryce, 1987), stands in tests/detest.h; the solutions at t = 20 are known to\n"
+         "20 digits (tests/gen/detest_reference.c). The classes: A one equation, B small systems, C larger systems, D Kepler's\n"
+         "orbits, E equations of second order, F right-hand sides that jump or whose slopes do.\n\n"
+         "A cell is error / evaluations at the tolerance (relative and absolute) on top of its column. The error is that of\n"
+         "the end in tolerances, the largest |error| / (tolerance (1 + |y|)) of all components; the evaluations are those of\n"
+         "the right-hand side. \"0.1\" is version 0.1 (commit dd359b9; bench/toronto_before.csv). DOP853 is the pair of order 8\n"
+         "by Dormand and Prince with Hairer's error estimate and the step size control of SciPy's `solve_ivp` (bench/dop853.h);\n"
+         "it is no part of the kit. The errors of class F depend on where its steps meet the jumps, and so on chance: compare\n"
+         "rows, not cells.\n\n"
+         "## Classes: geometric mean of the errors / sum of the evaluations");
+    print_head("class");
+    for (k = 0; k < 6; k++)
+        for (row = 0; row < 5; row++) print_mean_row(rows[row], k, row / 2, row % 2 || row == 4 ? now : before);
+    puts("\n## Problems");
+    print_head("problem");
+    for (k = 0; k < DETEST_PROBLEMS; k++)
+        for (row = 0; row < 5; row++)
+            print_row(rows[row], detest_problems + k, (row % 2 || row == 4 ? now : before)[k][row / 2]);
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     const int csv = argc > 1 && strcmp(argv[1], "csv") == 0;
     const char *list = argc > 1 + csv ? argv[1 + csv] : "A,B,C,D,E,F";
+    if (argc == 3 && strcmp(argv[1], "markdown") == 0) return print_markdown(argv[2]) != 0;
     if (csv) print_csv(list);
     else print_lines(list);
     return 0;
