@@ -6682,7 +6682,7 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
 {
     vm_real mean = 0;
     int i;
-    for (i = 0; i < VMI_AVERAGING_POINTS; i++) mean += values[i] / VMI_AVERAGING_POINTS;
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++) mean += values[i] / (vm_real)VMI_AVERAGING_POINTS;
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) values[i] -= mean;
     return mean;
 }
@@ -6711,7 +6711,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 {
     const vm_real second_order = VM_C(0.25); /* of rate times ripple: 1.6 times what Duffing's equation has */
     const vm_real change = VM_C(0.02);       /* of ln A, for the growth of a small change */
-    const vm_real width = 2 * p->pi / VMI_AVERAGING_POINTS, bend = (w->alpha - 1) / 2;
+    const vm_real width = 2 * p->pi / (vm_real)VMI_AVERAGING_POINTS, bend = (w->alpha - 1) / 2;
     const vmi_osc_wave exact = vmi_osc_wave_of(VM_ROUTE_ATEB, w->alpha, p->pi, p->has_ateb ? &p->ateb : NULL);
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS];
     vm_real ripple_A[VMI_AVERAGING_POINTS], ripple_psi[VMI_AVERAGING_POINTS];
