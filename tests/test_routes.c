@@ -9,7 +9,7 @@
 
 /* A problem and its motion at T, in 17 digits. Laws: kind, a, b, c and, of tables, the values at T i/20. */
 enum { POINTS = 21 };
-enum { LINEAR, QUADRATIC, EXPONENTIAL, POWER, TABLE, SINE, FILL, BUMP };
+enum { LAW_LINEAR, LAW_QUADRATIC, LAW_EXPONENTIAL, LAW_POWER, LAW_TABLE, LAW_SINE, LAW_FILL, LAW_BUMP };
 enum { NO_FORCE, SPRING, CUBE, VAN_DER_POL, DRAG, COSINE };
 typedef struct routes_law {
     int kind;
@@ -107,10 +107,10 @@ static int function_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
     const routes_law *l = (const routes_law *)ctx;
     const double z = ((double)t - l->b) / l->c, tail = exp(-z * z), slope = 1 / cosh(z);
     switch (l->kind) {
-    case SINE:
+    case LAW_SINE:
         *f = R(1 + l->a * sin(l->b * (double)t + l->c)), *rate = R(l->a * l->b * cos(l->b * (double)t + l->c));
         break;
-    case FILL: *f = R(1 + l->a * (1 + tanh(z))), *rate = R(l->a * slope * slope / l->c); break;
+    case LAW_FILL: *f = R(1 + l->a * (1 + tanh(z))), *rate = R(l->a * slope * slope / l->c); break;
     default: *f = R(1 + l->a * tail), *rate = R(-2 * l->a * z * tail / l->c); break;
     }
     return 0;
@@ -120,11 +120,11 @@ static vm_law law_of(const routes_law *l, double T, vm_real *times, vm_real *val
 {
     int i;
     switch (l->kind) {
-    case LINEAR: return vm_law_linear(R(l->a), R(l->b));
-    case QUADRATIC: return vm_law_quadratic(R(l->a), R(l->b), R(l->c));
-    case EXPONENTIAL: return vm_law_exponential(R(l->a), R(l->b));
-    case POWER: return vm_law_power(R(l->a), R(l->b), R(l->c));
-    case TABLE:
+    case LAW_LINEAR: return vm_law_linear(R(l->a), R(l->b));
+    case LAW_QUADRATIC: return vm_law_quadratic(R(l->a), R(l->b), R(l->c));
+    case LAW_EXPONENTIAL: return vm_law_exponential(R(l->a), R(l->b));
+    case LAW_POWER: return vm_law_power(R(l->a), R(l->b), R(l->c));
+    case LAW_TABLE:
         for (i = 0; i < POINTS; i++) times[i] = R(T * i / (POINTS - 1)), values[i] = R(l->values[i]);
         return vm_law_table(POINTS, times, values);
     default: return vm_law_user(function_law, (void *)l);
