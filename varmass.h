@@ -9265,7 +9265,10 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     const vm_load *load = &b->load;
     const vm_real effective = load->mass + load->extra;
     if (!(load->mass > 0 && effective > 0 && effective <= VM_MAX)) return vmi_scene_mass_status(load);
-    if (b->mass_is_state) dydt[b->mass_at] = load->mass_rate;
+    if (b->mass_is_state) {
+        if (!(y[b->mass_at] > 0)) return VM_BAD_MASS; /* whatever an effect has added to it */
+        dydt[b->mass_at] = load->mass_rate;
+    }
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 

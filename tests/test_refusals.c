@@ -2073,7 +2073,7 @@ static void test_not_started(void)
     vm_effect effects[2];
     vm_event events[2];
     ode_event located[2];
-    vm_real y[32], work[VM_SCENE_WORK(32)], t = 0;
+    vm_real y[64], work[VM_SCENE_WORK(64)], t = 0;
     vm_scene s, copy;
     vm_book book;
     vm_body now;

@@ -467,9 +467,9 @@ static void check_observers(void)
     CHECK(end == 20 && memcmp(y, s.y, sizeof y) == 0); /* the motion without events */
     oscillator(&s);
     stage_event(&s, vm_event_position(0, 0, 0, 0)), s.events[0].most = 3;
-    stage_event(&s, vm_event_at(7)), stage_event(&s, vm_then_stop(vm_event_at(18)));
+    stage_event(&s, vm_event_at(7)), stage_event(&s, vm_then_stop(vm_event_at(REAL(18.5))));
     begin(&s), run(&s, 20, VM_STOPPED);
-    CHECK(s.events[0].count == 3 && s.events[1].count == 1 && s.t == 18);
+    CHECK(s.events[0].count == 3 && s.events[1].count == 1 && s.t == REAL(18.5));
     agrees("observer", "third", s.events[0].time, 3 * pi, 10, 1e-10);
     balanced(&s, "observer", 1, 1);
 }
