@@ -239,7 +239,8 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
-    return nan != nan && !(nan < 1) && !(nan >= 1) && !VM_IS_FINITE(nan) && !VM_IS_FINITE(infinity) &&
+    const int nan_compares = (nan < 1) | (nan >= 1);
+    return nan != nan && !nan_compares && !VM_IS_FINITE(nan) && !VM_IS_FINITE(infinity) &&
            1 / minus_zero < 0 && 1 / (minus_zero + 0) > 0 && VM_COPYSIGN(1, minus_zero) == -1 && subnormal > 0 &&
            subnormal * 8 == smallest;
 }
