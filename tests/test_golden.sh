@@ -19,7 +19,7 @@ for level in -O0 -O2; do
     command -v clang >/dev/null && check "the same bits: clang $level" same clang $level
 done
 echo 'int main(void) { return 0; }' >"$build/empty.c"
-if gcc -m32 "$build/empty.c" -o "$build/empty" 2>"$build/log"; then
+if gcc -m32 "$build/empty.c" -o "$build/empty" 2>"$build/log" && "$build/empty" 2>>"$build/log"; then
     check "the same bits: i386" same gcc -m32 -msse2 -mfpmath=sse -Os
 fi
 check_finish golden

@@ -23,13 +23,16 @@ double *buffer(void) { return points; }
 /* n points at t from 0 to end; how many there are before the mass has gone */
 int motion(double alpha, double rate, double reactive, double end, int n)
 {
-    vm_osc_problem problem = {1, {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL}, {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL},
-                              1, 0, 1, 0, NULL, NULL};
+    vm_osc_problem problem;
     vm_osc_plan plan;
     vm_osc_motion now;
     int i;
-    problem.alpha = alpha, problem.reactive = reactive;
-    problem.mass = vm_law_linear(1, rate), problem.stiffness = vm_law_linear(1, 0);
+    memset(&problem, 0, sizeof problem);
+    problem.alpha = alpha;
+    problem.mass = vm_law_linear(1, rate);
+    problem.stiffness = vm_law_linear(1, 0);
+    problem.reactive = reactive;
+    problem.x = 1;
     if (n > MOST || vm_osc_plan_init(&plan, &problem) < 0) return 0;
     for (i = 0; i < n; i++) {
         if (vm_osc_plan_at(&plan, end * i / (n - 1), 1e-3, &now) < 0) return i;

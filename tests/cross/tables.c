@@ -1,5 +1,5 @@
-/* Calls that read every table of jacobi.h, ateb.h (-DATEB) or integrators.h (-DINTEGRATORS); prints the bits of each
-   result. tests/test_avr.sh compares the lines of an ATmega328P, whose tables may lie in flash, with those of a PC. */
+/* Calls that read every table of jacobi.h and ateb.h (-DATEB), or of one pair of integrators.h (-DRK45, -DRK87: both do
+   not fit into 32 KB of flash); prints the bits of each result. tests/test_avr.sh compares the lines of an ATmega328P, whose tables may lie in flash, with those of a PC. */
 #define VM_USE_FLOAT
 #ifdef ATEB
 #include "../../ateb.h"
@@ -57,32 +57,32 @@ static int cubic(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
-static void run(int order, vm_real *work)
+#ifdef RK45
+#define INIT rk45_init
+#define STEP rk45_step
+#define INTERPOLATE rk45_interpolate
+#else
+#define INIT rk87_init
+#define STEP rk87_step
+#define INTERPOLATE rk87_interpolate
+#endif
+
+/* steps, states within them and the look for stiffness */
+static void read_tables(void)
 {
     const vm_real start[2] = {1, 0};
-    vm_real inside[2];
+    vm_real work[RK87_WORK(2)], inside[2];
     rk45 s;
     int step;
-    if (order == 5) rk45_init(&s, cubic, NULL, 2, 0, start, NULL, work);
-    else rk87_init(&s, cubic, NULL, 2, 0, start, NULL, work);
-    for (step = 0; step < 5; step++) {
-        if (order == 5) rk45_step(&s);
-        else rk87_step(&s);
-        if (order == 5) rk45_interpolate(&s, s.t_old + (s.t - s.t_old) / 3, inside);
-        else rk87_interpolate(&s, s.t_old + (s.t - s.t_old) / 3, inside);
+    INIT(&s, cubic, NULL, 2, 0, start, NULL, work);
+    for (step = 0; step < 10; step++) {
+        STEP(&s);
+        INTERPOLATE(&s, s.t_old + (s.t - s.t_old) / 3, inside);
         show(s.y[0]);
         show(s.y[1]);
         show(inside[0]);
         show(inside[1]);
     }
-}
-
-/* steps, states within them and the look for stiffness of both pairs */
-static void read_tables(void)
-{
-    vm_real work[RK87_WORK(2)];
-    run(5, work);
-    run(8, work);
 }
 #endif
 

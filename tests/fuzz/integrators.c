@@ -231,7 +231,7 @@ static void check_defaults(void)
     HOLDS(is_nan(o.rtol) || d.rtol >= 0);
     d = rk45_defaults(NULL);
     HOLDS(d.rtol > 0 && d.atol > 0 && d.atol < d.rtol && d.max_steps == 1000000);
-    HOLDS(known(-draw_below(6)) && !known(-6 - draw_below(9)) && !known(4 + draw_below(9)));
+    HOLDS(known(-draw_below(7)) && !known(-7 - draw_below(9)) && !known(4 + draw_below(9)));
 }
 
 static void fuzz_integrators(void)
