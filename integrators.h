@@ -426,7 +426,8 @@ VM_INLINE int rk45_solve(rk45 *s, vm_real t_end);
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end);
 /* y(t) for t within the last step, to about the step's own accuracy; refuses other t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y);
-/* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. */
+/* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. At s->t
+   events that have just been are not found again, and what s->t lacks of the time is kept. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y);
 
 /* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk87_interpolate is of
@@ -685,6 +686,7 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
     for (i = 0; i < o.n_events; i++) {
         o.events[i].count = 0;
         o.events[i].quiet = 0;
+        o.events[i].slack = 0;
     }
     s->method = method, s->f = f, s->ctx = ctx, s->n = n, s->options = o, s->work = work;
     s->t = t0;

@@ -1102,8 +1102,9 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
    is f0, but for tables and functions. A table is interpolated monotonically, by cubics with Fritsch and Butland's
    slopes; times rise, and t must lie between the first and the last.
    A function is looked at in panels of at most |t|/32, of 20 points each, which are halved where it changes fast. That
-   finds a bump exp(-(time/w)^2) of width w > |t|/3000 (float |t|/2000). If the law changes faster than that, say in change_time how fast:
-   no panel is then longer than change_time, s, and no step of an integrator either. 0 means unknown. */
+   finds a bump exp(-(time/w)^2) of width w > |t|/3000 (float |t|/2000). If the law changes faster than that, say in
+   change_time how fast: no panel is then longer than change_time, s, and no step of an integrator either. 0 means
+   unknown. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx); /* f(t), df/dt; 0 or failure */
 enum {
     VM_LAW_LINEAR = 0,      /* f0 + f1 t (346); constant where f1 = 0 */
