@@ -46,36 +46,39 @@
      error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1 .. 0.75) is followed by one of the same size. Options:
      an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they
      come to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
-     No step is shorter than h_min or than what t resolves, 2 eps |t|. Where even the shortest step misses the
-     tolerance, f jumps: the step is accepted, s.missed counts it, and the run goes on behind the jump. But when another
-     one misses before three steps have kept the tolerance, f is singular there, or too stiff for t, and the run ends
-     with ODE_STEP_TOO_SMALL. If these two follow each other in one call of rk45_solve without events, both are dropped,
-     so that s.t, s.y are where the trouble begins.
+     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest
+     size misses the tolerance, the cause is taken to be a jump of f: the step is accepted, s.missed counts it, and
+     the run goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is
+     singular there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each
+     other directly, in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the
+     trouble begins.
 
    TIME
-     A step ends at a time that the type can hold, and is exactly as long as the difference of the two times: the clock
-     does not drift away from the motion, however far from 0 it began and however many steps it takes. Where steps are
-     so short that this would change them by more than 1/64, and after an event, y belongs to a time between two
-     numbers; s.t is the nearest, and what it lacks is carried along.
+     A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
+     does not drift away from the motion, however far from 0 the run began and however many steps it takes. If a
+     step is so short that this would change its length by more than 1/64, or if it ends at an event, y belongs to a
+     time between two numbers of the type: s.t is then the nearest number, and the run carries the difference along.
 
    EVENTS
-     An event happens when g(t, y) reaches zero or changes its sign; it is found on the continuous extension, and is
-     recorded, ends the run, or restarts it there. Each happens once: also several in one step, on its end, at the
-     same instant, and after rk45_restart. Those at one instant, as far as rounding can tell, happen together: all are
-     counted, and what they change is changed in the order of the list, before the run stops or goes on. At a stop
-     s.y is on the far side of the zero (or on it). A g that is 0 over a while happens when it gets there, not when it
-     leaves; one that jumps happens at the jump. After an event the sign of g counts again once rounding cannot have
-     made it: a motion that is reversed on contact does not touch twice. Between two looks at g an even number of
-     zeros is not seen: `checks` looks more often, h_max steps less far.
+     An event happens when g(t, y) reaches zero or changes its sign. It is located on the continuous extension, and
+     is recorded, ends the run, or restarts it there. Every event happens once, also if several lie in one step, at
+     its end or at the same instant, and after rk45_restart. Events whose times rounding cannot tell apart happen
+     together: all are counted, and their `change` functions are called in the order of the list, before the run
+     stops or goes on. At a stop s.y is on the far side of the zero (or on it). If g stays 0 for a while, the event
+     happens when g reaches 0, not when it leaves 0; if g jumps, the event happens at the jump. After an event the
+     sign of g counts again once rounding cannot have caused it, so that a motion that is reversed on contact does
+     not touch twice. An even number of zeros between two looks at g is not seen: set `checks` to look more often,
+     or a smaller h_max.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
-     The control finds the bad points, where it takes some short steps: at alpha = 0.5 and tolerance 1e-7, rk45 takes
-     4922 evaluations, against 2102 at alpha = 1, and rk87 7793, against 1146. An error estimate cannot be right in a
-     step in which f jumps; the end error is up to 2e4 tolerances by rk45 and 1e4 by rk87 whatever the tolerance:
-     tighten it and check. Where f has branches that are smooth (a sign, x|x|), keep the branch in ctx and change it at
-     an ODE_RESTART event: rk45 at alpha = 0 then takes 160 evaluations instead of 5264, and the end error is 5e-4
-     tolerances, not 4400. A restart alone, f looking for its branch itself, does not pay. docs/toronto.md has the
-     errors and evaluations of both methods on the Toronto test set, whose class F has jumps.
+     The step size control finds the bad points and takes some short steps there: at alpha = 0.5 and tolerance 1e-7,
+     rk45 takes 4922 evaluations, against 2102 at alpha = 1, and rk87 takes 7793, against 1146. No error estimate is
+     right in a step in which f jumps: the error at the end is up to 2e4 tolerances with rk45 and 1e4 with rk87,
+     whatever the tolerance is, so run again with a tighter one and compare. If f has smooth branches (a sign,
+     x|x|), keep the branch in ctx and change it at an ODE_RESTART event: rk45 at alpha = 0 then takes 160
+     evaluations instead of 5264, and the error at the end is 5e-4 tolerances, not 4400. A restart does not pay if f
+     still chooses its branch itself. docs/toronto.md has the errors and evaluations of both methods on the Toronto
+     test set, whose class F has jumps.
 
    STATUS
      0 (ODE_OK) success, positive numbers information, negative ones errors; ode_strerror() names them. After an error
@@ -182,7 +185,7 @@ typedef double vm_real;
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
-#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
 #elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
 #include <avr/pgmspace.h>
 #define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
@@ -254,7 +257,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+/* Whether quotients and roots are rounded to nearest. Where a compiler divides by way of a reciprocal, some of the
+   quotients here that should be 1 become 1 - eps/2. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -322,8 +326,9 @@ enum {
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
     ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
-    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, nearly in a row: f is singular
-       there, or too stiff for t; or h_max is below what t can resolve. A jump of f does not end a run: see s->missed. */
+    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three
+       good steps between them: f is singular there, or too stiff for t. Or h_max is below what t can resolve. A
+       jump of f does not end a run: see s->missed. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; call again to go on */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
@@ -364,8 +369,8 @@ typedef struct VM_TAG(ode_event) {
     int side_ahead;  /* the side at the end of the step, if the step is not cut */
     int happens;     /* nonzero while the step is cut at an instant at which this event happens */
     vm_real from;    /* g has been looked at up to here, as a fraction of the step */
-    vm_real slack;   /* an unknown side stays unknown while |g| <= slack, */
-    vm_real quiet;   /* for so much time */
+    vm_real slack;   /* after an event the side stays unknown while |g| <= slack, */
+    vm_real quiet;   /* but no longer than for this time */
 } ode_event;
 enum {
     ODE_RECORD = 0, /* go on */
@@ -410,7 +415,7 @@ typedef struct VM_TAG(rk45) {
     long attempts;         /* left; negative: no limit */
     int k1, extended;      /* state of the derivatives in work */
     int failure;           /* of the attempt before: VMI_REJECTED, VMI_NOT_FINITE */
-    long next_miss;        /* from so many steps on, one of the smallest size may miss the tolerance again */
+    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
     int stiff_wait, stiff_hits, stiff_misses;
 } rk45;
 
@@ -426,8 +431,8 @@ VM_INLINE int rk45_solve(rk45 *s, vm_real t_end);
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end);
 /* y(t) for t within the last step, to about the step's own accuracy; refuses other t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y);
-/* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. At s->t
-   events that have just been are not found again, and what s->t lacks of the time is kept. */
+/* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. If t is
+   s->t, events that have just happened are not found again, and t_low, the rest of the time, is kept. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y);
 
 /* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk87_interpolate is of
@@ -663,8 +668,9 @@ enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K }; /* parts of work: y, y at t_old, an arg
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of the attempt before */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
-enum { VMI_BETWEEN_MISSES = 3 }; /* steps within the tolerance that must lie between two that may miss it: behind a jump
-                                    they are 1, 10 and 100 times the smallest step, next to a singularity there are none */
+/* So many steps must keep the tolerance between two steps that may miss it. Behind a jump these steps are 1, 10 and
+   100 times as long as the smallest step; next to a singularity there are none. */
+enum { VMI_BETWEEN_MISSES = 3 };
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 13; }
 
@@ -728,7 +734,7 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
     return vmi_ode_init(s, VMI_RK87, f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* No event has just been: at another time the side of each is what the sign of g says. */
+/* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
@@ -999,11 +1005,12 @@ VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const 
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* What a jump of f inside a step of size 1 may do to a component whose derivatives are k1 ... k13. The estimate of orders
-   8 and 7 does not see a jump between the stages at c = 0 and 0.9: on either side of it its weights add up to 4e-4 at
-   most, where the error is a quarter of the jump. Here the weights, of order 5, add up to 0.1, -0.17 and 0.25 there. In a
-   step where f is smooth that is much less than the change of f along the step; so what is returned, it times its share
-   in their sum, is of order 9 and below the first estimate for all but loose tolerances. */
+/* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
+   k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
+   side of the jump add up to 4e-4 at most, while the error is a quarter of the jump. The weights here, of order 5,
+   add up to 0.1, -0.17 and 0.25 there. In a step in which f is smooth, their sum `seen` is much smaller than
+   `change`, the change of f along the step. So the result seen^2/(seen + change) is of order 9, and below the
+   estimate of orders 8 and 7 for all but loose tolerances. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -1055,8 +1062,8 @@ VM_INLINE vm_real vmi_shrink(int method, vm_real error)
     return VMI_LARGER(factor, VM_C(0.2));
 }
 
-/* A step that need be changed by no more than this fraction ends on a time that the type can hold, so that y belongs to
-   t exactly. Shorter steps carry the rest of the time in t_low: the clock does not drift away from the motion. */
+/* The length of a step is changed by up to this fraction, so that it ends at a time that the type can hold and y
+   belongs to t exactly. Shorter steps leave the rest in t_low. So t does not drift away from the motion. */
 #define VMI_LANDING VM_C(0.015625)
 
 /* Steps towards t_end, not past it, until it is reached, or only one if `single`, or a look for stiffness is due.
@@ -1111,7 +1118,7 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
                 h_next = h * vmi_shrink(method, error);
                 if (!shortest) continue;
                 status = error != error ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
-                if (missed > 0 && steps == next_miss - VMI_BETWEEN_MISSES) { /* the last step missed: it says little */
+                if (missed > 0 && steps == next_miss - VMI_BETWEEN_MISSES) { /* undo the step before: it missed */
                     vmi_copy(n, w + VMI_Y_OLD * m, w + VMI_Y * m);
                     t = t_missed;
                     t_old = t_missed;
@@ -1487,7 +1494,8 @@ VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
 #define VMI_NONE VM_C(2.0) /* no place in a step */
-/* After an event g is first looked at after so much of a step, and its side is found out after so much at the latest */
+/* After an event, g is first looked at after the fraction VMI_FIRST_LOOK of a step, then at distances that grow by
+   the factor VMI_WIDER. Its side is decided after the fraction VMI_QUIET at the latest. */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 */
@@ -1498,8 +1506,8 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 #define VMI_WIDER 8
 #endif
 
-/* Before the first step from a state that no step led to: on which side of each event is it? On neither where g is 0,
-   or where the event has just been and rounding could decide the sign of g. */
+/* Sets the side of each event in a state that no step led to (at a start or a restart). The side is 0 where g is 0,
+   and where the event has just happened and rounding could decide the sign of g. */
 VM_API int vmi_watch_events(rk45 *s)
 {
     int i;
@@ -1571,9 +1579,9 @@ VM_API int vmi_counts_from(const ode_event *e, int side)
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* The end of [a, b], shrunk to what x resolves, on which g = gb has left the side that it has at a: false position in
-   the Illinois form; bisection every third time, and where g is 0 over a distance. A g that is 0 at b and before it for
-   no longer than t resolves is 0 at b. */
+/* The place in [a, b] at which g leaves the side that it has at a: the right end of [a, b] after it is shrunk to
+   what x resolves. The method is false position in the Illinois form, with bisection every third time and where g
+   is 0 over a distance. If g is 0 at b, and t cannot resolve how long before b it became 0, the place is b. */
 VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
@@ -1599,8 +1607,8 @@ VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real
     return g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look) ? look : b;
 }
 
-/* The place of the next look at g after e->from: one of the points that divide the step evenly, or `to`; before that
-   points at ever larger distances from `start`, so that an excursion much shorter than the step is seen, too. */
+/* The place of the next look at g after e->from. First come points at growing distances *gap from `start`, so that
+   an excursion of g much shorter than the step is seen; then the points that divide the step evenly, and `to`. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
     const int checks = e->checks == 0 ? 3 : VMI_SMALLER(VMI_LARGER(e->checks, 0), 9999);
@@ -1614,8 +1622,8 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
     return next;
 }
 
-/* Follows g from e->from to `to`, at most to the first time when the event happens: its place goes to *at, VMI_NONE
-   if there is none. e->from and e->side go along. */
+/* Follows g from e->from to `to`, or to the first place at which the event happens. *at becomes that place, or
+   VMI_NONE if there is none; e->from and e->side are updated on the way. */
 VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to, vm_real *at)
 {
     const vm_real start = e->from, h = VM_FABS(s->h_done);
@@ -1640,8 +1648,8 @@ VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to,
     return ODE_OK;
 }
 
-/* g has just reached 0 at x or gone through it: its side is unknown while rounding could decide it, and not for long,
-   since g may also have jumped */
+/* To be called when g has just reached 0 at x or passed it. The side of g is then unknown while rounding could
+   decide it, but only for the time e->quiet, since g may also have jumped. */
 VM_API void vmi_quieten_event(const rk45 *s, int method, ode_event *e, vm_real x)
 {
     vmi_weigh_rounding(s, method, e, x, 0);
@@ -1660,8 +1668,8 @@ VM_API void vmi_record(const rk45 *s, int method, ode_event *e, vm_real x)
     vmi_quieten_event(s, method, e, x);
 }
 
-/* The first event before *cut that ends the step: *cut becomes its place and `owner` its index. A cut makes a place
-   where g is looked at, which may show another event before it: so until there is none. */
+/* Finds the first event before *cut that ends the step: *cut becomes its place and *owner its index. The others
+   are then looked at there, too, which may show an earlier one, so the search goes on until there is none. */
 VM_API int vmi_find_cut(const rk45 *s, int method, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -1697,9 +1705,9 @@ VM_API int vmi_record_until(const rk45 *s, int method, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens: does e happen where the step is cut, at x? Its g has changed sign there, or will at once, and is so
-   small that rounding decides on which side of the cut: events at one instant have to happen together, since what one
-   of them changes may keep the others from happening. */
+/* Sets e->happens: whether e happens at x, where the step is cut. It does if its g has changed sign before x, or if
+   g will change sign at once and is so small that rounding decides on which side of x. Events at one instant have
+   to happen together, since what one of them changes may keep the others from happening. */
 VM_API int vmi_happens_at_cut(const rk45 *s, int method, ode_event *e, vm_real x)
 {
     ode_event look;
@@ -1718,7 +1726,7 @@ VM_API int vmi_happens_at_cut(const rk45 *s, int method, ode_event *e, vm_real x
     return status;
 }
 
-/* The step ends at x, where events happen: they are counted, then what they change is changed. */
+/* Ends the step at x, where events happen: counts all of them, then calls their `change` functions. */
 VM_API int vmi_cut_step(rk45 *s, int method, vm_real x)
 {
     const int n_events = s->options.n_events;
@@ -1829,7 +1837,7 @@ VMI_APART int vmi_after_step(rk45 *s, int method)
     return s->options.n_events ? vmi_events(s, method) : (int)ODE_OK;
 }
 
-/* Is y not yet at t_end, be it by less than t resolves? */
+/* Whether y is still before t_end, even if only by less than t resolves */
 VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end)
 {
     return s->t != t_end || -s->t_low * s->h > 0;

@@ -141,7 +141,7 @@ typedef double vm_real;
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
-#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
 #elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
 #include <avr/pgmspace.h>
 #define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
@@ -213,7 +213,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+/* Whether quotients and roots are rounded to nearest. Where a compiler divides by way of a reciprocal, some of the
+   quotients here that should be 1 become 1 - eps/2. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);

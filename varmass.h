@@ -72,9 +72,10 @@
 
    ACCURACY, measured (make test; docs/measurements.md)
      Jumps keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the sum
-     of all tr(I) |omega| + M (|r| + |r - point|) |v|, |r| from the origin, since the positions are right to eps |r|:
-     for masses up to 1e4 apart, for thin and for fast bodies, up to 1e6 of their sizes (float: 100) away from the
-     origin, for points in a body or next to it too, but for what VM_NULL_AXIS reports. A part
+     of all tr(I) |omega| + M (|r| + |r - point|) |v|, where |r| counts from the origin, since positions are right
+     to eps |r|. This holds for masses in a ratio of up to 1e4, for thin and for fast bodies, for bodies up to 1e6
+     times their size (float: 100) away from the origin, and for points in a body or next to it, except for what
+     VM_NULL_AXIS reports. A part
      that moves on as before leaves omega as it was, far from the origin and at high speed too; energies by (113),
      (118) agree with the bodies' to 1 eps of theirs.
      Free rotation: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs exact, next to the
@@ -153,7 +154,7 @@ typedef double vm_real;
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
-#error "VM_TABLE and VM_READ go together: VM_READ(x) reads the element x of a table, as (x) where a plain read finds it"
+#error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
 #elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
 #include <avr/pgmspace.h>
 #define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
@@ -225,7 +226,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and roots are rounded to nearest: by way of a reciprocal some of these ones become 1 - eps/2 */
+/* Whether quotients and roots are rounded to nearest. Where a compiler divides by way of a reciprocal, some of the
+   quotients here that should be 1 become 1 - eps/2. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -371,8 +373,8 @@ typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* after - before - impulse, N s: (6) with (20), (21) */
     vm_vec3 angular_momentum;       /* the same about the point, N m s: (12), (17) with (22) */
     vm_real momentum_scale;         /* sum of all M |v| and the impulse */
-    /* sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, of the impulse likewise: an eps of a position, which is
-       one of |r|, moves the momentum by that much, wherever the point is */
+    /* sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the same for the impulse. It contains |r| because a
+       position is rounded by eps |r|, which changes the angular momentum by eps |r| M |v|, wherever the point is */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
 } vm_balance;
@@ -785,9 +787,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
    holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
    q/|q|: the length is held, and the order of no integrator suffers.
-   A mass that is not positive or an inertia that no body has, not positive or with a moment larger than the two
-   others together (in a trial step beyond the end), gives NaN, so that the step is shortened, and its status is
-   left in flow.status. Stop before, by the events below. */
+   In a trial step beyond the end, the mass may not be positive, or the inertia may be one that no body has (a
+   moment that is not positive, or larger than the two others together). The derivatives are then NaN, so that the
+   step is shortened, and flow.status says why. Use the events below to stop before that. */
 enum {
     VM_Y_R = 0,
     VM_Y_Q = 3,
@@ -816,9 +818,9 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 drift;                     /* and c'(t), vm_rhs_carried */
     vm_real least_mass, least_inertia; /* of the events */
     int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
-    /* 0, or how many numbers y has room for, checked by all functions here: VM_LENGTH(y). vm_flow_start writes no
-       more than that, VM_RHS_GIVEN at the least, and where there is room for all VM_RHS_BALANCED the zeros of the
-       account */
+    /* 0, or how many numbers y has room for, VM_LENGTH(y); all functions here check it. vm_flow_start writes no
+       more than that: VM_RHS_GIVEN or VM_RHS numbers, and if there is room for all VM_RHS_BALANCED, also the zeros
+       of the account */
     int y_size;
 } vm_flow;
 
@@ -846,7 +848,7 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *flow
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
 VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow);
 /* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
-   0 where I is singular. They do not see the triangle inequality, of which thin bodies are next to the end. */
+   0 where I is singular. They do not watch the triangle inequality, whose limit is near for thin bodies. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow);
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow);
 
@@ -1101,10 +1103,10 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 /* How a mass or a stiffness depends on time: positive between 0 and the times that are asked for. The value at t = 0
    is f0, but for tables and functions. A table is interpolated monotonically, by cubics with Fritsch and Butland's
    slopes; times rise, and t must lie between the first and the last.
-   A function is looked at in panels of at most |t|/32, of 20 points each, which are halved where it changes fast. That
-   finds a bump exp(-(time/w)^2) of width w > |t|/3000 (float |t|/2000). If the law changes faster than that, say in
-   change_time how fast: no panel is then longer than change_time, s, and no step of an integrator either. 0 means
-   unknown. */
+   A function is evaluated at 20 points in each panel of time. A panel is at most |t|/32 long, and is halved where
+   the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law
+   changes in a shorter time, set change_time to that time, s: then no panel and no step of an integrator is longer.
+   0 means unknown. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx); /* f(t), df/dt; 0 or failure */
 enum {
     VM_LAW_LINEAR = 0,      /* f0 + f1 t (346); constant where f1 = 0 */
@@ -1186,22 +1188,24 @@ typedef struct VM_TAG(vm_osc_plan) {
    two sa, ca and the integrals of the mass law, and disregard the tolerance. The integrators work to it (0 means
    1e-6, float 1e-3): each runs twice, the second time stricter, and error comes from what the two differ by; by the
    default tolerance that takes 400 (variation), 700 (rk87), 2200 (rk45) evaluations a period, alpha = 3. With F the
-   averaged equations are integrated instead of closed forms, to the tolerance. error then is the estimate of the whole:
-   of their integration, of averaging (the ripple of a period, which the start's phase and amplitude carry on, its
-   square, and a force that changes within a period, as in a resonance) and of cos and cn. For it F is called over the
-   period at the start and at eight later times: a force that acts for a short time between those is not seen. There is
+   averaged equations are integrated instead of closed forms, to the tolerance. Then error estimates the whole
+   error: that of their integration, of averaging, and of cos and cn in place of the Ateb functions. Averaging
+   leaves out the ripple within a period, its effect on phase and amplitude at the start, its square, and a force
+   that changes within a period, as in a resonance. For this estimate F is called over a period at the start and at
+   eight later times: a force that acts only for a short time between these is not seen. There is
    no second-order law with F, and vm_osc_at takes the variation of constants. So it
    does where no law is within the tolerance, but where alpha is odd: there rk87 is two to four times as fast.
-   The laws' estimates see the fastest part of mass and stiffness between 0 and t: the laws are walked along in panels
-   (of functions see vm_law), and what changes within a period makes the estimate large. vm_osc_at then integrates, by
-   steps that are a quarter of the shortest panel or less. Tables are followed from point to point.
-   Over random problems (alpha in [0, 8], q of 3e-3 to 0.1, to t = 3/q, laws that change in a part of the run and tables
-   with a step among them; tests/test_routes.c) true errors are below 3 times error in 99 %, above 10 (10.3) in 1 of
-   1000, and error is 3 to 4 (first order), 7 (second order), 5 to 20 (integrators) and, with F, 5 to 10 (averaged) times
-   the true one in the median. By rk87 2 % are beyond 3, up to 20: where alpha is no odd integer its errors do not go as
-   the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
-   VM_TOLERANCE_MISSED: done, but error is larger than the tolerance (integrators only; of averaged equations with F
-   the error of their integration). Errors leave *motion
+   The error estimates of the first- and second-order laws include the fastest changes of mass and stiffness between
+   0 and t: mass and stiffness are examined panel by panel (for functions see vm_law), tables from point to point. A
+   change within a period makes the estimate large. vm_osc_at then integrates, in steps of at most a quarter of the
+   shortest panel. Over random problems (alpha in [0, 8], q of 3e-3 to 0.1, to t = 3/q; tests/test_routes.c), of
+   which some change only in a part of the run or have tables with a step, the true error is below 3 times error in
+   99 % of the cases, and above 10 times (vm_osc_at: at most 10.3) in 1 of 1000; of 282 runs by the variation of
+   constants one erred by 37 times error, at alpha = 1.5. In the median, error is 3 to 4 (first order), 7 (second
+   order), 5 to 20 (integrators) and, with F, 5 to 10 (averaged) times the true error. With rk87 the true error is above 3 times error in 2 % of the cases, up to 20 times: if alpha is not an odd integer, its errors are
+   not proportional to the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
+   VM_TOLERANCE_MISSED: x and v are computed, but error is larger than the tolerance (integrators only; with F
+   only the error of integrating the averaged equations counts). Errors leave *motion
    untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
    negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
    law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would need 2^13 steps a
@@ -1611,7 +1615,7 @@ struct VM_TAG(vm_scene) {
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
     int n_times;
     void *output_ctx;
-    int status, ode_status; /* of the right-hand side, which an effect sets that cannot act; of the integrator */
+    int status, ode_status; /* of the right-hand side (an effect that cannot act sets it); of the integrator */
     int y_size, work_size;  /* 0, or how many numbers y and work have room for: then a start and a run check it */
     int size;               /* of the state when it was started, 0 before */
 };
@@ -1627,7 +1631,7 @@ VM_API vm_scene_body vm_scene_free(const vm_body *start);
 VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body); /* the same, its mass a state */
 VM_API vm_scene_body vm_scene_absent(vm_scene_body body);          /* the same, not yet there */
 /* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run
-   ends where no body has the inertia that they leave, VM_BAD_INERTIA; nor can a rod grow, nor a point. */
+   ends with VM_BAD_INERTIA when they leave an inertia that no body can have. A rod or a point cannot grow. */
 VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body);
 VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body);
 
@@ -1695,8 +1699,9 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
    the body's velocity, no reactive force; 0: its own velocity is u, of which u.x counts on a line and, in rad/s, on
    an axle. x and v are those of a line or an axle (J(phi), J(omega)); of any other body the law is M(t). What jumps
-   add comes on top of the law. A law that an event switches off leaves the mass as it is, and one that is switched on
-   goes on from the mass that is there: of a law M0 + c t then only c counts. So a mass never jumps with a switch. */
+   add comes on top of the law. If an event switches a law off, the mass stays as it is; if it switches a law on,
+   the law goes on from the mass that is there: of M0 + c t then only c counts. So a switch never makes a mass
+   jump. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real share);
 enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
@@ -1740,9 +1745,10 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band);
 /* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
    event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
    events happen in their order; where a jump comes within rounding of a crossing, either may come first. Nothing of a
-   body that is not there crosses anything. An event is only counted where no vm_then_... says what happens:
-   event.count is how often, event.time when it was last, and the motion is what it would be without the event. Set
-   after the start, scene.located[i].times and room (or states) get the times of all of them, those of one run. */
+   body that is not there crosses anything. If no vm_then_... says what happens, an event is only counted:
+   event.count says how often it was, event.time when it was last, and the motion is what it would be without the
+   event. Set scene.located[i].times (or states) and room after the start to get the times (or states) of all events
+   of one run. */
 VM_API vm_event vm_event_at(vm_real time);
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction); /* passes value */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction);
@@ -1756,7 +1762,8 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
    mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
    body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
    A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
-   VM_IS_THERE where into is there already, with VM_IS_AWAY where body or added is not; else errors as vm_separate.
+   VM_IS_THERE if `into` is there already, with VM_IS_AWAY if `body` or `added` is not there; the other errors are
+   those of vm_separate.
    A point that takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
 VM_API vm_event vm_then_stop(vm_event event);
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off);
@@ -1788,9 +1795,10 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 /* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y
    are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events
    that do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after
-   less than 256 eps of the time. Where a mass or an inertia runs out it is VM_BAD_MASS, VM_BAD_INERTIA, also if the
-   steps became too short just before; where an effect, a law or an event gives no number, VM_NOT_FINITE;
-   VM_STEP_TOO_SMALL, VM_MAX_STEPS and VM_BAD_OPTIONS are what the integrator says, in full in scene.ode_status. */
+   less than 256 eps of the time. VM_BAD_MASS or VM_BAD_INERTIA: a mass or an inertia ran out, even if the steps
+   became too short just before that. VM_NOT_FINITE: an effect, a law or an event gave NaN or infinity.
+   VM_STEP_TOO_SMALL, VM_MAX_STEPS and VM_BAD_OPTIONS come from the integrator, whose own status is in
+   scene.ode_status. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL);
 /* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
@@ -4486,8 +4494,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 
 /* The loads of an instant */
 
-/* Finite, no negative moment. The triangle inequality is not asked for, but of the body: a tensor with zz alone does
-   for plane motion, as long as the body is not that flat */
+/* VM_OK if i is finite and has no negative moment. Only the body has to satisfy the triangle inequality: in plane
+   motion a tensor with zz alone is enough, as long as the body is not that flat itself */
 VM_API int vmi_stream_gyration_good(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
@@ -6165,8 +6173,8 @@ VM_API vm_real vmi_osc_walk_ratio(const vmi_osc_walk *w, vm_real m, vm_real k, v
     return vmi_exp(ln_Om + (p->problem.alpha - 1) / 2 * w->ln_A, 0);
 }
 
-/* By how much a law and the series of it, or of its reciprocal, differ at the ends of the panel, relative: between the
-   ends and the points next to them a kink is seen by nothing else */
+/* The relative difference between a law and its series (or that of its reciprocal) at the ends of the panel.
+   Nothing else shows a kink that lies between an end and the next point of Gauss' rule. */
 VM_API int vmi_osc_panel_edge(const vm_law *law, int reciprocal, int side, vm_real start, vm_real length,
                               const vm_real *series, vm_real *edge)
 {
@@ -6222,9 +6230,9 @@ VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length
     return VM_OK;
 }
 
-/* Is the panel short enough for its series? Of the integrals Gauss' rule takes twice as many terms, so that their
-   error is about the square of the tail. epsilon need not be known as well. Where a law has a kink no panel is short
-   enough: then what is left out must not matter. whole is the length of the walk. */
+/* Whether the panel is short enough for its series. Gauss' rule integrates twice as many terms, so that the error
+   of the integrals is about the square of the tail. epsilon may be less accurate. If a law has a kink, no panel is
+   short enough for that; what is left out must then not matter. whole is the walk's length. */
 VM_API int vmi_osc_panel_resolved(const vmi_osc_walk *w, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5), epsilon_enough = VM_C(1e-3);
@@ -6271,8 +6279,8 @@ VM_API void vmi_osc_walk_add(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real leng
     w->fourth += panel->fourth;
 }
 
-/* At t, a point of a table, q' jumps: the motion, which does not, goes on with another mean amplitude. A jump that is
-   not small is none to which this holds: it is left to the estimate. */
+/* At t, a point of a table, q' jumps. The motion does not jump, and so goes on with another mean amplitude. This
+   holds for small jumps only: a larger one changes only the error estimate. */
 VM_API int vmi_osc_knot(vmi_osc_walk *w, vm_real t)
 {
     const vm_osc_plan *p = w->plan;
@@ -6496,12 +6504,13 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real phase_error;  /* of y[1], times Om */
 } vmi_osc_mean;
 
-/* The adiabatic law takes no notice of (ln J)' = epsilon w(psi), w = (1 - (n+2)/n sa^2)/2, per phase, whose mean is 0.
-   What that comes to is at most the integral of |epsilon w|; or, integrated by parts k times, but for terms at the
-   ends, which the laws have, the integral of the kth derivative of epsilon and the kth integral of w. The least of
-   them is taken: for slow laws a late one, for a change in less than a period the first. At points of tables the
-   derivatives jump: the laws have what the first derivative's jumps do, kick3 the next; where those kicks are wrong,
-   since the earlier bounds are less, they are in the bound. */
+/* A bound of the change of ln J that the adiabatic law leaves out. The law ignores (ln J)' = epsilon w(psi), per
+   radian of phase, with w = (1 - (n+2)/n sa^2)/2, whose mean is 0. The change is at most the integral of
+   |epsilon w|. After k integrations by parts it is at most the integral of the kth derivative of epsilon times the
+   kth integral of w; the terms at the ends are in the laws. The smallest of these bounds is taken: one with a high
+   k for slow laws, the first for a change in less than a period. At points of tables the derivatives jump. The laws
+   contain the effect (a kick) of the jumps of the first derivative, and kick3 that of the next. Where the first
+   bounds are the smallest, the kicks in the laws are wrong, so these bounds include them. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
 {
     const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
@@ -6567,8 +6576,8 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->y[1])) + mean->phase_error;
 }
 
-/* What the laws miss on the way: changes that are not slow, of which the phase makes gamma Om t, and the roughness of
-   tables */
+/* What the laws miss on the way: changes that are not slow, which in the phase grow by the factor gamma Om t, and
+   the roughness of tables */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real g = VM_FABS(p->gamma * p->Om * mean->y[1]);
@@ -6888,16 +6897,16 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
 /* What averaging leaves out at time t and amplitude A, all by ln A or by radians of the Ateb phase */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;
-    vm_real start_A, start_psi; /* the ripple at the phase that is given, */
-    vm_real ripple;             /* and the largest of both */
+    vm_real start_A, start_psi; /* the ripple at the phase that is given */
+    vm_real ripple;             /* the largest ripple of ln A plus the largest of psi */
     vm_real rate_A, rate_psi;   /* errors of the mean rates, per second */
     vm_real growth;             /* of a small change of ln A, per second */
 } vmi_osc_averaging;
 
 enum { VMI_AVERAGING_POINTS = 64 };
 
-/* The rates of ln A and psi over the period that lies before t on the way from 0 to t_end, but within that way: with
-   the force as it is at t (frozen), and as time goes on */
+/* The rates of ln A and psi over the period before t on the way from 0 to t_end (over the first period, if t is not
+   yet so far): with the force as it is at t if `frozen`, otherwise with the force as time goes on */
 VM_API void vmi_osc_period_rates(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real A, vm_real Om, vm_real psi,
                                  vm_real t, vm_real t_end, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
@@ -6982,10 +6991,11 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
     return VM_OK;
 }
 
-/* Estimate of what the averaged equations with a force err by at t, from the amplitudes at the times of
-   vmi_osc_check: the start's ripple, which is taken for the mean, and the errors of the rates, carried on as small
-   changes are, the phase by what the amplitude makes of it; then the ripple at t, the wave that is not ca and sa, and
-   what is too fast in the laws of mass and stiffness */
+/* Estimates the error of the averaged equations with a force at t, from the amplitudes at the times of
+   vmi_osc_check. Errors arise from the ripple at the start, which is taken for a part of the mean, and from the
+   errors of the rates. They grow as small changes of the motion do, and an error of the amplitude adds one of the
+   phase. The ripple at t, the wave that is not ca and sa, and what is too fast in the laws of mass and stiffness
+   are added at the end. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {
@@ -7033,8 +7043,8 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     return largest;
 }
 
-/* The longest step over which laws that are functions cannot change unseen: a part of the shortest panel that the walk
-   along them takes. Laws with jumps would make it 0; they are seen in steps of a part of the run. */
+/* The longest step in which no law that is a function changes unseen: a part of the shortest panel in the walk
+   along the laws. A jump of a law would make it 0, so it is at least a fixed part of the run. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_law *laws[2];
@@ -7063,7 +7073,8 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     const vm_real least = VM_EPSILON * (route == VM_ROUTE_RK87 ? 256 : 16),
                   ratio = route == VM_ROUTE_RK87 ? 60 : 15;
     const vm_real factor = route == VM_ROUTE_RK87 ? VM_C(0.25) : VM_C(0.5);
-    /* of the steps' tolerance: so far two runs, whose errors are mostly far below it, agree by chance */
+    /* times the tolerance of the steps: two runs may agree this well by chance, since mostly their errors are far
+       below that tolerance */
     const vm_real by_chance = route == VM_ROUTE_RK87 ? VM_C(1e-4) : VM_C(1e-3);
     vm_osc_plan with_ateb;
     vmi_osc_run c;
@@ -9677,9 +9688,9 @@ VM_API vm_event vm_then_stop(vm_event event)
     return event;
 }
 
-/* Effects begin and cease to act in events, mass laws among them, and a mass must not jump with them: nothing would
-   have carried it off, or its momentum. So the masses are noted before and held after, for which a law goes on from
-   the mass that is there. */
+/* Events switch effects on and off, also mass laws. A mass must not jump at that moment, since nothing would carry
+   off the mass and its momentum. So the masses are noted before the event and restored after it: a law then goes on
+   from the mass that is there. */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
@@ -9694,7 +9705,7 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
         vm_scene_body *b = s->bodies + i;
         const vm_real more = b->held - b->load.mass;
         if (b->away || b->mass_is_state) continue;
-        b->mass += more, b->jumped += more; /* of the two it has one, with a law the second */
+        b->mass += more, b->jumped += more; /* a body uses only one of them: `jumped` if it has a mass law */
     }
     vmi_scene_load(s, t, y);
 }
@@ -9994,10 +10005,11 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
 }
 
-/* What the bodies would come to soon if all that they are went on at its present rate: the first status of steps that
-   are longer and longer, to a millionth of the time (float: a thousandth). A mass or an inertia on its way to 0 makes
-   the equations so stiff that no step ends beyond it, and one that has been refused may have been followed by others
-   that were not. The run is over: its work has room for a state and its rates. */
+/* Whether a mass or an inertia would soon run out if the state went on at its present rates: tries longer and
+   longer steps, up to a millionth of the time (float: a thousandth), and returns the first status that is not
+   VM_OK. A mass or an inertia on its way to 0 makes the equations so stiff that no step gets beyond 0; and after a
+   refused step shorter ones may have succeeded, so that s->status is VM_OK again. The run is over, so its work has
+   room for a state and its rates. */
 VM_API int vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);

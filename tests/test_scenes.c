@@ -27,7 +27,8 @@ static void check_vessel(void)
     run(&s, 4, VM_OK);
     agrees("vessel", "phi(4)", s.y[0], atan(1.0), 1, 1e-10);
     run(&s, 5, VM_OK);
-    agrees("vessel", "phi(5)", s.y[0], 0.896055384571343956, 1, 1e-9);
+    /* in float the roundings of the steps have grown 16 times since t = 4, to 1.4e-4 or 5.8e-4, as they fall */
+    agrees("vessel", "phi(5)", s.y[0], 0.896055384571343956, is_float ? 3 : 1, 1e-9);
     balanced(&s, "vessel", 1e4, 1e4);
     vessel_by_motor(&s), begin(&s);
     run(&s, 10, VM_STOPPED);

@@ -203,17 +203,14 @@ static vm_real amplitude_law_naive(const vm_real *x) { return POW(x[0], 1 / (5 -
 /* x(t) and its period, m and k constant by a law of no rate: vm_osc_at's phase, t = x0, rate of both x1 */
 static vm_real frozen_motion_ours(const vm_real *x)
 {
-    vm_osc_problem p = {3,
-                        {VM_LAW_LINEAR, 1, 0, 0, 0, NULL, NULL, NULL, NULL},
-                        {VM_LAW_POWER, 1, 0, -1, 0, NULL, NULL, NULL, NULL},
-                        1,
-                        0,
-                        1,
-                        0,
-                        NULL,
-                        NULL};
+    vm_osc_problem p;
     vm_osc_motion motion;
-    p.mass.f1 = p.stiffness.f1 = x[1];
+    memset(&p, 0, sizeof p);
+    p.alpha = 3;
+    p.mass = vm_law_linear(1, x[1]);
+    p.stiffness = vm_law_power(1, x[1], -1);
+    p.reactive = 1;
+    p.x = 1;
     return vm_osc_by_second(&p, x[0], &motion) == VM_OK ? motion.x : VM_NAN;
 }
 static vm_real frozen_motion_naive(const vm_real *x)
