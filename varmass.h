@@ -4736,13 +4736,20 @@ VM_API vm_quat vmi_stream_unit(vm_quat q)
     return q;
 }
 
+/* How many numbers of the state vm_flow_start makes: as far as it is known that y has room */
+VM_API int vmi_flow_size_at_start(const vm_flow *flow)
+{
+    if (flow->y_size && flow->y_size < VM_RHS) return VM_RHS_GIVEN;
+    return flow->y_size < VM_RHS_BALANCED ? VM_RHS : VM_RHS_BALANCED;
+}
+
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
     vm_quat q;
     vmi_stream_ldl factors;
     vmi_mat3 turn;
-    vm_real start[VM_RHS];
+    vm_real start[VM_RHS_BALANCED];
     int status, k;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
@@ -4763,9 +4770,9 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     vmi_store3(start + VM_Y_CENTRE, flow->centre);
     vmi_stream_store_inertia(start + VM_Y_INERTIA, &body->inertia);
     if (flow->y_size && flow->y_size < VM_RHS_GIVEN) return VM_SHORT_ARRAY;
-    status = vmi_deliver(flow->y_size && flow->y_size < VM_RHS ? VM_RHS_GIVEN : VM_RHS, start, y);
+    for (k = VM_Y_BALANCE; k < VM_RHS_BALANCED; k++) start[k] = 0;
+    status = vmi_deliver(vmi_flow_size_at_start(flow), start, y);
     if (status) return status;
-    for (k = VM_Y_BALANCE; flow->y_size >= VM_RHS_BALANCED && k < VM_RHS_BALANCED; k++) y[k] = 0;
     flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
     return VM_OK;
 }
