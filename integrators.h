@@ -1062,6 +1062,29 @@ VM_INLINE vm_real vmi_shrink(int method, vm_real error)
     return VMI_LARGER(factor, VM_C(0.2));
 }
 
+/* The state after a step of the smallest size in which f jumps. The weights of the stages are of both signs, so that
+   the step's own state may be thrown back from the jump, and far. Instead each component goes on with the middle of
+   the least and the largest derivative that the stages have met: that is wrong by half the jump times h at most. */
+VM_INLINE int vmi_take_middle_slope(int method, ode_rhs f, void *ctx, int n, vm_real t_new, vm_real h, vm_real *w,
+                                    ptrdiff_t m, long *evals)
+{
+    const int last_stage = VMI_K + (method == VMI_RK45 ? 6 : 12);
+    int i, part;
+    VMI_EACH(i, n)
+    {
+        vm_real least = w[VMI_K * m + i], largest = least;
+        VMI_UNROLL for (part = VMI_K + 1; part <= last_stage; part++)
+        {
+            least = VMI_SMALLER(least, w[part * m + i]);
+            largest = VMI_LARGER(largest, w[part * m + i]);
+        }
+        w[VMI_Z * m + i] = w[VMI_Y * m + i] + h * (least / 2 + largest / 2);
+    }
+    if (method == VMI_RK87) return 0; /* whose derivative at the end is evaluated for every accepted step */
+    ++*evals;
+    return f(t_new, w + VMI_Z * m, w + last_stage * m, ctx);
+}
+
 /* The length of a step is changed by up to this fraction, so that it ends at a time that the type can hold and y
    belongs to t exactly. Shorter steps leave the rest in t_low. So t does not drift away from the motion. */
 #define VMI_LANDING VM_C(0.015625)
@@ -1110,6 +1133,8 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
                 missed++;
                 t_missed = t;
                 t_missed_low = t_low;
+                stopped = vmi_take_middle_slope(method, f, ctx, n, t_new, h, w, m, &evals);
+                if (stopped) break;
                 next_miss = steps + 1 + VMI_BETWEEN_MISSES;
                 error = 1;
             } else {
@@ -1542,17 +1567,20 @@ VM_API vm_real vmi_event_value(const rk45 *s, int method, const ode_event *e, vm
     return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
-/* g at x, the state moved by what rounding may have done to it. Each component is moved by another amount, so that a
-   difference of components moves too. */
-VM_API vm_real vmi_event_value_moved(const rk45 *s, int method, const ode_event *e, vm_real x, int direction)
+/* g at x, the state moved by what rounding may have done to it: in this step up to x, or, if `earlier`, in the steps
+   before it as well. Each component is moved by another amount, so that a difference of components moves too. */
+VM_API vm_real vmi_event_value_moved(const rk45 *s, int method, const ode_event *e, vm_real x, int earlier,
+                                     int direction)
 {
-    const vm_real rounding = (vm_real)direction * vmi_least_rtol(method), golden = VM_C(0.6180339887498949);
+    const vm_real relative = earlier ? vmi_least_rtol(VMI_RK87) : vmi_least_rtol(method), end = earlier ? 1 : x;
+    const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
     int i;
     vmi_state_inside(s, method, x, z);
     for (i = 0; i < s->n; i++) {
-        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + x * VM_FABS(s->y[i]), share = phase - VM_C(0.5);
+        const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + end * VM_FABS(s->y[i]);
+        const vm_real share = phase - VM_C(0.5);
         z[i] += rounding * size * (share + VM_COPYSIGN(VM_C(0.5), share));
         phase += golden;
         if (phase >= 1) phase -= 1;
@@ -1561,12 +1589,12 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, int method, const ode_event 
 }
 
 /* Sets e->slack: the largest |g| that rounding can make at x. Returns whether rounding leaves g the sign `side`. */
-VM_API int vmi_weigh_rounding(const rk45 *s, int method, ode_event *e, vm_real x, int side)
+VM_API int vmi_weigh_rounding(const rk45 *s, int method, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
     e->slack = 0;
     for (direction = -1; direction <= 1; direction++) {
-        const vm_real g = direction ? vmi_event_value_moved(s, method, e, x, direction)
+        const vm_real g = direction ? vmi_event_value_moved(s, method, e, x, earlier, direction)
                                     : vmi_event_value(s, method, e, x);
         if (VM_FABS(g) > e->slack) e->slack = VM_FABS(g);
         if (vmi_sign(g) != side) certain = 0;
@@ -1582,7 +1610,8 @@ VM_API int vmi_counts_from(const ode_event *e, int side)
 /* The place in [a, b] at which g leaves the side that it has at a: the right end of [a, b] after it is shrunk to
    what x resolves. The method is false position in the Illinois form, with bisection every third time and where g
    is 0 over a distance. If g is 0 at b, and t cannot resolve how long before b it became 0, the place is b. */
-VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb)
+VM_API int vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
+                      vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
@@ -1592,6 +1621,7 @@ VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real
         vm_real x = bisect ? a + (b - a) / 2 : b - gb * ((b - a) / (gb - ga)), g;
         x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
         g = vmi_event_value(s, method, e, x);
+        if (g != g) return ODE_NOT_FINITE;
         if (vmi_sign(g) == side) {
             a = x;
             ga = g;
@@ -1604,7 +1634,8 @@ VM_API vm_real vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real
             kept = -1;
         }
     }
-    return g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look) ? look : b;
+    *at = g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look) ? look : b;
+    return ODE_OK;
 }
 
 /* The place of the next look at g after e->from. First come points at growing distances *gap from `start`, so that
@@ -1622,12 +1653,31 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
     return next;
 }
 
+/* To be called when g has just reached 0 at x or passed it. The side of g is then unknown while rounding could
+   decide it, but only for the time e->quiet, since g may also have jumped. */
+VM_API void vmi_quieten_event(const rk45 *s, int method, ode_event *e, vm_real x)
+{
+    vmi_weigh_rounding(s, method, e, x, 0, 0);
+    e->side = 0;
+    e->quiet = VMI_QUIET * VM_FABS(s->h_done);
+}
+
+/* To be called when g has passed 0 before x in the direction that does not count, to `side`. Returns whether rounding
+   could have made that side; then it stays unknown for a while, so that it is not left again by rounding. */
+VM_API int vmi_quieten_passing(const rk45 *s, int method, ode_event *e, vm_real x, int side)
+{
+    ode_event look = *e;
+    if (vmi_weigh_rounding(s, method, &look, x, 0, side)) return 0;
+    vmi_quieten_event(s, method, e, x);
+    return 1;
+}
+
 /* Follows g from e->from to `to`, or to the first place at which the event happens. *at becomes that place, or
    VMI_NONE if there is none; e->from and e->side are updated on the way. */
 VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to, vm_real *at)
 {
-    const vm_real start = e->from, h = VM_FABS(s->h_done);
-    vm_real gap = e->side ? VM_C(1.0) : VMI_FIRST_LOOK;
+    const vm_real h = VM_FABS(s->h_done);
+    vm_real start = e->from, gap = e->side ? VM_C(1.0) : VMI_FIRST_LOOK;
     *at = VMI_NONE;
     while (e->from < to) {
         const vm_real before = e->from, x = vmi_next_look(e, start, &gap, to);
@@ -1636,25 +1686,23 @@ VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to,
         if (g != g) return ODE_NOT_FINITE;
         if (side != e->side && vmi_counts_from(e, e->side)) {
             const vm_real g_before = vmi_event_value(s, method, e, before);
-            *at = vmi_sign(g_before) == e->side ? vmi_locate(s, method, e, before, g_before, x, g) : x;
+            int status = ODE_OK;
+            *at = x;
+            if (vmi_sign(g_before) == e->side) status = vmi_locate(s, method, e, before, g_before, x, g, at);
             e->from = *at;
-            return ODE_OK;
+            return status;
         }
         e->from = x;
         e->quiet = VMI_LARGER(e->quiet - (x - before) * h, VM_C(0.0));
+        if (e->side && side != e->side && vmi_quieten_passing(s, method, e, x, side)) {
+            start = x;
+            gap = VMI_FIRST_LOOK;
+            continue;
+        }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
         if (e->side && start > 0) gap = 1; /* nothing was changed in the middle of a step: no short excursion begins */
     }
     return ODE_OK;
-}
-
-/* To be called when g has just reached 0 at x or passed it. The side of g is then unknown while rounding could
-   decide it, but only for the time e->quiet, since g may also have jumped. */
-VM_API void vmi_quieten_event(const rk45 *s, int method, ode_event *e, vm_real x)
-{
-    vmi_weigh_rounding(s, method, e, x, 0);
-    e->side = 0;
-    e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
 VM_API void vmi_record(const rk45 *s, int method, ode_event *e, vm_real x)
@@ -1716,14 +1764,14 @@ VM_API int vmi_happens_at_cut(const rk45 *s, int method, ode_event *e, vm_real x
     e->happens = at != VMI_NONE;
     if (status || e->happens || e->side == 0) return status;
     look = *e;
-    if (vmi_weigh_rounding(s, method, &look, x, e->side)) return ODE_OK;
+    if (vmi_weigh_rounding(s, method, &look, x, 1, e->side)) return ODE_OK;
     if (!vmi_counts_from(e, e->side)) {
         vmi_quieten_event(s, method, e, x);
         return ODE_OK;
     }
-    status = vmi_follow_event(s, method, &look, VMI_SMALLER(x + VMI_QUIET, VM_C(1.0)), &at);
-    e->happens = at != VMI_NONE;
-    return status;
+    /* also beyond the end of the step, where the continuous extension goes on; g need not exist there */
+    e->happens = vmi_follow_event(s, method, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
+    return ODE_OK;
 }
 
 /* Ends the step at x, where events happen: counts all of them, then calls their `change` functions. */
@@ -1758,6 +1806,10 @@ VM_API int vmi_take_back(rk45 *s)
     s->t = s->t_old;
     s->t_low = s->t_old_low;
     s->h = s->h_done / 4;
+    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
+        s->missed--;
+        s->next_miss = 0;
+    }
     s->steps--;
     s->rejected++;
     s->k1 = VMI_K1_READY; /* the step was kept apart from the next */

@@ -59,6 +59,12 @@ static vm_real second(vm_real t, const vm_real *y, void *ctx)
     return y[1];
 }
 
+static vm_real first(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t, (void)ctx;
+    return y[0];
+}
+
 static vm_real wave(vm_real t, const vm_real *y, void *ctx)
 {
     (void)t, (void)ctx;
@@ -69,6 +75,14 @@ static vm_real clock_at(vm_real t, const vm_real *y, void *ctx)
 {
     (void)y;
     return t - *(const vm_real *)ctx;
+}
+
+/* 1, then no number, then -1 */
+static vm_real not_a_number_between(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)y, (void)ctx;
+    if (t < R(1.01)) return R(1.0);
+    return t < R(1.02) ? VM_NAN : R(-1.0);
 }
 
 static vm_real not_a_number(vm_real t, const vm_real *y, void *ctx)
@@ -310,6 +324,9 @@ static void test_bad_events(void)
     o = with_events(1e-6, e, 1);
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 5) == ODE_NOT_FINITE);
     CHECK(VM_IS_FINITE(s.y[0]) && fabs((double)(s.y[0] - s.t)) < 100 * eps);
+    e[0] = event(not_a_number_between, NULL, 0, ODE_STOP);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 5) == ODE_NOT_FINITE);
+    CHECK(e[0].count == 0);
     e[0] = event(NULL, NULL, 0, ODE_STOP);
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
     o.events = NULL;
@@ -432,6 +449,46 @@ static void test_same_zero(double tol)
     CHECK(status == ODE_OK && e[0].count == 20 && e[1].count == 20);
 }
 
+static int two_rates(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_real *rate = (const vm_real *)ctx;
+    (void)t, (void)y;
+    dydt[0] = rate[0];
+    dydt[1] = rate[1];
+    return 0;
+}
+
+static void turn_back(vm_real t, vm_real *y, void *ctx)
+{
+    vm_real *rate = (vm_real *)ctx;
+    (void)t, (void)y;
+    rate[0] = -rate[0];
+    rate[1] = -rate[1];
+}
+
+/* y0 and y1 reach 0 at the same time, at which one call ends and the next begins. The event of y0 turns both back: that
+   of y1 happens all the same, unless the roundings of many steps have parted the two. */
+static void test_together_at_an_end(void)
+{
+    int i, lost = 0;
+    for (i = 0; i < 200; i++) {
+        const double end = uniform(1, 9);
+        vm_real rate[2] = {R(uniform(0.5, 2)), R(uniform(0.5, 2))}, work[RK87_WORK(2)], y0[2];
+        ode_event e[2];
+        rk45_options o;
+        rk45 s;
+        y0[0] = R(-(double)rate[0] * end), y0[1] = R(-(double)rate[1] * end);
+        e[0] = event(level, rate, 1, ODE_RESTART), e[1] = event(second, NULL, 1, ODE_RECORD);
+        e[0].g = first;
+        e[0].change = turn_back;
+        o = with_events(1e-6, e, 2);
+        CHECK(m->init(&s, two_rates, rate, 2, 0, y0, &o, work) == ODE_OK && m->solve(&s, R(end)) == ODE_OK);
+        CHECK(m->solve(&s, R(end + 0.5)) == ODE_OK && e[0].count == 1);
+        lost += e[1].count == 0;
+    }
+    check_error("lost at an end", m->name, "%", lost / 2., is_float ? 5 : 2, 200, lost);
+}
+
 static int two_balls(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     fall(t, y, dydt, ctx);
@@ -491,6 +548,7 @@ int main(void)
         test_same_zero(1e-6);
         if (!is_float) test_same_zero(1e-12);
         test_two_changes();
+        test_together_at_an_end();
         test_reversal(0, 1e-2);
         if (!is_float) {
             test_reversal(1e5, 1e-3);

@@ -492,6 +492,33 @@ static void test_least_step(void)
     check_error("h_min", "0.18", "tol", fabs((double)s.y[0] - cos(20.)) / 1e-6, 20, 20, 0);
 }
 
+/* y' is 1 up to y = 1/2, and *ctx beyond */
+static int threshold_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t;
+    dydt[0] = y[0] > R(0.5) ? *(const vm_real *)ctx : R(1.0);
+    return 0;
+}
+
+/* A jump where the state passes a threshold: the step that meets it does not throw the state back, however large the
+   jump is and however coarse the time. rk87 ended at -7.9 with success for a jump to 1e12 at t0 = 1000. */
+static void test_thresholds(void)
+{
+    static const double jumps[] = {10, 1e3, 1e6, 1e12}, starts[] = {1, 100, 1e4};
+    int order, j, k;
+    for (order = 5; order <= 8; order += 3)
+        for (j = 0; j < 4; j++)
+            for (k = 0; k < 3; k++) {
+                const double wanted = 0.5 + 1.6 * jumps[j];
+                vm_real start = R(0.1), work[RK87_WORK(1)], slope = R(jumps[j]), t0 = R(starts[k]);
+                rk45 s;
+                CHECK((order == 5 ? rk45_init : rk87_init)(&s, threshold_rhs, &slope, 1, t0, &start, NULL, work) == ODE_OK);
+                CHECK((order == 5 ? rk45_solve(&s, t0 + 2) : rk87_solve(&s, t0 + 2)) == ODE_OK && s.missed <= 1);
+                check_error("threshold", order == 5 ? "rk45" : "rk87", "rel", fabs((double)s.y[0] / wanted - 1),
+                            is_float ? 2e-3 : 1e-5, jumps[j], starts[k]);
+            }
+}
+
 /* Where f is singular, or too stiff for t, a run ends, with the state before the two steps that missed the tolerance; and
    calls again do not get on. */
 static void test_unresolvable_points(void)
@@ -1004,6 +1031,7 @@ int main(void)
     test_unresolvable_jumps();
     test_least_step();
     test_unresolvable_points();
+    test_thresholds();
     test_refusals();
     test_tolerances();
     test_endings();
