@@ -1,7 +1,7 @@
 /* integrators.h: events that coincide, graze, jump or vanish, in random runs whose every event is known beforehand.
-   Two oscillators turn like the hand of a clock; each event watches one of a few levels in one of many ways (itself, its
-   cube, its sign, scaled, cut off at zero, by the clock), so that most of them happen at the same instants; some only
-   graze, or are always zero. None may be lost, none may happen twice, at any tolerance, at any time on the clock,
+   Two oscillators turn like the hand of a clock. Each event watches one of a few levels in one of many ways (itself,
+   its cube, its sign, scaled, cut off at zero, by the clock), so that most of them happen at the same instants; some
+   only graze, or are always zero. None may be lost, none may happen twice, at any tolerance, at any time on the clock,
    forward and backward.
    usage: coincidences [RUNS], default 3000 */
 #include "../integrators.h"
@@ -96,8 +96,9 @@ static int has_clear_ends(const plan *p)
     const double margin = 0.15, length = 2 * pi * p->turns;
     int image;
     for (image = 0; image < 4; image++) {
-        const double angle = image == 0 ? p->angle : image == 1 ? -p->angle : image == 2 ? pi - p->angle : pi + p->angle;
-        const double from_start = fmod(angle - p->phase + 8 * pi, 2 * pi), from_end = fmod(length - from_start + 2 * pi, 2 * pi);
+        const double angle = (image & 1 ? -p->angle : p->angle) + (image & 2 ? pi : 0);
+        const double from_start = fmod(angle - p->phase + 8 * pi, 2 * pi);
+        const double from_end = fmod(length - from_start + 2 * pi, 2 * pi);
         if (from_start < margin || from_start > 2 * pi - margin) return 0;
         if (from_end < margin || from_end > 2 * pi - margin) return 0;
     }
@@ -108,7 +109,8 @@ static int choose(int n) { return (int)uniform(0, n) % n; }
 
 static void draw(plan *p)
 {
-    static const double starts[8] = {0, 0, 1, -3, 1e3, 1e5, 1.7e9, 1e12}, float_starts[8] = {0, 0, 1, -3, 10, 30, 100, 300};
+    static const double starts[8] = {0, 0, 1, -3, 1e3, 1e5, 1.7e9, 1e12};
+    static const double float_starts[8] = {0, 0, 1, -3, 10, 30, 100, 300};
     int i;
     do {
         p->speed = exp(uniform(-2, 2));
@@ -139,7 +141,8 @@ static void draw(plan *p)
 static int run(plan *p, int order)
 {
     vm_real y0[4], work[RK87_WORK(4)], times[EVENTS][TIMES];
-    const double resolved = 4 * (double)VM_EPSILON * (fabs(p->t0) + 100) + 1e3 * p->tolerance * (2 * pi * p->turns) / p->speed;
+    const double end_error = 1e3 * p->tolerance * (2 * pi * p->turns) / p->speed;
+    const double resolved = 4 * (double)VM_EPSILON * (fabs(p->t0) + 100) + end_error;
     rk45_options o = {0};
     rk45 s;
     int i, good = 1, status;
@@ -186,8 +189,8 @@ static int run(plan *p, int order)
 static void show(const plan *p, int order)
 {
     int i;
-    printf("order %d, t0 %g, %.17g turns of speed %.17g, sense %g, tolerance %.3g, phase %.17g, angle %.17g\n", order, p->t0, p->turns,
-           p->speed, p->sense, p->tolerance, p->phase, p->angle);
+    printf("order %d, t0 %g, %.17g turns of speed %.17g, sense %g, tolerance %.3g, phase %.17g, angle %.17g\n", order,
+           p->t0, p->turns, p->speed, p->sense, p->tolerance, p->phase, p->angle);
     for (i = 0; i < p->events; i++) {
         double times[2 * TIMES];
         printf("    kind %d, component %d, direction %d, action %d: %ld times, should be %ld\n", p->w[i].kind,
@@ -281,7 +284,8 @@ static void test_random_bounces(long runs)
         status = order == 5 ? rk45_solve(&s, R(t0 + length)) : rk87_solve(&s, R(t0 + length));
         good = status == ODE_OK;
         for (i = 0; i < balls; i++) {
-            const double h = (double)y0[2 * i], v = sqrt(2 * (double)balls_weight * h), first = v / (double)balls_weight;
+            const double h = (double)y0[2 * i], v = sqrt(2 * (double)balls_weight * h);
+            const double first = v / (double)balls_weight;
             const double elapsed = (double)R(t0 + length) - t0, since = fmod(elapsed + first, 2 * first);
             const double wanted = since * (v - (double)balls_weight * since / 2);
             const double error = fabs((double)s.y[2 * i] - wanted) / (v * elapsed);

@@ -385,9 +385,11 @@ static void test_clock(void)
         return;
     }
     for (i = 0; i < sizeof run / sizeof *run; i++) {
-        const double error = clock_error(run[i].order, run[i].speed, run[i].t0, run[i].span, run[i].tol, run[i].h_max, &worst);
-        check_error("clock: error over bound", run[i].order == 5 ? "rk45" : "rk87", "", error / run[i].bound, 1, run[i].t0, run[i].tol);
-        check_error("any step", run[i].order == 5 ? "rk45" : "rk87", "", worst / run[i].bound, 1, run[i].t0, run[i].tol);
+        const char *name = run[i].order == 5 ? "rk45" : "rk87";
+        const double t0 = run[i].t0, tol = run[i].tol, bound = run[i].bound;
+        const double error = clock_error(run[i].order, run[i].speed, t0, run[i].span, tol, run[i].h_max, &worst);
+        check_error("clock: error over bound", name, "", error / bound, 1, t0, tol);
+        check_error("any step", name, "", worst / bound, 1, t0, tol);
     }
 }
 
@@ -511,8 +513,10 @@ static void test_thresholds(void)
             for (k = 0; k < 3; k++) {
                 const double wanted = 0.5 + 1.6 * jumps[j];
                 vm_real start = R(0.1), work[RK87_WORK(1)], slope = R(jumps[j]), t0 = R(starts[k]);
+                int status;
                 rk45 s;
-                CHECK((order == 5 ? rk45_init : rk87_init)(&s, threshold_rhs, &slope, 1, t0, &start, NULL, work) == ODE_OK);
+                status = (order == 5 ? rk45_init : rk87_init)(&s, threshold_rhs, &slope, 1, t0, &start, NULL, work);
+                CHECK(status == ODE_OK);
                 CHECK((order == 5 ? rk45_solve(&s, t0 + 2) : rk87_solve(&s, t0 + 2)) == ODE_OK && s.missed <= 1);
                 check_error("threshold", order == 5 ? "rk45" : "rk87", "rel", fabs((double)s.y[0] / wanted - 1),
                             is_float ? 2e-3 : 1e-5, jumps[j], starts[k]);
