@@ -72,11 +72,11 @@
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
      The step size control finds the bad points and takes some short steps there: at alpha = 0.5 and tolerance 1e-7,
-     rk45 takes 4922 evaluations, against 2102 at alpha = 1, and rk87 takes 7793, against 1146. No error estimate is
-     right in a step in which f jumps: the error at the end is up to 2e4 tolerances with rk45 and 1e4 with rk87,
-     whatever the tolerance is, so run again with a tighter one and compare. If f has smooth branches (a sign,
+     rk45 takes 4976 evaluations, against 2102 at alpha = 1, and rk87 takes 7321, against 1146. No error estimate is
+     right in a step in which f jumps: the error at the end is up to 3e4 tolerances with rk45 and rk87, whatever
+     the tolerance is, so run again with a tighter one and compare. If f has smooth branches (a sign,
      x|x|), keep the branch in ctx and change it at an ODE_RESTART event: rk45 at alpha = 0 then takes 160
-     evaluations instead of 5264, and the error at the end is 5e-4 tolerances, not 4400. A restart does not pay if f
+     evaluations instead of 5102, and the error at the end is 3e-4 tolerances, not 6800. A restart does not pay if f
      still chooses its branch itself. docs/toronto.md has the errors and evaluations of both methods on the Toronto
      test set, whose class F has jumps.
 
