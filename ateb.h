@@ -359,7 +359,8 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
-    x.hi = hi, x.lo = lo;
+    x.hi = hi;
+    x.lo = lo;
     return x;
 }
 
@@ -775,7 +776,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     vm_two t, sum, c, divisor;
     vm_real tail = vmi_ateb_coefficient(0, VMI_ATEB_DEGREE);
     int i;
-    t.hi = 2 * q.hi, t.lo = 2 * q.lo;
+    t.hi = 2 * q.hi;
+    t.lo = 2 * q.lo;
     c = vmi_two(-1, 0);
     t = vmi_two_plus(c, t);
     for (i = VMI_ATEB_DEGREE - 1; i >= TWO_WORDS; i--) tail = vmi_ateb_coefficient(0, i) + tail * t.hi;
@@ -1064,7 +1066,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->n = vmi_two_sum(alpha, 1);
     c->q.hi = 1 / c->n.hi;
     c->g = c->quarter = vmi_two(0, 0);
-    n_head = vmi_head(c->n.hi), q_head = vmi_head(c->q.hi);
+    n_head = vmi_head(c->n.hi);
+    q_head = vmi_head(c->q.hi);
     n_tail = (c->n.hi - n_head) + c->n.lo;
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
@@ -1223,7 +1226,8 @@ enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MAN
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
-    *P = Y, *Q = 1;
+    *P = Y;
+    *Q = 1;
     for (j = levels - 2; j >= 0; j -= 2) {
         const vm_real next = *P - (e_by_z[j + 1] * z) * *Q;
         *P = next - (e_by_z[j] * z) * *P;
@@ -1360,10 +1364,12 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     v = 1 - 2 * p;
     vmi_ateb_p_fraction(q, p, &P, &Q);
     B = share * p * Q; /* 1 + q T = P/(P - B) */
-    E = P / (P - B), F = B / P;
+    E = P / (P - B);
+    F = B / P;
     rho = (l - vmi_ateb_ln(4 * p * (1 - p))) - n * vmi_ateb_ln_ratio(B / (2 * P - B));
     w = v * E;
-    dv = 2 * p * (1 - p) * E, da = q * (1 - w);
+    dv = 2 * p * (1 - p) * E;
+    da = q * (1 - w);
     *sa = 1 - (2 * p + (dv * rho) * (1 + rho * ((q + k1 * w) / 2)));
     *ca = y - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - base.y.lo);
 }
@@ -1409,7 +1415,8 @@ VM_INLINE vm_real vmi_ateb_locate(vm_real s, vmi_ateb *c, int *quarter, vm_real 
     }
     if (!coarse) rest = vmi_ateb_reduce_finely(s, c, quarter);
     odd = (vm_real)(*quarter & 1);
-    size = VM_FABS(rest), other = (c->quarter.hi - size) + c->quarter.lo;
+    size = VM_FABS(rest);
+    other = (c->quarter.hi - size) + c->quarter.lo;
     *r = vmi_choose(odd, other, size);
     *d = vmi_choose(odd, size, other);
     return rest;
@@ -1436,7 +1443,8 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
         return;
     }
     vmi_ateb_index_constants(&c, alpha);
-    rest = r = VM_FABS(s), quarter = 0;
+    rest = r = VM_FABS(s);
+    quarter = 0;
     if (r > change_over) {
         vmi_ateb_period_constants(&c);
         rest = vmi_ateb_locate(rest, &c, &quarter, &r, &d);
@@ -1548,10 +1556,19 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         *sa = *ca = VM_NAN;
         return;
     }
-    near_zero = VM_FABS(rest), far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
+    near_zero = VM_FABS(rest);
+    far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
     lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
-    r = far_zero, r_lo = lost, d = near_zero, d_lo = 0;
-    if (!(quarter & 1)) r = near_zero, r_lo = 0, d = far_zero, d_lo = lost;
+    r = far_zero;
+    r_lo = lost;
+    d = near_zero;
+    d_lo = 0;
+    if (!(quarter & 1)) {
+        r = near_zero;
+        r_lo = 0;
+        d = far_zero;
+        d_lo = lost;
+    }
     if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, sa, ca);
     else if (p->twice_alpha >= 0)
         vmi_ateb_part_at(p->part + 1, p->length, vmi_ateb_twice_q(p, d, d_lo), vmi_ateb_product(p, d, d_lo), ca,
@@ -1657,7 +1674,10 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     const vm_real large = VM_C(1e30); /* beyond it alpha j could overflow, and nothing changes */
     vm_real w[VMI_ATEB_TERMS];
     int j;
-    if (alpha > large) alpha = large, q = 1 / large;
+    if (alpha > large) {
+        alpha = large;
+        q = 1 / large;
+    }
     odd[0] = even[0] = w[0] = 1;
     for (j = 1; j < VMI_ATEB_TERMS; j++) {
         const vm_real i = (vm_real)j;
@@ -1901,8 +1921,10 @@ VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
         return rest;
     }
     p = vmi_exp_core(l.hi, l.lo, &k, &p_lo);
-    if (k == 0) rest.hi = -p, rest.lo = -p_lo;
-    else {
+    if (k == 0) {
+        rest.hi = -p;
+        rest.lo = -p_lo;
+    } else {
         vm_two e = vmi_fast_two_sum(1, p);
         e.lo += p_lo;
         rest = vmi_two_sum(1, -vmi_ldexp(e.hi, k));
@@ -1960,7 +1982,8 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
         *q = x == 0 ? 1 : 0;
         return;
     }
-    at.x = x, at.y = y;
+    at.x = x;
+    at.y = y;
     at.ln_x = x <= y ? vmi_log(x) : vmi_two_log(vmi_two_sum(1, -y));
     at.ln_y = x <= y ? vmi_two_log(vmi_two_sum(1, -x)) : vmi_log(y);
     vmi_beta_tails(&at, a, b, &ln_p, &ln_q);
@@ -2117,11 +2140,17 @@ VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *
         *sa = *ca = VM_NAN;
         return;
     }
-    a = 1 / (n + 1), b = 1 / (m + 1);
+    a = 1 / (n + 1);
+    b = 1 / (m + 1);
     pi = vmi_half(vmi_ateb_pi_nm(n, m));
     rest = vmi_reduce(VM_FABS(s), pi, &quarter).hi;
-    d = VM_FABS(rest), r = (pi.hi - d) + pi.lo;
-    if (!(quarter & 1)) other = r, r = d, d = other;
+    d = VM_FABS(rest);
+    r = (pi.hi - d) + pi.lo;
+    if (!(quarter & 1)) {
+        other = r;
+        r = d;
+        d = other;
+    }
     *sa = vmi_ateb_nm_first(r / pi.hi, d / pi.hi, a, b);
     *ca = vmi_ateb_nm_first(d / pi.hi, r / pi.hi, b, a);
     vmi_ateb_signs(s, rest, (vmi_bits)quarter, sa, ca);

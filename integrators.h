@@ -515,7 +515,10 @@ VM_INLINE vm_real vmi_power(vm_real x, vm_real p)
     memcpy(&bits, &x, sizeof x);
     v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
     v = 1 + v * (1 + v / 2);
-    v *= v, v *= v, v *= v, v *= v;
+    v *= v;
+    v *= v;
+    v *= v;
+    v *= v;
     return v;
 }
 
@@ -527,13 +530,22 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
 {
     int i, stopped = f(t, y, k, ctx);
     if (stopped) return stopped;
-    VMI_EACH(i, n) sum[i] = k[i], z[i] = y[i] + h / 2 * k[i];
+    VMI_EACH(i, n) {
+        sum[i] = k[i];
+        z[i] = y[i] + h / 2 * k[i];
+    }
     stopped = f(t + h / 2, z, k, ctx);
     if (stopped) return stopped;
-    VMI_EACH(i, n) sum[i] += 2 * k[i], z[i] = y[i] + h / 2 * k[i];
+    VMI_EACH(i, n) {
+        sum[i] += 2 * k[i];
+        z[i] = y[i] + h / 2 * k[i];
+    }
     stopped = f(t + h / 2, z, k, ctx);
     if (stopped) return stopped;
-    VMI_EACH(i, n) sum[i] += 2 * k[i], z[i] = y[i] + h * k[i];
+    VMI_EACH(i, n) {
+        sum[i] += 2 * k[i];
+        z[i] = y[i] + h * k[i];
+    }
     return f(t + h, z, k, ctx);
 }
 
@@ -553,8 +565,12 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
         }
         VMI_EACH(i, n)
         {
-            if (low) sum[i] = (h_6 * sum[i] + h_6 * k[i]) + low[i], z[i] = y[i] + sum[i];
-            else z[i] = (y[i] + h_6 * sum[i]) + h_6 * k[i];
+            if (low) {
+                sum[i] = (h_6 * sum[i] + h_6 * k[i]) + low[i];
+                z[i] = y[i] + sum[i];
+            } else {
+                z[i] = (y[i] + h_6 * sum[i]) + h_6 * k[i];
+            }
             bad += z[i] - z[i];
         }
         if (bad != 0) {
@@ -694,7 +710,12 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
         o.events[i].quiet = 0;
         o.events[i].slack = 0;
     }
-    s->method = method, s->f = f, s->ctx = ctx, s->n = n, s->options = o, s->work = work;
+    s->method = method;
+    s->f = f;
+    s->ctx = ctx;
+    s->n = n;
+    s->options = o;
+    s->work = work;
     s->t = t0;
     s->t_old = t0;
     s->t_low = 0;
@@ -718,7 +739,11 @@ VM_INLINE int vmi_ode_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_
                            const rk45_options *options_or_NULL, vm_real *work)
 {
     int status = vmi_init(s, method, f, ctx, n, t0, y0, options_or_NULL, work);
-    if (status >= 0) s->f = f, s->n = n; /* again, where the caller's compiler sees it */
+    if (status >= 0) {
+        /* again, where the caller's compiler sees it */
+        s->f = f;
+        s->n = n;
+    }
     return status;
 }
 
@@ -1190,9 +1215,15 @@ VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, 
     s->h = h_next;
     s->h_done = h_done;
     s->inverse_error = inverse_error;
-    s->steps += steps, s->rejected += rejections, s->evals += evals;
-    s->missed += missed, s->next_miss = s->steps - steps + next_miss;
-    s->attempts = attempts, s->stiff_wait = stiff_wait, s->rhs_status = stopped, s->failure = failure;
+    s->steps += steps;
+    s->rejected += rejections;
+    s->evals += evals;
+    s->missed += missed;
+    s->next_miss = s->steps - steps + next_miss;
+    s->attempts = attempts;
+    s->stiff_wait = stiff_wait;
+    s->rhs_status = stopped;
+    s->failure = failure;
     s->k1 = k1;
     s->extended = 0;
     return stopped ? (int)ODE_RHS_STOPPED : status;

@@ -337,7 +337,8 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
-    x.hi = hi, x.lo = lo;
+    x.hi = hi;
+    x.lo = lo;
     return x;
 }
 
@@ -1426,7 +1427,11 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
-    if (*sn == 0) *cn = VM_COPYSIGN((vm_real)1, *cn), *dn = 1; /* not almost */
+    if (*sn == 0) {
+        /* not almost */
+        *cn = VM_COPYSIGN((vm_real)1, *cn);
+        *dn = 1;
+    }
 }
 
 /* For |u| < VMI_EXACT_QUARTERS K a loop that compilers vectorise */
@@ -1441,7 +1446,11 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
     }
     if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
-        if (sn[i] == 0) cn[i] = VM_COPYSIGN((vm_real)1, cn[i]), dn[i] = 1; /* not almost */
+        if (sn[i] == 0) {
+            /* not almost */
+            cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
+            dn[i] = 1;
+        }
 }
 
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
@@ -1865,7 +1874,9 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
         Y = vmi_two_over(vmi_two_minus(A, y), A);
         Z = vmi_two_shifted(vmi_two_plus(X, Y), -1);
         if (!(VM_FABS(X.hi) > enough || VM_FABS(Y.hi) > enough || VM_FABS(Z.hi) > enough)) break;
-        X = vmi_two_root(x), Y = vmi_two_root(y), Z = vmi_two_root(z);
+        X = vmi_two_root(x);
+        Y = vmi_two_root(y);
+        Z = vmi_two_root(z);
         A = vmi_two_plus(vmi_two_times(X, vmi_two_plus(Y, Z)), vmi_two_times(Y, Z));
         x = vmi_two_shifted(vmi_two_plus(x, A), VM_C(0.25));
         y = vmi_two_shifted(vmi_two_plus(y, A), VM_C(0.25));
@@ -1874,7 +1885,8 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     E2 = vmi_two_times(X, Y);
     E3 = vmi_two_times(E2, Z);
     E2 = vmi_two_minus(E2, vmi_two_times(Z, Z));
-    e2 = E2.hi, e3 = E3.hi;
+    e2 = E2.hi;
+    e3 = E3.hi;
     rest = e2 * e2 * (VM_C(1.0) / 24 - VM_C(5.0) / 208 * e2 + e3 / 16) +
            e3 * (VM_C(3.0) / 104 * e3 - VM_C(3.0) / 44 * e2);
     sum = vmi_two_minus(vmi_two_over(E3, vmi_two(14, 0)), vmi_two_over(E2, vmi_two(10, 0)));
@@ -1929,7 +1941,8 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     z.lo += rest * half_pi.mid;
     vmi_sin_cos(z, &s, &c);
-    *sine = quarter & 1 ? c : s, *cosine = quarter & 1 ? s : c;
+    *sine = quarter & 1 ? c : s;
+    *cosine = quarter & 1 ? s : c;
     if (quarter & 2) *sine = -*sine;
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
@@ -1960,8 +1973,14 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
         S[n] = more - less;
     }
     d.decay = d.shift = d.Q = 0;
-    d.re[0] = 1 - C[2], d.re[1] = 3 * C[3] - C[1], d.re[2] = 2 * C[2], d.re[3] = -4 * C[3];
-    d.im[0] = S[1] - S[3], d.im[1] = -2 * S[2], d.im[2] = 4 * S[3], d.im[3] = 0;
+    d.re[0] = 1 - C[2];
+    d.re[1] = 3 * C[3] - C[1];
+    d.re[2] = 2 * C[2];
+    d.re[3] = -4 * C[3];
+    d.im[0] = S[1] - S[3];
+    d.im[1] = -2 * S[2];
+    d.im[2] = 4 * S[3];
+    d.im[3] = 0;
     return d;
 }
 

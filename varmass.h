@@ -1875,7 +1875,8 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
     if (!VM_IS_FINITE(x)) s = c = VM_NAN;
-    *sine = quarter & 1 ? c : s, *cosine = quarter & 1 ? s : c;
+    *sine = quarter & 1 ? c : s;
+    *cosine = quarter & 1 ? s : c;
     if (quarter & 2) *sine = -*sine;
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
     if (x < 0) *sine = -*sine;
@@ -1913,8 +1914,14 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
         for (i = k + 1; i < n; i++)
             if (VM_FABS(a[i * n + k]) > VM_FABS(a[pivot * n + k])) pivot = i;
         if (!(VM_FABS(a[pivot * n + k]) > 0)) return VM_SINGULAR;
-        for (j = k; j < n; j++) x = a[k * n + j], a[k * n + j] = a[pivot * n + j], a[pivot * n + j] = x;
-        x = b[k], b[k] = b[pivot], b[pivot] = x;
+        for (j = k; j < n; j++) {
+            x = a[k * n + j];
+            a[k * n + j] = a[pivot * n + j];
+            a[pivot * n + j] = x;
+        }
+        x = b[k];
+        b[k] = b[pivot];
+        b[pivot] = x;
         vmi_eliminate(n, k, a, b);
     }
     vmi_substitute_back(n, a, b);
@@ -2032,7 +2039,8 @@ VM_API int vmi_deliver(int n, const vm_real *from, vm_real *to)
 VM_API vm_complex vmi_complex(vm_real re, vm_real im)
 {
     vm_complex z;
-    z.re = re, z.im = im;
+    z.re = re;
+    z.im = im;
     return z;
 }
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
@@ -2058,10 +2066,12 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
     if (VM_FABS(b.re) < VM_FABS(b.im)) {
-        q = b.re / b.im, d = b.im + b.re * q;
+        q = b.re / b.im;
+        d = b.im + b.re * q;
         return vmi_complex((a.re * q + a.im) / d, (a.im * q - a.re) / d);
     }
-    q = b.im / b.re, d = b.re + b.im * q;
+    q = b.im / b.re;
+    d = b.re + b.im * q;
     return vmi_complex((a.re + a.im * q) / d, (a.im - a.re * q) / d);
 }
 
@@ -2087,7 +2097,8 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
         vm_complex share;
         if (j == i || (apart.re == 0 && apart.im == 0)) continue;
         share = vmi_c_over(one, apart);
-        others.re += share.re, others.im += share.im;
+        others.re += share.re;
+        others.im += share.im;
     }
     others = vmi_c_times(p, others);
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
@@ -2097,15 +2108,20 @@ VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);
     int j;
-    for (j = 1; j <= n; j++) p = p * x + c[j], size = size * VM_FABS(x) + VM_FABS(c[j]);
+    for (j = 1; j <= n; j++) {
+        p = p * x + c[j];
+        size = size * VM_FABS(x) + VM_FABS(c[j]);
+    }
     return VM_FABS(p) <= (vm_real)(4 * n) * VM_EPSILON * size;
 }
 
 VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 {
     const vm_real x = re[i], y = im[i];
-    re[i] = re[j], im[i] = im[j];
-    re[j] = x, im[j] = y;
+    re[i] = re[j];
+    im[i] = im[j];
+    re[j] = x;
+    im[j] = y;
 }
 
 /* Makes what rounding left of an imaginary part 0, and conjugate the others by twos: im > 0, then im < 0; by rising
@@ -2140,13 +2156,17 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const int most_sweeps = 100;
     int i, sweep, moving = 1, m = n;
-    while (m > 0 && c[m] == 0) m--, re[m] = im[m] = 0;
+    while (m > 0 && c[m] == 0) {
+        m--;
+        re[m] = im[m] = 0;
+    }
     for (i = 0; i < m; i++) /* not symmetric about the real axis, which no step would then leave */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
             const vm_complex step = vmi_poly_step(m, c, re, im, i);
-            re[i] -= step.re, im[i] -= step.im;
+            re[i] -= step.re;
+            im[i] -= step.im;
             moving += VM_FABS(step.re) + VM_FABS(step.im) > VM_EPSILON * (VM_FABS(re[i]) + VM_FABS(im[i]));
         }
     }
@@ -2158,7 +2178,9 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
 {
     vm_vec3 a;
-    a.x = x, a.y = y, a.z = z;
+    a.x = x;
+    a.y = y;
+    a.z = z;
     return a;
 }
 
@@ -2202,7 +2224,10 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
     if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
     if (largest == 0) q.w = largest = 1;
-    q.w /= largest, q.x /= largest, q.y /= largest, q.z /= largest;
+    q.w /= largest;
+    q.x /= largest;
+    q.y /= largest;
+    q.z /= largest;
     return q;
 }
 
@@ -2241,16 +2266,24 @@ VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
-    t.xx = vmi_dot(m->x, x), t.yy = vmi_dot(m->y, y), t.zz = vmi_dot(m->z, z);
-    t.xy = vmi_dot(m->x, y), t.xz = vmi_dot(m->x, z), t.yz = vmi_dot(m->y, z);
+    t.xx = vmi_dot(m->x, x);
+    t.yy = vmi_dot(m->y, y);
+    t.zz = vmi_dot(m->z, z);
+    t.xy = vmi_dot(m->x, y);
+    t.xz = vmi_dot(m->x, z);
+    t.yz = vmi_dot(m->y, z);
     return t;
 }
 
 /* a + c b */
 VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
 {
-    a.xx += c * b.xx, a.yy += c * b.yy, a.zz += c * b.zz;
-    a.xy += c * b.xy, a.xz += c * b.xz, a.yz += c * b.yz;
+    a.xx += c * b.xx;
+    a.yy += c * b.yy;
+    a.zz += c * b.zz;
+    a.xy += c * b.xy;
+    a.xz += c * b.xz;
+    a.yz += c * b.yz;
     return a;
 }
 
@@ -2258,8 +2291,12 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
-    p.xx = d.y * d.y + d.z * d.z, p.yy = d.x * d.x + d.z * d.z, p.zz = d.x * d.x + d.y * d.y;
-    p.xy = -d.x * d.y, p.xz = -d.x * d.z, p.yz = -d.y * d.z;
+    p.xx = d.y * d.y + d.z * d.z;
+    p.yy = d.x * d.x + d.z * d.z;
+    p.zz = d.x * d.x + d.y * d.y;
+    p.xy = -d.x * d.y;
+    p.xz = -d.x * d.z;
+    p.yz = -d.y * d.z;
     return p;
 }
 
@@ -2277,11 +2314,13 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     a[p][p] -= t * a[p][q];
     a[q][q] += t * a[p][q];
     a[p][q] = a[q][p] = 0;
-    x = a[k][p], y = a[k][q];
+    x = a[k][p];
+    y = a[k][q];
     a[k][p] = a[p][k] = c * x - s * y;
     a[k][q] = a[q][k] = s * x + c * y;
     for (k = 0; k < 3; k++) {
-        x = v[k][p], y = v[k][q];
+        x = v[k][p];
+        y = v[k][q];
         v[k][p] = c * x - s * y;
         v[k][q] = s * x + c * y;
     }
@@ -2294,8 +2333,12 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vmi_principal result;
     int sweep, p, q;
-    a[0][0] = i->xx, a[1][1] = i->yy, a[2][2] = i->zz;
-    a[0][1] = a[1][0] = i->xy, a[0][2] = a[2][0] = i->xz, a[1][2] = a[2][1] = i->yz;
+    a[0][0] = i->xx;
+    a[1][1] = i->yy;
+    a[2][2] = i->zz;
+    a[0][1] = a[1][0] = i->xy;
+    a[0][2] = a[2][0] = i->xz;
+    a[1][2] = a[2][1] = i->yz;
     for (sweep = 0; sweep < most_sweeps; sweep++)
         for (p = 0; p < 2; p++)
             for (q = p + 1; q < 3; q++)
@@ -2322,12 +2365,14 @@ VM_API int vmi_settle(vmi_principal *p, const vm_inertia *sizes)
     for (k = 0; k < 3; k++) {
         vm_vec3 e = vmi_abs(p->axis[k]);
         if (p->moment[k] > 8 * VM_EPSILON * vmi_dot(e, vmi_inertia_times(sizes, e)) || p->moment[k] == 0) continue;
-        p->moment[k] = 0, changed = 1;
+        p->moment[k] = 0;
+        changed = 1;
     }
     for (k = 0; k < 3; k++) {
         vm_real others = p->moment[(k + 1) % 3] + p->moment[(k + 2) % 3];
         if (p->moment[k] <= others) continue;
-        p->moment[k] = others, changed = 1;
+        p->moment[k] = others;
+        changed = 1;
     }
     return changed;
 }
@@ -2339,8 +2384,12 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     int k;
     for (k = 0; k < 3; k++) {
         vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
-        i.xx += m.x * e.x, i.yy += m.y * e.y, i.zz += m.z * e.z;
-        i.xy += m.x * e.y, i.xz += m.x * e.z, i.yz += m.y * e.z;
+        i.xx += m.x * e.x;
+        i.yy += m.y * e.y;
+        i.zz += m.z * e.z;
+        i.xy += m.x * e.y;
+        i.xz += m.x * e.z;
+        i.yz += m.y * e.z;
     }
     return i;
 }
@@ -2393,8 +2442,10 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 VM_API vm_body vmi_lifted(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    b.mass = body->mass, b.inertia.zz = body->inertia;
-    b.r = vmi_vec3(body->x, body->y, 0), b.v = vmi_vec3(body->vx, body->vy, 0);
+    b.mass = body->mass;
+    b.inertia.zz = body->inertia;
+    b.r = vmi_vec3(body->x, body->y, 0);
+    b.v = vmi_vec3(body->vx, body->vy, 0);
     b.omega = vmi_vec3(0, 0, body->omega);
     return b;
 }
@@ -2568,9 +2619,15 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
     vmi_mat3 b;
-    a.xx = VM_FABS(i->xx), a.yy = VM_FABS(i->yy), a.zz = VM_FABS(i->zz);
-    a.xy = VM_FABS(i->xy), a.xz = VM_FABS(i->xz), a.yz = VM_FABS(i->yz);
-    b.x = vmi_abs(m->x), b.y = vmi_abs(m->y), b.z = vmi_abs(m->z);
+    a.xx = VM_FABS(i->xx);
+    a.yy = VM_FABS(i->yy);
+    a.zz = VM_FABS(i->zz);
+    a.xy = VM_FABS(i->xy);
+    a.xz = VM_FABS(i->xz);
+    a.yz = VM_FABS(i->yz);
+    b.x = vmi_abs(m->x);
+    b.y = vmi_abs(m->y);
+    b.z = vmi_abs(m->z);
     return vmi_inertia_along(&a, &b);
 }
 
@@ -2586,7 +2643,8 @@ VM_API vmi_load vmi_load_of(const vmi_frame *frame, const vm_body *body)
         turn.z = vmi_times_transposed(&own, frame->turn.z);
     }
     load.mass = body->mass;
-    load.r = vmi_sub(body->r, frame->r), load.v = vmi_sub(body->v, frame->v);
+    load.r = vmi_sub(body->r, frame->r);
+    load.v = vmi_sub(body->v, frame->v);
     load.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     load.inertia = vmi_inertia_along(&body->inertia, &turn);
     load.sizes = vmi_inertia_sizes(&body->inertia, &turn);
@@ -2599,11 +2657,16 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 {
     vmi_mat3 turn;
     vm_vec3 size;
-    turn.x = vmi_abs(frame->turn.x), turn.y = vmi_abs(frame->turn.y), turn.z = vmi_abs(frame->turn.z);
-    size = vmi_times_transposed(&turn, vmi_abs(d)), reach = vmi_times_transposed(&turn, reach);
+    turn.x = vmi_abs(frame->turn.x);
+    turn.y = vmi_abs(frame->turn.y);
+    turn.z = vmi_abs(frame->turn.z);
+    size = vmi_times_transposed(&turn, vmi_abs(d));
+    reach = vmi_times_transposed(&turn, reach);
     *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* d^2 and 2 d reach */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
-    sizes->xy = VM_FABS(sizes->xy), sizes->xz = VM_FABS(sizes->xz), sizes->yz = VM_FABS(sizes->yz);
+    sizes->xy = VM_FABS(sizes->xy);
+    sizes->xz = VM_FABS(sizes->xz);
+    sizes->yz = VM_FABS(sizes->yz);
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
@@ -2667,12 +2730,18 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     vm_real mass = body->mass;
     vmi_frame frame;
     int i;
-    frame.q = body->q, frame.turn = vmi_rotation(body->q);
-    frame.r = body->r, frame.v = body->v;
+    frame.q = body->q;
+    frame.turn = vmi_rotation(body->q);
+    frame.r = body->r;
+    frame.v = body->v;
     frame.omega = sign < 0 || others->n == 0 ? body->omega : vmi_vec3(0, 0, 0);
     for (i = 0; i < others->n; i++) {
         const vm_body b = vmi_pick(others, i);
-        if (b.mass > mass) mass = b.mass, frame.r = b.r, frame.v = b.v;
+        if (b.mass > mass) {
+            mass = b.mass;
+            frame.r = b.r;
+            frame.v = b.v;
+        }
     }
     return frame;
 }
@@ -2727,7 +2796,9 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     vm_body b;
     int status;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    list.n = n, list.in_space = others, list.in_plane = NULL;
+    list.n = n;
+    list.in_space = others;
+    list.in_plane = NULL;
     status = vmi_check_body(body);
     if (!status) status = vmi_check_bodies(&list);
     if (status) return status;
@@ -2735,8 +2806,11 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     status = vmi_jump_total(&frame, body, sign, &list, external, &load);
     if (!status) status = vmi_settle_load(&load, &p);
     if (status) return status;
-    b.mass = load.mass, b.inertia = load.inertia, b.q = body->q;
-    b.r = vmi_add(frame.r, load.r), b.v = vmi_add(frame.v, load.v);
+    b.mass = load.mass;
+    b.inertia = load.inertia;
+    b.q = body->q;
+    b.r = vmi_add(frame.r, load.r);
+    b.v = vmi_add(frame.v, load.v);
     if (vmi_load_spin(&frame, &load, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
     b.omega = vmi_add(frame.omega, b.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
@@ -2769,7 +2843,9 @@ VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const
 VM_API vm_body vmi_bare(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    b.mass = mass, b.inertia = *inertia, b.r = r;
+    b.mass = mass;
+    b.inertia = *inertia;
+    b.r = r;
     return b;
 }
 
@@ -2779,9 +2855,13 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     vm_body first, second;
     int status;
     if (!a || !b || !joined || !centre) return VM_BAD_ARGUMENT;
-    first = vmi_bare(mass_a, a, vmi_vec3(0, 0, 0)), second = vmi_bare(mass_b, b, d);
+    first = vmi_bare(mass_a, a, vmi_vec3(0, 0, 0));
+    second = vmi_bare(mass_b, b, d);
     status = vmi_jump(&first, 1, &second, sign, NULL, &first);
-    if (!status) *joined = first.inertia, *centre = first.r;
+    if (!status) {
+        *joined = first.inertia;
+        *centre = first.r;
+    }
     return status;
 }
 
@@ -2802,7 +2882,8 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 VM_API vm_impulse vmi_lifted_impulse(const vm_impulse2 *j)
 {
     vm_impulse lifted;
-    lifted.linear = vmi_vec3(j->jx, j->jy, 0), lifted.couple = vmi_vec3(0, 0, j->couple);
+    lifted.linear = vmi_vec3(j->jx, j->jy, 0);
+    lifted.couple = vmi_vec3(0, 0, j->couple);
     lifted.at = vmi_vec3(j->x, j->y, 0);
     return lifted;
 }
@@ -2810,8 +2891,14 @@ VM_API vm_impulse vmi_lifted_impulse(const vm_impulse2 *j)
 VM_API vm_body2 vmi_flat(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
-    flat.mass = b->mass, flat.inertia = b->inertia.zz, flat.angle = angle;
-    flat.x = b->r.x, flat.y = b->r.y, flat.vx = b->v.x, flat.vy = b->v.y, flat.omega = b->omega.z;
+    flat.mass = b->mass;
+    flat.inertia = b->inertia.zz;
+    flat.angle = angle;
+    flat.x = b->r.x;
+    flat.y = b->r.y;
+    flat.vx = b->v.x;
+    flat.vy = b->v.y;
+    flat.omega = b->omega.z;
     return flat;
 }
 
@@ -2855,12 +2942,18 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     vm_body2 b;
     int status;
     if (!body || !result || (n > 0 && !others)) return VM_BAD_ARGUMENT;
-    list.n = n, list.in_space = NULL, list.in_plane = others;
+    list.n = n;
+    list.in_space = NULL;
+    list.in_plane = others;
     status = vmi_jump_total2(body, &list, sign, external, &frame, &load);
     if (status) return status;
-    b.mass = load.mass, b.inertia = load.inertia.zz, b.angle = body->angle;
-    b.x = frame.r.x + load.r.x, b.y = frame.r.y + load.r.y;
-    b.vx = frame.v.x + load.v.x, b.vy = frame.v.y + load.v.y;
+    b.mass = load.mass;
+    b.inertia = load.inertia.zz;
+    b.angle = body->angle;
+    b.x = frame.r.x + load.r.x;
+    b.y = frame.r.y + load.r.y;
+    b.vx = frame.v.x + load.v.x;
+    b.vy = frame.v.y + load.v.y;
     if (vmi_load_spin2(&load, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
     b.omega += frame.omega.z;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
@@ -2926,7 +3019,8 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    whole = vmi_lifted(to), b = vmi_lifted(absolute);
+    whole = vmi_lifted(to);
+    b = vmi_lifted(absolute);
     vm_to_relative(&whole, &b, &b);
     *relative = vmi_flat(&b, absolute->angle);
     return VM_OK;
@@ -2936,7 +3030,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    whole = vmi_lifted(to), b = vmi_lifted(relative);
+    whole = vmi_lifted(to);
+    b = vmi_lifted(relative);
     vm_to_absolute(&whole, &b, &b);
     *absolute = vmi_flat(&b, relative->angle);
     return VM_OK;
@@ -3014,7 +3109,9 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *b, const vm_im
     vmi_bodies list;
     vmi_principal p;
     int status = vmi_check_body(whole);
-    list.n = 1, list.in_space = &unturned, list.in_plane = NULL;
+    list.n = 1;
+    list.in_space = &unturned;
+    list.in_plane = NULL;
     if (!status) status = vmi_check_bodies(&list);
     if (status) return status;
     unturned.omega = whole->omega;
@@ -3039,7 +3136,9 @@ VM_API int vm_separate_for(const vm_body *whole, const vm_body *part, const vm_i
     status = vmi_unturned_rest(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (rest_omega_or_NULL) {
-        own = frame, own.q = b.q, own.turn = vmi_rotation(b.q); /* along the part's axes */
+        own = frame;
+        own.q = b.q;
+        own.turn = vmi_rotation(b.q); /* along the part's axes */
         load = vmi_load_of(&own, &b);
         load.h = vmi_part_spin_momentum(&frame, &rest, *rest_omega_or_NULL);
         load.noise = rest.noise +
@@ -3063,7 +3162,9 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *b, const vm
     int status = vmi_check_body2(b);
     if (status) return status;
     unturned.omega = whole->omega;
-    list.n = 1, list.in_space = NULL, list.in_plane = &unturned;
+    list.n = 1;
+    list.in_space = NULL;
+    list.in_plane = &unturned;
     return vmi_jump_total2(whole, &list, -1, external, frame, rest);
 }
 
@@ -3085,12 +3186,14 @@ VM_API int vm_separate_for2(const vm_body2 *whole, const vm_body2 *part, const v
         if (external_or_NULL) blow = vmi_lifted_impulse(external_or_NULL);
         v = vmi_part_velocity(&from, &leaving, external_or_NULL ? &blow : NULL,
                               vmi_vec3(rest_v_or_NULL[0], rest_v_or_NULL[1], 0));
-        b.vx = v.x, b.vy = v.y;
+        b.vx = v.x;
+        b.vy = v.y;
     }
     status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (rest_omega_or_NULL) {
-        load = rest, load.inertia.zz = b.inertia;
+        load = rest;
+        load.inertia.zz = b.inertia;
         load.h = vmi_part_spin_momentum(&frame, &rest, vmi_vec3(0, 0, *rest_omega_or_NULL));
         load.noise += rest.inertia.zz * (VM_FABS(*rest_omega_or_NULL) + VM_FABS(whole->omega));
         if (vmi_load_spin2(&load, b.omega - whole->omega, &b.omega)) status = VM_NULL_AXIS;
@@ -3112,14 +3215,18 @@ VM_API int vm_separate_for_spin2(const vm_body2 *whole, const vm_body2 *part, co
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(rest_omega)) return VM_NOT_FINITE;
-    b = *part, dx = b.x - whole->x, dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy, b.vy = whole->vy + whole->omega * dx;
+    b = *part;
+    dx = b.x - whole->x;
+    dy = b.y - whole->y;
+    b.vx = whole->vx - whole->omega * dy;
+    b.vy = whole->vy + whole->omega * dx;
     status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
-    b.vx -= c * dy, b.vy += c * dx;
+    b.vx -= c * dy;
+    b.vy += c * dx;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
     *moving = b;
     return VM_OK;
@@ -3179,9 +3286,13 @@ VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
     vm_real sine, cosine, fx, fy;
     (void)t;
     vmi_sincos(y[2], &sine, &cosine);
-    fx = -r->stiffness * (y[0] + r->s * cosine), fy = -r->stiffness * (y[1] + r->s * sine); /* (66) */
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
-    dydt[3] = fx / r->mass, dydt[4] = fy / r->mass;
+    fx = -r->stiffness * (y[0] + r->s * cosine);
+    fy = -r->stiffness * (y[1] + r->s * sine); /* (66) */
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = y[5];
+    dydt[3] = fx / r->mass;
+    dydt[4] = fy / r->mass;
     dydt[5] = (r->torque - r->damping * y[5] + r->s * (cosine * fy - sine * fx)) / r->inertia;
     return 0;
 }
@@ -3195,7 +3306,9 @@ VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
 {
     vmi_rotor_linear a;
     a.omega = VM_SQRT(r->stiffness / r->mass);
-    a.k = r->damping / r->inertia, a.torque = r->torque / r->inertia, a.s = r->s;
+    a.k = r->damping / r->inertia;
+    a.torque = r->torque / r->inertia;
+    a.s = r->s;
     a.coupling = coupled ? r->s * (r->stiffness / r->inertia) : 0;
     return a;
 }
@@ -3208,13 +3321,21 @@ VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real
     const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
     vm_real y0 = z[0], psi0 = z[1], y1 = z[2] * h, psi1 = z[3] * h, drive = a->torque * h * h;
     int n;
-    change[0] = y1, change[1] = psi1, change[2] = change[3] = 0;
+    change[0] = y1;
+    change[1] = psi1;
+    change[2] = change[3] = 0;
     for (n = 2; n < terms && h != 0; n++) {
         const vm_real share = 1 / (vm_real)(n * (n - 1)), y2 = -omega_h2 * (y0 + a->s * psi0) * share;
         const vm_real psi2 = (drive - k_h * (vm_real)(n - 1) * psi1 - coupling_h2 * y0) * share;
-        change[0] += y2, change[1] += psi2;
-        change[2] += (vm_real)n * y2 / h, change[3] += (vm_real)n * psi2 / h;
-        y0 = y1, psi0 = psi1, y1 = y2, psi1 = psi2, drive = 0;
+        change[0] += y2;
+        change[1] += psi2;
+        change[2] += (vm_real)n * y2 / h;
+        change[3] += (vm_real)n * psi2 / h;
+        y0 = y1;
+        psi0 = psi1;
+        y1 = y2;
+        psi1 = psi2;
+        drive = 0;
     }
 }
 
@@ -3276,7 +3397,9 @@ VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_rot
     const vm_real y0 = z[0], psi0 = z[1], v0 = z[2], rate0 = z[3];
     vm_real E0, E1, E2, g0, g1, g2;
     vmi_rotor_exp_quotients(-a->k * t, &E1, &E2);
-    E0 = vmi_exp(-a->k * t, 0), E1 *= t, E2 *= t * t;
+    E0 = vmi_exp(-a->k * t, 0);
+    E1 *= t;
+    E2 *= t * t;
     g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
     g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
     g2 = (w2 * E2 + (a->k * g->late - g->c1)) / sum;
@@ -3330,12 +3453,18 @@ VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real 
     if (status) return status;
     a = vmi_rotor_reduced(rotor, coupled);
     g = vmi_rotor_swing_at(t, a.omega);
-    z[0] = start[1], z[1] = start[2], z[2] = start[4], z[3] = start[5];
+    z[0] = start[1];
+    z[1] = start[2];
+    z[2] = start[4];
+    z[3] = start[5];
     if (coupled || VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_double(t, &a, z);
     else vmi_rotor_follow(t, &a, &g, z);
     y[0] = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
     y[3] = start[3] * g.c - g.w_s * (start[0] + a.s);
-    y[1] = z[0], y[2] = z[1], y[4] = z[2], y[5] = z[3];
+    y[1] = z[0];
+    y[2] = z[1];
+    y[4] = z[2];
+    y[5] = z[3];
     return vmi_deliver(6, y, end);
 }
 
@@ -3365,9 +3494,13 @@ VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *
     status = vmi_check_rotor(rotor);
     if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
     if (status) return status;
-    w = VM_SQRT(rotor->stiffness / rotor->mass), vx = start[3] / w, vy = start[4] / w;
-    c[0] = (start[0] + vy) / 2, c[1] = (start[1] - vx) / 2;
-    c[2] = (start[0] - vy) / 2, c[3] = (start[1] + vx) / 2;
+    w = VM_SQRT(rotor->stiffness / rotor->mass);
+    vx = start[3] / w;
+    vy = start[4] / w;
+    c[0] = (start[0] + vy) / 2;
+    c[1] = (start[1] - vx) / 2;
+    c[2] = (start[0] - vy) / 2;
+    c[3] = (start[1] + vx) / 2;
     return vmi_deliver(4, c, abcd);
 }
 
@@ -3394,8 +3527,11 @@ VM_API void vmi_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
 VM_API void vmi_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                             vm_real spin, vm_real *state)
 {
-    state[0] = before[0] + dx, state[1] = before[1] + dy, state[2] = psi;
-    state[3] = before[3] - before[5] * dy + ux, state[4] = before[4] + before[5] * dx + uy;
+    state[0] = before[0] + dx;
+    state[1] = before[1] + dy;
+    state[2] = psi;
+    state[3] = before[3] - before[5] * dy + ux;
+    state[4] = before[4] + before[5] * dx + uy;
     state[5] = before[5] + spin;
 }
 
@@ -3418,9 +3554,11 @@ VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p,
     const vm_real ux = v[0] - spin * d[1], uy = v[1] + spin * d[0], reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d[0], reach_y = -d[1], reach = vmi_hypot(reach_x, reach_y);
     vm_real moment; /* SS2 x v_T */
-    e[0] = reach_x / reach, e[1] = reach_y / reach;
+    e[0] = reach_x / reach;
+    e[1] = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
-    b->gamma = vmi_atan2(uy, ux), b->beta = vmi_atan2(reach_y, reach_x);
+    b->gamma = vmi_atan2(uy, ux);
+    b->beta = vmi_atan2(reach_y, reach_x);
     b->normal = ux * e[0] + uy * e[1];
     b->tangential = uy * e[0] - ux * e[1];
     moment = b->tangential * (d[0] * e[0] + d[1] * e[1]);
@@ -3445,15 +3583,18 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
     if (status) return status;
 
     vmi_sincos(piece->alpha, &sine, &cosine);
-    d[0] = piece->distance * cosine, d[1] = -piece->distance * sine;
+    d[0] = piece->distance * cosine;
+    d[1] = -piece->distance * sine;
     vmi_sincos(piece->contact, &sine, &cosine);
-    v[0] = before[3], v[1] = before[4];
+    v[0] = before[3];
+    v[1] = before[4];
     vmi_rotor_turn(-sine, cosine, &v[0], &v[1]);
     if (!(vmi_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
 
     vmi_rotor_turn(sine, cosine, &d[0], &d[1]);
     vmi_rotor_turn(sine, cosine, &e[0], &e[1]);
-    share = piece->mass / b.rest.mass, T = b.tangential;
+    share = piece->mass / b.rest.mass;
+    T = b.tangential;
     vmi_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
     vmi_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
                     share * T * e[0], b.spin_rest, b.state);
@@ -3473,7 +3614,9 @@ VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     (void)t;
     if (!(y[0] > 0)) return VM_DOMAIN;
     vmi_sincos(y[1] - y[2], &sine, &cosine);
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = y[5];
     dydt[3] = y[0] * (y[4] * y[4]) - w2 * (y[0] + r->s * cosine);
     dydt[4] = (r->s * w2 * sine - 2 * y[3] * y[4]) / y[0];
     dydt[5] = (r->torque - r->damping * y[5] - r->s * r->stiffness * y[0] * sine) / r->inertia;
@@ -3487,9 +3630,13 @@ VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar)
     if (!vmi_all_finite(6, y)) return VM_NOT_FINITE;
     p[0] = vmi_hypot(y[0], y[1]);
     if (!(p[0] > 0)) return VM_DOMAIN;
-    c = y[0] / p[0], s = y[1] / p[0];
-    p[1] = vmi_atan2(y[1], y[0]), p[2] = y[2];
-    p[3] = c * y[3] + s * y[4], p[4] = (c * y[4] - s * y[3]) / p[0], p[5] = y[5];
+    c = y[0] / p[0];
+    s = y[1] / p[0];
+    p[1] = vmi_atan2(y[1], y[0]);
+    p[2] = y[2];
+    p[3] = c * y[3] + s * y[4];
+    p[4] = (c * y[4] - s * y[3]) / p[0];
+    p[5] = y[5];
     return vmi_deliver(6, p, polar);
 }
 
@@ -3501,8 +3648,12 @@ VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
     if (!(polar[0] > 0)) return VM_DOMAIN;
     vmi_sincos(polar[1], &s, &c);
     across = polar[0] * polar[4];
-    z[0] = polar[0] * c, z[1] = polar[0] * s, z[2] = polar[2];
-    z[3] = polar[3] * c - across * s, z[4] = polar[3] * s + across * c, z[5] = polar[5];
+    z[0] = polar[0] * c;
+    z[1] = polar[0] * s;
+    z[2] = polar[2];
+    z[3] = polar[3] * c - across * s;
+    z[4] = polar[3] * s + across * c;
+    z[5] = polar[5];
     return vmi_deliver(6, z, y);
 }
 
@@ -3540,7 +3691,9 @@ VM_API int vmi_rotor_about_steady(const vm_rotor *r, vm_real Omega, vmi_rotor_st
     if (status) return status;
     detuning = vmi_rotor_detuning(r, Omega);
     if (detuning == 0) return VM_DOMAIN;
-    a->w2 = r->stiffness / r->mass, a->O2 = Omega * Omega, a->k = r->damping / r->inertia;
+    a->w2 = r->stiffness / r->mass;
+    a->O2 = Omega * Omega;
+    a->k = r->damping / r->inertia;
     a->D = detuning / r->mass;
     a->G = r->s * (r->stiffness / detuning) * (r->s * r->stiffness / r->inertia);
     return VM_OK;
@@ -3552,9 +3705,12 @@ VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c)
     vm_real p[6];
     int status = c ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
-    p[0] = 1, p[1] = a.k;
-    p[2] = 2 * (a.w2 + a.O2) + a.G, p[3] = 2 * a.k * (a.w2 + a.O2);
-    p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2), p[5] = a.k * (a.D * a.D);
+    p[0] = 1;
+    p[1] = a.k;
+    p[2] = 2 * (a.w2 + a.O2) + a.G;
+    p[3] = 2 * a.k * (a.w2 + a.O2);
+    p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2);
+    p[5] = a.k * (a.D * a.D);
     return vmi_deliver(6, p, c);
 }
 
@@ -3564,8 +3720,12 @@ VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
     vm_real p[6];
     int status = column ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
-    p[0] = 1, p[1] = a.k, p[2] = a.G;
-    p[3] = a.k * a.D, p[4] = 4 * a.G * a.O2, p[5] = a.k * (a.D * a.D);
+    p[0] = 1;
+    p[1] = a.k;
+    p[2] = a.G;
+    p[3] = a.k * a.D;
+    p[4] = 4 * a.G * a.O2;
+    p[5] = a.k * (a.D * a.D);
     return vmi_deliver(6, p, column);
 }
 
@@ -3587,7 +3747,10 @@ VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *r
     for (i = 1, power = 1 / size; i < 6; i++, power /= size) c[i] *= power;
     if (!vmi_all_finite(6, c)) return VM_NOT_FINITE;
     vmi_poly_roots(5, c, x, y);
-    for (i = 0; i < 5; i++) x[i] *= size, y[i] *= size;
+    for (i = 0; i < 5; i++) {
+        x[i] *= size;
+        y[i] *= size;
+    }
     if (!vmi_all_finite(5, x)) return VM_NOT_FINITE;
     status = vmi_deliver(5, y, im);
     if (!status) memcpy(re, x, sizeof x);
@@ -3629,7 +3792,8 @@ VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
     if (!rotor || vmi_check_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    over = -vmi_rotor_detuning(rotor, Omega), w = VM_SQRT(rotor->stiffness / rotor->mass);
+    over = -vmi_rotor_detuning(rotor, Omega);
+    w = VM_SQRT(rotor->stiffness / rotor->mass);
     if (!(over >= 0) || !(w > 0) || !(rotor->damping >= 0)) return VM_NAN;
     A = rotor->damping * (over / rotor->mass / (VM_FABS(Omega) + w)) / (2 * rotor->mass * w);
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
@@ -3742,18 +3906,29 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
     if (status) return status;
-    if (pendulum->axes == VM_AXES_COS_SIN) vmi_sincos(pendulum->angle, &ey, &ex), fx = -ey, fy = ex;
-    else vmi_sincos(pendulum->angle, &ex, &ey), fx = ey, fy = -ex;
-    rho = pendulum->length - part / 2, left = pendulum->length - part;
+    if (pendulum->axes == VM_AXES_COS_SIN) {
+        vmi_sincos(pendulum->angle, &ey, &ex);
+        fx = -ey;
+        fy = ex;
+    } else {
+        vmi_sincos(pendulum->angle, &ex, &ey);
+        fx = ey;
+        fy = -ex;
+    }
+    rho = pendulum->length - part / 2;
+    left = pendulum->length - part;
     across = ux * fx + uy * fy;
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
-    c.rest.mass = rest_mass = pendulum->mass * (left / pendulum->length), c.rest.length = left;
+    c.rest.mass = rest_mass = pendulum->mass * (left / pendulum->length);
+    c.rest.length = left;
     c.rest.rate = pendulum->rate + change;
     c.mass = pendulum->mass * (part / pendulum->length);
-    c.x = rho * ex, c.y = rho * ey;
-    c.vx = pendulum->rate * rho * fx + ux, c.vy = pendulum->rate * rho * fy + uy;
+    c.x = rho * ex;
+    c.y = rho * ey;
+    c.vx = pendulum->rate * rho * fx + ux;
+    c.vy = pendulum->rate * rho * fy + uy;
     c.rate = pendulum->rate + Omega;
     c.L1 = rest_mass * left * left * c.rest.rate / 3;
     c.L2 = c.mass * (part * part * c.rate / 12 + rho * (rho * pendulum->rate + across));
@@ -3818,7 +3993,9 @@ VM_API vm_two vmi_turn_dot(const vmi_vec3_two *a, const vmi_vec3_two *b)
 VM_API vmi_vec3_two vmi_turn_vector(vm_vec3 a, vm_real power) /* a/power */
 {
     vmi_vec3_two v;
-    v.x[0] = vmi_two(a.x / power, 0), v.x[1] = vmi_two(a.y / power, 0), v.x[2] = vmi_two(a.z / power, 0);
+    v.x[0] = vmi_two(a.x / power, 0);
+    v.x[1] = vmi_two(a.y / power, 0);
+    v.x[2] = vmi_two(a.z / power, 0);
     return v;
 }
 
@@ -3868,11 +4045,13 @@ VM_API void vmi_turn_annihilate(vm_two a[3][3], vmi_vec3_two *axis, int p, int q
     a[p][p] = vmi_two_minus(a[p][p], x);
     a[q][q] = vmi_two_plus(a[q][q], x);
     a[p][q] = a[q][p] = vmi_two(0, 0);
-    x = a[k][p], y = a[k][q];
+    x = a[k][p];
+    y = a[k][q];
     a[k][p] = a[p][k] = vmi_two_minus(vmi_two_times(c, x), vmi_two_times(s, y));
     a[k][q] = a[q][k] = vmi_two_plus(vmi_two_times(s, x), vmi_two_times(c, y));
     for (k = 0; k < 3; k++) {
-        x = axis[p].x[k], y = axis[q].x[k];
+        x = axis[p].x[k];
+        y = axis[q].x[k];
         axis[p].x[k] = vmi_two_minus(vmi_two_times(c, x), vmi_two_times(s, y));
         axis[q].x[k] = vmi_two_plus(vmi_two_times(s, x), vmi_two_times(c, y));
     }
@@ -3886,7 +4065,9 @@ VM_API void vmi_turn_principal(const vm_inertia *i, vmi_turn_body *b)
     int sweep, p, q, k;
     memset(b, 0, sizeof *b);
     memset(a, 0, sizeof a);
-    a[0][0].hi = i->xx / power, a[1][1].hi = i->yy / power, a[2][2].hi = i->zz / power;
+    a[0][0].hi = i->xx / power;
+    a[1][1].hi = i->yy / power;
+    a[2][2].hi = i->zz / power;
     a[0][1].hi = a[1][0].hi = i->xy / power;
     a[0][2].hi = a[2][0].hi = i->xz / power;
     a[1][2].hi = a[2][1].hi = i->yz / power;
@@ -3952,7 +4133,9 @@ VM_API int vmi_turn_sort(const vm_two *J, int *order)
     for (k = 0; k < 3; k++) { /* the first two, the last two, the first two */
         const int i = k == 1, first = order[i];
         if (!(vmi_two_minus(J[order[i + 1]], J[first]).hi > 0)) continue;
-        order[i] = order[i + 1], order[i + 1] = first, even = !even;
+        order[i] = order[i + 1];
+        order[i + 1] = first;
+        even = !even;
     }
     return even;
 }
@@ -3967,13 +4150,21 @@ VM_API vmi_turn_axes vmi_turn_order(const vmi_turn_body *b)
     const vmi_three S = vmi_turn_separation(J, w, first, middle, last);
     vmi_turn_axes t;
     falling = vmi_turn_equal(J[first], J[middle]) || (!vmi_turn_equal(J[middle], J[last]) && S.hi >= 0);
-    if (!falling) order[0] = last, order[2] = first, even = !even;
+    if (!falling) {
+        order[0] = last;
+        order[2] = first;
+        even = !even;
+    }
     t.sigma = falling ? 1 : -1;
     t.S = vmi_two_shifted(vmi_two(S.hi, S.mid), S.hi < 0 ? -1 : 1);
-    t.I1 = J[order[0]], t.I2 = J[middle], t.I3 = J[order[2]];
+    t.I1 = J[order[0]];
+    t.I2 = J[middle];
+    t.I3 = J[order[2]];
     t.symmetric = vmi_turn_equal(t.I1, t.I2);
     if (t.symmetric) t.I2 = t.I1;
-    t.w1 = w[order[0]], t.w2 = w[middle], t.w3 = vmi_two_shifted(w[order[2]], even ? 1 : -1);
+    t.w1 = w[order[0]];
+    t.w2 = w[middle];
+    t.w3 = vmi_two_shifted(w[order[2]], even ? 1 : -1);
     t.s = t.w3.hi < 0 ? -1 : 1;
     t.d12 = vmi_two_shifted(vmi_two_minus(t.I1, t.I2), t.sigma);
     t.d23 = vmi_two_shifted(vmi_two_minus(t.I2, t.I3), t.sigma);
@@ -4018,7 +4209,8 @@ VM_API vmi_turn_squares vmi_turn_amplitudes(const vmi_turn_axes *t)
     q.a1 = vmi_two_plus(vmi_two_times(t->w1, t->w1), vmi_two_times(ratio, ww2));
     q.a2 = vmi_two_over(q.a1, ratio);
     q.a3 = vmi_two_times(t->w3, t->w3);
-    q.m1 = vmi_two(1, 0), q.m = vmi_two(0, 0);
+    q.m1 = vmi_two(1, 0);
+    q.m = vmi_two(0, 0);
     if (!t->symmetric) {
         x = vmi_two_over(vmi_two_times(t->I2, t->d12), vmi_two_times(t->I3, t->d13));
         q.a3 = vmi_two_plus(q.a3, vmi_two_times(x, ww2));
@@ -4194,12 +4386,16 @@ VM_API void vmi_turn_at(const vm_free_motion *m, vm_two t, vm_vec3 *omega, vm_qu
     vmi_doubled_at(&m->theta, u, &re, &im);
     vmi_sincos_turns(vmi_turn_fraction(m->turn_rate, t).hi + m->theta.shift * u, &sine, &cosine);
     w = 1 + m->lean[2] * dn;
-    x = m->lean[1] * sn, y = m->lean[0] * cn;
+    x = m->lean[1] * sn;
+    y = m->lean[0] * cn;
     norm = 1 / VM_SQRT(2 * w * (re * re + im * im));
     c = norm * (cosine * re - sine * im);
     s = norm * (sine * re + cosine * im);
     part = vmi_times(&m->axes, vmi_vec3(c * x - s * y, c * y + s * x, s * w));
-    turn->w = c * w, turn->x = part.x, turn->y = part.y, turn->z = part.z;
+    turn->w = c * w;
+    turn->x = part.x;
+    turn->y = part.y;
+    turn->z = part.z;
     *omega = vmi_times(&m->axes, vmi_vec3(m->spin[0] * cn, m->spin[1] * sn, m->spin[2] * dn));
 }
 
@@ -4215,7 +4411,9 @@ VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real pow
     vmi_turn_prepare(m, b);
     if (vmi_quat_is_none(q)) q.w = 1;
     vmi_turn_at(m, vmi_two(0, 0), &omega, &turn);
-    turn.x = -turn.x, turn.y = -turn.y, turn.z = -turn.z;
+    turn.x = -turn.x;
+    turn.y = -turn.y;
+    turn.z = -turn.z;
     m->start = vmi_quat_times(q, turn);
     for (k = 0; k < 3; k++) m->spin[k] *= power;
     m->phase_rate = vmi_two_shifted(m->phase_rate, power);
@@ -4258,7 +4456,9 @@ VM_API int vm_free_init_principal(vm_free_motion *motion, vm_vec3 moments, vm_qu
     if (!motion) return VM_BAD_ARGUMENT;
     memset(&body, 0, sizeof body);
     body.mass = 1;
-    body.inertia.xx = moments.x, body.inertia.yy = moments.y, body.inertia.zz = moments.z;
+    body.inertia.xx = moments.x;
+    body.inertia.yy = moments.y;
+    body.inertia.zz = moments.z;
     body.q = q;
     body.omega = omega;
     return vmi_turn_start(motion, &body, 1, t0);
@@ -4311,21 +4511,37 @@ VM_API int vm_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 /* ---- Chapter 5: continuous variation of mass ---------------------------------------------------------------- */
 
 VM_API vm_vec3 vmi_load3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
-VM_API void vmi_store3(vm_real *y, vm_vec3 a) { y[0] = a.x, y[1] = a.y, y[2] = a.z; }
+VM_API void vmi_store3(vm_real *y, vm_vec3 a) {
+y[0] = a.x;
+y[1] = a.y;
+y[2] = a.z; }
 VM_API vm_inertia vmi_stream_load_inertia(const vm_real *y)
 {
     vm_inertia i;
-    i.xx = y[0], i.yy = y[1], i.zz = y[2], i.xy = y[3], i.xz = y[4], i.yz = y[5];
+    i.xx = y[0];
+    i.yy = y[1];
+    i.zz = y[2];
+    i.xy = y[3];
+    i.xz = y[4];
+    i.yz = y[5];
     return i;
 }
 VM_API void vmi_stream_store_inertia(vm_real *y, const vm_inertia *i)
 {
-    y[0] = i->xx, y[1] = i->yy, y[2] = i->zz, y[3] = i->xy, y[4] = i->xz, y[5] = i->yz;
+    y[0] = i->xx;
+    y[1] = i->yy;
+    y[2] = i->zz;
+    y[3] = i->xy;
+    y[4] = i->xz;
+    y[5] = i->yz;
 }
 VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
 {
     vm_quat q;
-    q.w = y[0], q.x = y[1], q.y = y[2], q.z = y[3];
+    q.w = y[0];
+    q.x = y[1];
+    q.y = y[2];
+    q.z = y[3];
     return q;
 }
 
@@ -4352,9 +4568,13 @@ VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
 {
     const vm_real lost = 8 * VM_EPSILON;
     vm_real y, z, t;
-    f->x = 1 / i->xx, f->xy = i->xy * f->x, f->xz = i->xz * f->x;
-    y = i->yy - f->xy * i->xy, t = i->yz - f->xz * i->xy;
-    f->y = 1 / y, f->yz = t * f->y;
+    f->x = 1 / i->xx;
+    f->xy = i->xy * f->x;
+    f->xz = i->xz * f->x;
+    y = i->yy - f->xy * i->xy;
+    t = i->yz - f->xz * i->xy;
+    f->y = 1 / y;
+    f->yz = t * f->y;
     z = i->zz - f->xz * i->xz - f->yz * t;
     f->z = 1 / z;
     return i->xx > 0 && y > lost * i->yy && z > lost * i->zz;
@@ -4422,8 +4642,12 @@ VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, 
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
-    i.xx = rate * gyration->xx, i.yy = rate * gyration->yy, i.zz = rate * gyration->zz;
-    i.xy = rate * gyration->xy, i.xz = rate * gyration->xz, i.yz = rate * gyration->yz;
+    i.xx = rate * gyration->xx;
+    i.yy = rate * gyration->yy;
+    i.zz = rate * gyration->zz;
+    i.xy = rate * gyration->xy;
+    i.xz = rate * gyration->xz;
+    i.yz = rate * gyration->yz;
     return i;
 }
 
@@ -4440,7 +4664,10 @@ VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm
                                 vm_vec3 *push, vm_vec3 *spin)
 {
     switch (s->motion) {
-    case VM_RELATIVE: carried = vmi_add(carried, s->velocity), *spin = vmi_add(b->omega, s->spin); break;
+    case VM_RELATIVE:
+        carried = vmi_add(carried, s->velocity);
+        *spin = vmi_add(b->omega, s->spin);
+        break;
     case VM_ABSOLUTE:
         *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
@@ -4448,7 +4675,8 @@ VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm
         return 1;
     case VM_CARRIED: *spin = b->omega; break;
     case VM_AT_REST:
-        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v)), *spin = vmi_vec3(0, 0, 0);
+        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
+        *spin = vmi_vec3(0, 0, 0);
         return 1;
     default: return 0;
     }
@@ -4483,7 +4711,10 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
         sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
         sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
         sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
-        if (s->from) stored = vmi_sub(s->from->at, b->centre), own = vmi_stream_own(s->rate, &s->from->gyration);
+        if (s->from) {
+            stored = vmi_sub(s->from->at, b->centre);
+            own = vmi_stream_own(s->rate, &s->from->gyration);
+        }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
         /* as a whole, so that opposite streams cancel */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
@@ -4537,7 +4768,11 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
         if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    seen.turn = &turn, seen.v = body->v, seen.slip = vmi_vec3(0, 0, 0), seen.centre = centre, seen.energy = 0;
+    seen.turn = &turn;
+    seen.v = body->v;
+    seen.slip = vmi_vec3(0, 0, 0);
+    seen.centre = centre;
+    seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
     r.force = vmi_add(vmi_times(&turn, sum.pushed),
@@ -4579,7 +4814,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                                vmi_times_transposed(&turn, moment));
     turning = vmi_times(&turn, turning);
     if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
-    *acceleration = straight, *angular_acceleration = turning;
+    *acceleration = straight;
+    *angular_acceleration = turning;
     return VM_OK;
 }
 
@@ -4629,7 +4865,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mas
     *turn = vmi_stream_rotation(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_load3(y + VM_Y_H));
     vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
-    seen->turn = turn, seen->centre = centre;
+    seen->turn = turn;
+    seen->centre = centre;
     seen->v = vmi_scale(inverse, p);
     seen->slip = vmi_scale(-inverse, seen->slip);
     seen->omega = vmi_stream_solve(&factors, vmi_sub(h, seen->omega));
@@ -4732,7 +4969,10 @@ VM_API vm_quat vmi_stream_unit(vm_quat q)
     vm_real length;
     q = vmi_quat_scaled(q);
     length = VM_SQRT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    q.w /= length, q.x /= length, q.y /= length, q.z /= length;
+    q.w /= length;
+    q.x /= length;
+    q.y /= length;
+    q.z /= length;
     return q;
 }
 
@@ -4762,7 +5002,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     q = vmi_stream_unit(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
-    start[VM_Y_Q] = q.w, start[VM_Y_Q + 1] = q.x, start[VM_Y_Q + 2] = q.y, start[VM_Y_Q + 3] = q.z;
+    start[VM_Y_Q] = q.w;
+    start[VM_Y_Q + 1] = q.x;
+    start[VM_Y_Q + 2] = q.y;
+    start[VM_Y_Q + 3] = q.z;
     vmi_store3(start + VM_Y_R, body->r);
     vmi_store3(start + VM_Y_P, vm_momentum(body));
     vmi_store3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
@@ -4773,7 +5016,9 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     for (k = VM_Y_BALANCE; k < VM_RHS_BALANCED; k++) start[k] = 0;
     status = vmi_deliver(vmi_flow_size_at_start(flow), start, y);
     if (status) return status;
-    flow->mass = body->mass, flow->inertia = body->inertia, flow->status = VM_OK;
+    flow->mass = body->mass;
+    flow->inertia = body->inertia;
+    flow->status = VM_OK;
     return VM_OK;
 }
 
@@ -4793,7 +5038,9 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     status = vmi_flow_motion(flow, y, b.mass, &b.inertia, centre, &turn, &seen);
     if (status) return status;
     b.q = vmi_stream_unit(vmi_stream_load_quat(y + VM_Y_Q));
-    b.r = vmi_load3(y + VM_Y_R), b.v = seen.v, b.omega = vmi_times(&turn, seen.omega);
+    b.r = vmi_load3(y + VM_Y_R);
+    b.v = seen.v;
+    b.omega = vmi_times(&turn, seen.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
@@ -4837,9 +5084,11 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
         if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE)
             u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
-        rate += s->rate, force = vmi_add(force, vmi_scale(s->rate, u));
+        rate += s->rate;
+        force = vmi_add(force, vmi_scale(s->rate, u));
     }
-    vmi_store3(dydt, v), vmi_store3(dydt + 3, force);
+    vmi_store3(dydt, v);
+    vmi_store3(dydt + 3, force);
     dydt[6] = rate;
     return 0;
 }
@@ -4856,9 +5105,12 @@ VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
         vm_real u = v + s->velocity;
         if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
-        rate += s->rate, force += s->rate * u;
+        rate += s->rate;
+        force += s->rate * u;
     }
-    dydt[0] = v, dydt[1] = force, dydt[2] = rate;
+    dydt[0] = v;
+    dydt[1] = force;
+    dydt[2] = rate;
     return 0;
 }
 
@@ -4909,8 +5161,10 @@ VM_INLINE void vmi_stream_sincos(vm_real x, vm_real *sine, vm_real *cosine)
         return;
     }
     j = (long)(quarters + VM_COPYSIGN(VM_C(0.5), quarters));
-    rest = x - (vm_real)j * first, tail = (vm_real)j * second;
-    z.hi = rest - tail, z.lo = (rest - z.hi) - tail;
+    rest = x - (vm_real)j * first;
+    tail = (vm_real)j * second;
+    z.hi = rest - tail;
+    z.lo = (rest - z.hi) - tail;
     vmi_sin_cos(z, &s, &c);
     *sine = (j & 1 ? c : s) * (vm_real)(1 - (j & 2));
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
@@ -4927,21 +5181,35 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
 {
     vm_real ux, uy, spin = 0; /* M' (u - v) */
     if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
-        ux = -omega * dy, uy = omega * dx, spin = omega;
-        if (s->motion == VM_RELATIVE) ux += s->vx, uy += s->vy, spin += s->spin;
-        ux *= s->rate, uy *= s->rate;
-        sum->carried += s->rate, sum->px += ux, sum->py += uy;
+        ux = -omega * dy;
+        uy = omega * dx;
+        spin = omega;
+        if (s->motion == VM_RELATIVE) {
+            ux += s->vx;
+            uy += s->vy;
+            spin += s->spin;
+        }
+        ux *= s->rate;
+        uy *= s->rate;
+        sum->carried += s->rate;
+        sum->px += ux;
+        sum->py += uy;
     } else {
-        ux = -s->rate * bx, uy = -s->rate * by;
+        ux = -s->rate * bx;
+        uy = -s->rate * by;
         if (s->motion == VM_ABSOLUTE) {
             const vm_real ax = s->rate * s->vx, ay = s->rate * s->vy;
-            sum->fx += ax, sum->fy += ay, spin = s->spin;
-            ux += cosine * ax + sine * ay, uy += cosine * ay - sine * ax;
+            sum->fx += ax;
+            sum->fy += ay;
+            spin = s->spin;
+            ux += cosine * ax + sine * ay;
+            uy += cosine * ay - sine * ax;
         }
     }
     sum->rate += s->rate;
     sum->moment += dx * uy - dy * ux + s->rate * s->gyration * spin;
-    sum->sx += s->rate * dx, sum->sy += s->rate * dy;
+    sum->sx += s->rate * dx;
+    sum->sy += s->rate * dy;
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
@@ -4956,20 +5224,33 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
-    sine = 0, cosine = 1;
+    sine = 0;
+    cosine = 1;
     if (flow->n) vmi_stream_sincos(y[2], &sine, &cosine);
-    inverse = 1 / y[6], vx = y[3] * inverse, vy = y[4] * inverse, omega = y[5] / y[9];
-    sum.fx = flow->fx, sum.fy = flow->fy, sum.moment = flow->moment;
+    inverse = 1 / y[6];
+    vx = y[3] * inverse;
+    vy = y[4] * inverse;
+    omega = y[5] / y[9];
+    sum.fx = flow->fx;
+    sum.fy = flow->fy;
+    sum.moment = flow->moment;
     for (k = 0; k < flow->n; k++) {
         if (!vmi_stream_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
         vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
                         cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
     }
-    sx = sum.sx * inverse, sy = sum.sy * inverse;
-    dydt[0] = vx + cosine * sx - sine * sy, dydt[1] = vy + sine * sx + cosine * sy, dydt[2] = omega;
+    sx = sum.sx * inverse;
+    sy = sum.sy * inverse;
+    dydt[0] = vx + cosine * sx - sine * sy;
+    dydt[1] = vy + sine * sx + cosine * sy;
+    dydt[2] = omega;
     dydt[3] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
     dydt[4] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
-    dydt[5] = sum.moment, dydt[6] = sum.rate, dydt[7] = sx, dydt[8] = sy, dydt[9] = sum.inertia;
+    dydt[5] = sum.moment;
+    dydt[6] = sum.rate;
+    dydt[7] = sx;
+    dydt[8] = sy;
+    dydt[9] = sum.inertia;
     return 0;
 }
 
@@ -5026,7 +5307,8 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
         result[0] = x0 + t * (v0 + pull * t * second);
     }
     if (!vmi_all_finite(2, result)) return VM_NOT_FINITE;
-    *x = result[0], *v = result[1];
+    *x = result[0];
+    *v = result[1];
     return VM_OK;
 }
 
@@ -5038,7 +5320,8 @@ VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
-    change = jet->rate * t / jet->transverse, tau = change * jet->gyration_transverse;
+    change = jet->rate * t / jet->transverse;
+    tau = change * jet->gyration_transverse;
     decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(decay) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
         return VM_NOT_FINITE;
@@ -5109,7 +5392,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
     Y = -d->stiffness * y[1] + flow * slip + y[5] * y[5] * qy;
     N = -d->damping * y[5] + flow * d->radius * slip;
     turn = (N - (qx * Y - qy * X) / M) / (J - steiner);
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = y[5];
     dydt[3] = (X + turn * qy) / M;
     dydt[4] = (Y - turn * qx) / M;
     dydt[5] = turn;
@@ -5127,7 +5412,9 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     vmi_sincos(y[2], &s, &c);
     status = vmi_drum_inertia(y[2], 0, d, &M, &J, &steiner);
     if (status) return status;
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = y[5];
     dydt[3] = (-d->stiffness * y[0] - flow * y[3] + unbalance * s) / M;
     dydt[4] = (-d->stiffness * y[1] + flow * (d->speed - y[4]) - unbalance * c) / M;
     dydt[5] = (-d->damping * y[5] + flow * d->radius * (d->speed - y[4] - d->radius * y[5])) / J;
@@ -5146,7 +5433,8 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     if (!(rate > 0)) return VM_BAD_ARGUMENT;
     slope = (e - j * rate) / J; /* d phi'/d phi (195), phi'' = slope rate */
     drag = d->band / M + slope / rate;
-    dydt[0] = y[2], dydt[1] = y[3];
+    dydt[0] = y[2];
+    dydt[1] = y[3];
     dydt[2] = -drag * y[2] - d->stiffness * y[0] / (M * rate * rate);
     dydt[3] = -drag * y[3] + (d->band * d->speed * rate - d->stiffness * y[1]) / (M * rate * rate);
     return VM_OK;
@@ -5259,7 +5547,9 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
 {
     vm_real j, e, k1, f1, l, w;
     if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
-    j = vmi_drum_j(d).hi, e = vmi_drum_e(d).hi, k1 = 1 - e / (j * d->omega);
+    j = vmi_drum_j(d).hi;
+    e = vmi_drum_e(d).hi;
+    k1 = 1 - e / (j * d->omega);
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
@@ -5427,8 +5717,11 @@ typedef struct VM_TAG(vmi_frozen_parts) {
 VM_API vmi_frozen_parts vmi_frozen_work(const vm_lagrange *l)
 {
     vmi_frozen_parts w;
-    w.A = l->work, w.b = w.A + (ptrdiff_t)l->n * l->n;
-    w.rates = w.b + l->n, w.trial = w.rates + l->n, w.masses = w.trial + l->n;
+    w.A = l->work;
+    w.b = w.A + (ptrdiff_t)l->n * l->n;
+    w.rates = w.b + l->n;
+    w.trial = w.rates + l->n;
+    w.masses = w.trial + l->n;
     return w;
 }
 
@@ -5512,7 +5805,10 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
     const vmi_frozen_parts w = vmi_frozen_work(l);
     int k, status = vmi_frozen_solve(l, t, y);
     if (status) return status;
-    for (k = 0; k < l->n; k++) dydt[k] = w.rates[k], dydt[l->n + k] = 0;
+    for (k = 0; k < l->n; k++) {
+        dydt[k] = w.rates[k];
+        dydt[l->n + k] = 0;
+    }
     if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
     for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_frozen_derivative(l, t, y, w.rates, k);
     return status;
@@ -5529,7 +5825,10 @@ VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const 
     for (i = 0; i < l->n; i++)
         for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
     if (!vmi_all_finite(l->n, w.b) || !vmi_all_finite(l->n, q)) return VM_NOT_FINITE;
-    for (i = 0; i < l->n; i++) y[i] = q[i], y[l->n + i] = w.b[i];
+    for (i = 0; i < l->n; i++) {
+        y[i] = q[i];
+        y[l->n + i] = w.b[i];
+    }
     return VM_OK;
 }
 
@@ -5569,23 +5868,30 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
     if (!axis) return;
     vm_real s, c, sine, cosine;
-    vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(0, 0, 1), axis[1] = vmi_vec3(c, s, 0), axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(0, 0, 1);
+    axis[1] = vmi_vec3(c, s, 0);
+    axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
     if (!axis) return;
     vm_real s, c, sine, cosine;
-    vmi_sincos(phi, &s, &c), vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(sine * s, sine * c, cosine), axis[1] = vmi_vec3(c, -s, 0), axis[2] = vmi_vec3(0, 0, 1);
+    vmi_sincos(phi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(sine * s, sine * c, cosine);
+    axis[1] = vmi_vec3(c, -s, 0);
+    axis[2] = vmi_vec3(0, 0, 1);
 }
 
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
     vm_real s, c, sine, cosine, result[3];
     if (!rates) return VM_BAD_ARGUMENT;
-    vmi_sincos(psi, &s, &c), vmi_sincos(theta, &sine, &cosine);
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
     if (sine == 0) return VM_SINGULAR;
     result[2] = (s * omega.x - c * omega.y) / sine;
     result[1] = c * omega.x + s * omega.y;
@@ -5667,7 +5973,8 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
     *A = *psi = VM_NAN;
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0))
         return;
-    a = VM_FABS(x), b = vmi_raised(VM_FABS(s), 2 / n);
+    a = VM_FABS(x);
+    b = vmi_raised(VM_FABS(s), 2 / n);
     larger = a > b ? a : b;
     *A = larger == 0 || a == 0 || b == 0 ? larger
                                          : larger * vmi_raised(1 + vmi_raised((a > b ? b : a) / larger, n), 1 / n);
@@ -5697,8 +6004,12 @@ typedef struct VM_TAG(vmi_osc_wave) {
 VM_API vmi_osc_wave vmi_osc_wave_of(int method, vm_real alpha, vm_real pi, const ateb_plan *ateb_or_NULL)
 {
     vmi_osc_wave w;
-    w.method = method, w.alpha = alpha, w.ateb = ateb_or_NULL;
-    w.turn = w.speed = w.gain_theta = 1, w.gain_A = 2 / (alpha + 1), w.m = 0;
+    w.method = method;
+    w.alpha = alpha;
+    w.ateb = ateb_or_NULL;
+    w.turn = w.speed = w.gain_theta = 1;
+    w.gain_A = 2 / (alpha + 1);
+    w.m = 0;
     if (method == VM_ROUTE_TRIG) {
         w.turn = VM_PI / pi;
         w.gain_A = w.gain_theta = 4 / (alpha + 3); /* 5 - alpha in (337)-(339): the sign in (335) */
@@ -5709,7 +6020,8 @@ VM_API vmi_osc_wave vmi_osc_wave_of(int method, vm_real alpha, vm_real pi, const
         w.turn = 2 * jacobi_K(w.m) / pi;
         jacobi_cn_means(w.m, &C2, &C4, &C6);
         bracket = (1 - w.m) + w.m * C4; /* = 2 <sn^2 dn^2> */
-        w.gain_A = 4 / ((alpha + 3) * bracket), w.gain_theta = 1 / bracket;
+        w.gain_A = 4 / ((alpha + 3) * bracket);
+        w.gain_theta = 1 / bracket;
     }
     if (method != VM_ROUTE_ATEB) w.speed = (alpha + 1) / 2 * w.turn;
     return w;
@@ -5761,7 +6073,8 @@ VM_API void vmi_osc_wave_errors(const vmi_osc_wave *w, vm_real pi, vm_real *x_er
         vm_real sa, ca, c, s;
         ateb_saca(psi, w->alpha, &sa, &ca);
         vmi_osc_wave_at(w, psi, &c, &s);
-        c = VM_FABS(c - ca), s = VM_FABS(w->speed * s - sa);
+        c = VM_FABS(c - ca);
+        s = VM_FABS(w->speed * s - sa);
         if (c > *x_error) *x_error = c;
         if (s > *v_error) *v_error = s;
     }
@@ -5809,8 +6122,15 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real 
 VM_API vm_law vmi_law_of(int kind, vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
-    law.kind = kind, law.f0 = f0, law.f1 = f1, law.f2 = f2;
-    law.n = 0, law.time = law.value = NULL, law.function = NULL, law.ctx = NULL, law.change_time = 0;
+    law.kind = kind;
+    law.f0 = f0;
+    law.f1 = f1;
+    law.f2 = f2;
+    law.n = 0;
+    law.time = law.value = NULL;
+    law.function = NULL;
+    law.ctx = NULL;
+    law.change_time = 0;
     return law;
 }
 VM_API vm_law vm_law_linear(vm_real f0, vm_real f1) { return vmi_law_of(VM_LAW_LINEAR, f0, f1, 0); }
@@ -5823,13 +6143,16 @@ VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2) { return vmi_law_
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
     vm_law law = vmi_law_of(VM_LAW_TABLE, 0, 0, 0);
-    law.n = n, law.time = time, law.value = value;
+    law.n = n;
+    law.time = time;
+    law.value = value;
     return law;
 }
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(VM_LAW_FUNCTION, 0, 0, 0);
-    law.function = function, law.ctx = ctx;
+    law.function = function;
+    law.ctx = ctx;
     return law;
 }
 
@@ -5841,10 +6164,19 @@ VM_API vm_real vmi_law_slope(const vm_law *law, int i)
     const int last = law->n - 1, end = i == 0 || i == last, j = i == 0 ? 1 : i == last ? last - 1 : i;
     vm_real h0, h1, d0, d1, slope;
     if (last == 1) return (f[1] - f[0]) / (t[1] - t[0]);
-    h0 = t[j] - t[j - 1], h1 = t[j + 1] - t[j];
-    d0 = (f[j] - f[j - 1]) / h0, d1 = (f[j + 1] - f[j]) / h1;
+    h0 = t[j] - t[j - 1];
+    h1 = t[j + 1] - t[j];
+    d0 = (f[j] - f[j - 1]) / h0;
+    d1 = (f[j + 1] - f[j]) / h1;
     if (!end) return d0 * d1 <= 0 ? 0 : 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
-    if (i == last) slope = h0, h0 = h1, h1 = slope, slope = d0, d0 = d1, d1 = slope;
+    if (i == last) {
+        slope = h0;
+        h0 = h1;
+        h1 = slope;
+        slope = d0;
+        d0 = d1;
+        d1 = slope;
+    }
     slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
     if (slope * d0 <= 0) return 0;
     return d0 * d1 < 0 && VM_FABS(slope) > 3 * VM_FABS(d0) ? 3 * d0 : slope;
@@ -5869,10 +6201,13 @@ VM_API int vmi_law_from_table(const vm_law *law, vm_real t, int side, vm_real *f
     if (law->n < 2 || !law->time || !law->value || !(t >= law->time[0] && t <= law->time[law->n - 1]))
         return VM_BAD_ARGUMENT;
     i = vmi_law_interval(law, t, side);
-    h = law->time[i + 1] - law->time[i], u = t - law->time[i];
+    h = law->time[i + 1] - law->time[i];
+    u = t - law->time[i];
     d = (law->value[i + 1] - law->value[i]) / h;
-    s0 = vmi_law_slope(law, i), s1 = vmi_law_slope(law, i + 1);
-    b = (3 * d - 2 * s0 - s1) / h, c = (s0 + s1 - 2 * d) / (h * h);
+    s0 = vmi_law_slope(law, i);
+    s1 = vmi_law_slope(law, i + 1);
+    b = (3 * d - 2 * s0 - s1) / h;
+    c = (s0 + s1 - 2 * d) / (h * h);
     f[0] = law->value[i] + u * (s0 + u * (b + u * c));
     f[1] = s0 + u * (2 * b + 3 * u * c);
     f[2] = 2 * b + 6 * u * c;
@@ -5901,16 +6236,26 @@ VM_API int vmi_law_derivatives(const vm_law *law, vm_real t, int side, vm_real s
     int status = VM_OK;
     f[3] = 0;
     switch (law->kind) {
-    case VM_LAW_LINEAR: f[0] = law->f0 + law->f1 * t, f[1] = law->f1, f[2] = 0; break;
+    case VM_LAW_LINEAR:
+        f[0] = law->f0 + law->f1 * t;
+        f[1] = law->f1;
+        f[2] = 0;
+        break;
     case VM_LAW_QUADRATIC:
-        f[0] = law->f0 + t * (law->f1 + t * law->f2), f[1] = law->f1 + 2 * law->f2 * t, f[2] = 2 * law->f2;
+        f[0] = law->f0 + t * (law->f1 + t * law->f2);
+        f[1] = law->f1 + 2 * law->f2 * t;
+        f[2] = 2 * law->f2;
         break;
     case VM_LAW_EXPONENTIAL:
-        f[0] = law->f0 * vmi_exp(law->f1 * t, 0), f[1] = law->f1 * f[0], f[2] = law->f1 * f[1];
+        f[0] = law->f0 * vmi_exp(law->f1 * t, 0);
+        f[1] = law->f1 * f[0];
+        f[2] = law->f1 * f[1];
         break;
     case VM_LAW_POWER: {
         const vm_real base = 1 + law->f1 * t, c = law->f1 / base;
-        f[0] = law->f0 * vmi_raised(base, law->f2), f[1] = law->f2 * c * f[0], f[2] = (law->f2 - 1) * c * f[1];
+        f[0] = law->f0 * vmi_raised(base, law->f2);
+        f[1] = law->f2 * c * f[0];
+        f[2] = (law->f2 - 1) * c * f[1];
         if (!(base > 0)) return VM_BAD_MASS;
         break;
     }
@@ -5931,7 +6276,8 @@ VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     status = vmi_law_derivatives(law, t, 1, 0, values);
     if (status) return status;
-    *f = values[0], *rate = values[1];
+    *f = values[0];
+    *rate = values[1];
     return VM_OK;
 }
 
@@ -5970,10 +6316,14 @@ VM_API int vmi_law_base(const vm_law *law, vm_real *base, vm_real *rate)
     switch (law->kind) {
     case VM_LAW_LINEAR: *base = *rate = law->f1 / law->f0; return 1;
     case VM_LAW_EXPONENTIAL: *rate = law->f1; return 1;
-    case VM_LAW_POWER: *base = law->f1, *rate = law->f1 * law->f2; return 1;
+    case VM_LAW_POWER:
+        *base = law->f1;
+        *rate = law->f1 * law->f2;
+        return 1;
     case VM_LAW_QUADRATIC: {
         const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
-        *rate = law->f1 / law->f0, *base = *rate / 2;
+        *rate = law->f1 / law->f0;
+        *base = *rate / 2;
         return VM_FABS(rest) <= 4 * VM_EPSILON * square;
     }
     default: return 0;
@@ -6023,8 +6373,10 @@ VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_
     int status = vmi_law_derivatives(&o->mass, t, side, step, m);
     if (!status) status = vmi_law_derivatives(&o->stiffness, t, side, step, k);
     if (status) return status;
-    r->m = m[0], r->k = k[0];
-    ln_m = m[1] / m[0], ln_k = k[1] / k[0];
+    r->m = m[0];
+    r->k = k[0];
+    ln_m = m[1] / m[0];
+    ln_k = k[1] / k[0];
     r->q = ln_k + (2 * o->reactive - 1) * ln_m + 2 * o->damping / m[0];
     r->h = (k[2] / k[0] - ln_k * ln_k) + (2 * o->reactive - 1) * (m[2] / m[0] - ln_m * ln_m) -
            2 * o->damping * ln_m / m[0];
@@ -6210,8 +6562,12 @@ VM_API int vmi_osc_panel_of(const vmi_osc_walk *w, vm_real start, vm_real length
     int i, status;
     for (i = 0; i < VMI_GAUSS; i++) {
         const vm_real t = start + length * ((1 + vmi_gauss_node(i)) / 2);
-        if (w->plan) status = vmi_osc_rates_at(w->plan, t, w->side, 0, r + i);
-        else status = vmi_law_derivatives(w->mass, t, w->side, 0, f), r[i].m = r[i].k = f[0];
+        if (w->plan) {
+            status = vmi_osc_rates_at(w->plan, t, w->side, 0, r + i);
+        } else {
+            status = vmi_law_derivatives(w->mass, t, w->side, 0, f);
+            r[i].m = r[i].k = f[0];
+        }
         if (status) return status;
         values[i] = 1 / r[i].m;
         others[i] = r[i].k;
@@ -6437,10 +6793,15 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     vm_real ca, sa, g, c, e, Om_ratio, rho = 1;
     int i, status = vmi_osc_rates_at(p, 0, 1, 1, &r);
     if (status) return status;
-    p->q = r.q, p->h = r.h, p->h_rate = r.h_rate, p->ln_rho = p->shift = 0;
+    p->q = r.q;
+    p->h = r.h;
+    p->h_rate = r.h_rate;
+    p->ln_rho = p->shift = 0;
     if (p->A == 0 || (r.q == 0 && r.h == 0)) return VM_OK;
     vmi_osc_wave_at(&w, p->psi, &ca, &sa);
-    g = sa * ca, c = ca * ca - M, Om_ratio = 1;
+    g = sa * ca;
+    c = ca * ca - M;
+    Om_ratio = 1;
     for (i = 0; i < 3; i++) { /* Om at the mean amplitude, A0 rho^(-2/(alpha+3)) */
         e = scale / Om_ratio;
         rho = 1 + r.q * e / 2 * g +
@@ -6467,17 +6828,21 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
     const vm_osc_problem *o = &p->problem;
     vm_real f[4], omega;
     int status;
-    p->problem = *problem, p->has_ateb = 0;
+    p->problem = *problem;
+    p->has_ateb = 0;
     if (!(o->alpha >= 0) || !VM_IS_FINITE(o->alpha)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping))
         return VM_NOT_FINITE;
     status = vmi_law_check(&o->mass, 0);
     if (!status) status = vmi_law_check(&o->stiffness, 0);
     if (status) return status;
-    vmi_law_derivatives(&o->mass, 0, 1, 0, f), p->m0 = f[0];
-    vmi_law_derivatives(&o->stiffness, 0, 1, 0, f), p->k0 = f[0];
+    vmi_law_derivatives(&o->mass, 0, 1, 0, f);
+    p->m0 = f[0];
+    vmi_law_derivatives(&o->stiffness, 0, 1, 0, f);
+    p->k0 = f[0];
     omega = VM_SQRT(p->k0 / p->m0);
-    p->pi = ateb_pi(o->alpha), p->gamma = (o->alpha - 1) / (o->alpha + 3);
+    p->pi = ateb_pi(o->alpha);
+    p->gamma = (o->alpha - 1) / (o->alpha + 3);
     p->mean_ca2 = vmi_osc_mean_ca2(o->alpha, p->pi);
     vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
     p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
@@ -6540,15 +6905,21 @@ VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     const vm_osc_problem *o = &p->problem;
     vmi_osc_walk w;
     int i, status;
-    w.mass = &o->mass, w.stiffness = &o->stiffness, w.plan = p;
+    w.mass = &o->mass;
+    w.stiffness = &o->stiffness;
+    w.plan = p;
     status = vmi_osc_walk_to(&w, t);
     if (status) return status;
     vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi, o->damping * w.y[0],
                       &mean->ln_A, ln_Om);
-    mean->ln_A += w.ln_A, *ln_Om += (o->alpha - 1) / 2 * w.ln_A;
+    mean->ln_A += w.ln_A;
+    *ln_Om += (o->alpha - 1) / 2 * w.ln_A;
     for (i = 0; i < 3; i++) mean->y[i] = w.y[i];
-    mean->fourth = w.fourth, mean->kick2 = w.kick2, mean->kick3 = w.kick3;
-    mean->fast = vmi_osc_fast(p, &w), mean->phase_error = p->Om * w.error;
+    mean->fourth = w.fourth;
+    mean->kick2 = w.kick2;
+    mean->kick3 = w.kick3;
+    mean->fast = vmi_osc_fast(p, &w);
+    mean->phase_error = p->Om * w.error;
     return VM_OK;
 }
 
@@ -6639,8 +7010,12 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
                              int route, vm_osc_motion *motion)
 {
     vm_osc_motion r;
-    r.x = A * c, r.v = -w->speed * (2 * A * Om / (w->alpha + 1)) * s;
-    r.amplitude = A, r.error = error, r.route = route, r.evals = 0;
+    r.x = A * c;
+    r.v = -w->speed * (2 * A * Om / (w->alpha + 1)) * s;
+    r.amplitude = A;
+    r.error = error;
+    r.route = route;
+    r.evals = 0;
     if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;
     *motion = r;
     return VM_OK;
@@ -6691,7 +7066,8 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
         for (quarter = 0; quarter < 4; quarter++) {
             const vm_real qc = quarter & 1 ? -c : c, qs = quarter & 2 ? -s : s;
             const vm_real F = p->problem.force(t, A * qc, -V * qs, p->problem.ctx);
-            *Fs += share * F * qs, *Fc += share * F * qc;
+            *Fs += share * F * qs;
+            *Fc += share * F * qc;
         }
     }
 }
@@ -6729,7 +7105,9 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int method, vm_real t, vm_real 
     Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w.alpha);
     vmi_osc_averaged_rates(p, &w, &now, t, A, Om, &rate, &theta);
     if (!VM_IS_FINITE(A * rate) || !VM_IS_FINITE(w.turn * Om + theta)) return VM_NOT_FINITE;
-    *A_rate = A * rate, *theta_rate = theta, *psi_rate = w.turn * Om + theta;
+    *A_rate = A * rate;
+    *theta_rate = theta;
+    *psi_rate = w.turn * Om + theta;
     return VM_OK;
 }
 
@@ -6780,7 +7158,8 @@ VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     if (o->force) {
         const vm_real A = c->p->A * vmi_exp(y[0], 0), V = 2 * A * Om / n;
         const vm_real F = o->force(t, A * ca, -V * sa, o->ctx) / (now.m * V);
-        dydt[0] -= 2 / n * F * sa, dydt[1] -= F * ca;
+        dydt[0] -= 2 / n * F * sa;
+        dydt[1] -= F * ca;
     }
     return 0;
 }
@@ -6796,7 +7175,8 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     vm_real m, weight;
     c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
     if (c->status) return c->status;
-    m = now.m / p->m0, weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_raised(m, o->reactive);
+    m = now.m / p->m0;
+    weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_raised(m, o->reactive);
     dydt[0] = speed * y[1] / weight;
     dydt[1] = -p->Om * (now.k / p->k0) * weight / m * vmi_osc_elastic(y[0], o->alpha) - o->damping / now.m * y[1];
     if (o->force) dydt[1] += o->force(t, p->A * y[0], p->A * dydt[0], o->ctx) * weight / (now.m * p->A * speed);
@@ -6839,7 +7219,8 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
         c->s.options.max_steps = steps < VM_C(1e9) ? (long)steps : 1000000000L;
         status = c->high ? rk87_solve(&c->s, stop) : rk45_solve(&c->s, stop);
         if (status < 0) break;
-        y[0] = c->s.y[0], y[1] = c->s.y[1];
+        y[0] = c->s.y[0];
+        y[1] = c->s.y[1];
         if (!c->direct) y[1] -= 2 * c->p->pi * VM_FLOOR(y[1] / (2 * c->p->pi));
         status = c->high ? rk87_restart(&c->s, c->s.t, y) : rk45_restart(&c->s, c->s.t, y);
     }
@@ -6856,12 +7237,14 @@ VM_API int vmi_osc_motion_now(vmi_osc_run *c, vm_osc_motion *motion)
     int status = vmi_osc_rates_at(p, c->s.t, -c->side, 0, &now);
     if (status) return status;
     if (!c->direct) {
-        A = p->A * vmi_exp(y[0], 0), Om = p->Om * vmi_osc_Om_ratio(p, &now, y[0]);
+        A = p->A * vmi_exp(y[0], 0);
+        Om = p->Om * vmi_osc_Om_ratio(p, &now, y[0]);
         vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
         return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
     }
     weight = vmi_raised(now.m / p->m0, p->problem.reactive);
-    motion->x = p->A * y[0], motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
+    motion->x = p->A * y[0];
+    motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
     vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude, &Om);
     motion->route = c->route;
     return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
@@ -6882,11 +7265,13 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
                 : c->route == VM_ROUTE_VARIATION ? vmi_osc_variation_rhs
                                                  : vmi_osc_averaged_rhs;
     int i, status;
-    c->side = t < 0 ? -1 : 1, c->status = VM_OK;
+    c->side = t < 0 ? -1 : 1;
+    c->status = VM_OK;
     options.rtol = c->direct ? tolerance : -1;
     options.atol = tolerance;
     vmi_osc_wave_at(&c->wave, p->psi, &ca, &sa);
-    y[0] = c->direct ? ca : 0, y[1] = c->direct ? -sa : p->psi;
+    y[0] = c->direct ? ca : 0;
+    y[1] = c->direct ? -sa : p->psi;
     status = c->high ? rk87_init(&c->s, f, c, 2, 0, y, &options, c->work)
                      : rk45_init(&c->s, f, c, 2, 0, y, &options, c->work);
     if (status < 0) return VM_NOT_INTEGRATED;
@@ -6977,24 +7362,30 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
     if (status) return status;
     a->Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w->alpha);
     vmi_osc_period_rates(p, &now, A, a->Om, psi, t, t_end, 1, rate_A, rate_psi);
-    own_A = vmi_osc_take_mean(rate_A), own_psi = vmi_osc_take_mean(rate_psi);
+    own_A = vmi_osc_take_mean(rate_A);
+    own_psi = vmi_osc_take_mean(rate_psi);
     vmi_osc_period_rates(p, &now, A, a->Om, psi, t, t_end, 0, rate_A, rate_psi);
     rates = vmi_osc_largest(rate_A) + vmi_osc_largest(rate_psi);
-    mean_A = vmi_osc_take_mean(rate_A), mean_psi = vmi_osc_take_mean(rate_psi);
-    a->rate_A = VM_FABS(mean_A - own_A), a->rate_psi = VM_FABS(mean_psi - own_psi);
+    mean_A = vmi_osc_take_mean(rate_A);
+    mean_psi = vmi_osc_take_mean(rate_psi);
+    a->rate_A = VM_FABS(mean_A - own_A);
+    a->rate_psi = VM_FABS(mean_psi - own_psi);
     vmi_osc_averaged_rates(p, w, &now, t, A, a->Om, &own_A, &own_psi);
     vmi_osc_averaged_rates(p, &exact, &now, t, A, a->Om, &exact_A, &exact_psi);
-    a->rate_A += VM_FABS(own_A - exact_A), a->rate_psi += VM_FABS(own_psi / w->turn - exact_psi);
+    a->rate_A += VM_FABS(own_A - exact_A);
+    a->rate_psi += VM_FABS(own_psi / w->turn - exact_psi);
     vmi_osc_averaged_rates(p, w, &now, t, A * (1 + change), a->Om * (1 + bend * change), &more_A, &more_psi);
     a->growth = (more_A - own_A) / change;
     vmi_osc_integrate_ripple(rate_A, width / a->Om, ripple_A);
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) rate_psi[i] += bend * a->Om * ripple_A[i];
     vmi_osc_take_mean(rate_psi);
     vmi_osc_integrate_ripple(rate_psi, width / a->Om, ripple_psi);
-    a->start_A = VM_FABS(ripple_A[0]), a->start_psi = VM_FABS(ripple_psi[0]);
+    a->start_A = VM_FABS(ripple_A[0]);
+    a->start_psi = VM_FABS(ripple_psi[0]);
     a->ripple = vmi_osc_largest(ripple_A) + vmi_osc_largest(ripple_psi);
     second = second_order * rates * a->ripple;
-    a->rate_A += second, a->rate_psi += second;
+    a->rate_A += second;
+    a->rate_psi += second;
     return VM_OK;
 }
 
@@ -7013,7 +7404,8 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
     int i, status = vmi_osc_averaging_at(p, w, 0, t, p->A, p->psi, &before);
     if (!status) status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
-    in_A = before.start_A, in_psi = before.start_psi;
+    in_A = before.start_A;
+    in_psi = before.start_psi;
     for (i = 0; i < VMI_OSC_CHECKS; i++) {
         const vm_real next = vmi_osc_check(t, i), step = VM_FABS(next - time);
         vm_real largest_A = in_A, growth;
@@ -7025,7 +7417,8 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
         in_psi += ((before.rate_psi > after.rate_psi ? before.rate_psi : after.rate_psi) +
                    bend * (before.Om > after.Om ? before.Om : after.Om) * largest_A) *
                   step;
-        before = after, time = next;
+        before = after;
+        time = next;
     }
     *error = in_A + in_psi + after.ripple + vmi_osc_wave_error(p, w) + vmi_osc_way_error(p, &mean);
     if (!(*error >= 0)) *error = VM_INFINITY; /* amplitude 0, or out of range: nothing is known */
@@ -7058,7 +7451,9 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     const vm_real panel_steps = 4, run_steps = 8192;
     vmi_osc_walk w;
     int i, status;
-    laws[0] = w.mass = &p->problem.mass, laws[1] = w.stiffness = &p->problem.stiffness, w.plan = p;
+    laws[0] = w.mass = &p->problem.mass;
+    laws[1] = w.stiffness = &p->problem.stiffness;
+    w.plan = p;
     *step = VM_FABS(t);
     if (laws[0]->kind != VM_LAW_FUNCTION && laws[1]->kind != VM_LAW_FUNCTION) return VM_OK;
     status = vmi_osc_walk_to(&w, t);
@@ -7090,19 +7485,25 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vm_real longest = VMI_OSC_LONGEST, averaging = 0;
     int attempt, status = vmi_osc_law_step(plan, t, &c.law_step), stalled = 0;
     if (status) return status;
-    c.p = plan, c.route = route, c.evals = 0;
-    c.direct = route >= VM_ROUTE_RK45, c.high = route == VM_ROUTE_RK87;
+    c.p = plan;
+    c.route = route;
+    c.evals = 0;
+    c.direct = route >= VM_ROUTE_RK45;
+    c.high = route == VM_ROUTE_RK87;
     if (!plan->has_ateb) {
-        with_ateb = *plan, c.p = &with_ateb;
+        with_ateb = *plan;
+        c.p = &with_ateb;
         with_ateb.has_ateb = ateb_plan_init(&with_ateb.ateb, plan->problem.alpha) == 0;
     }
     c.wave = vmi_osc_wave_of(route <= VM_ROUTE_ATEB ? route : VM_ROUTE_ATEB, plan->problem.alpha, plan->pi,
                              c.p->has_ateb ? &c.p->ateb : NULL);
     for (attempt = 0; attempt < 6; attempt++) {
         if (step_tolerance < least) step_tolerance = least;
-        c.longest = longest, c.share = 1;
+        c.longest = longest;
+        c.share = 1;
         status = vmi_osc_integrated(&c, t, ratio * step_tolerance, loose);
-        c.longest = longest / 2, c.share = VM_C(0.51);
+        c.longest = longest / 2;
+        c.share = VM_C(0.51);
         if (!status) status = vmi_osc_integrated(&c, t, step_tolerance, strict);
         if (status == VM_NOT_INTEGRATED && c.status == VM_OK && step_tolerance > least) {
             step_tolerance /= 2 * ratio; /* a loose run may leave the motion for good */
@@ -7112,7 +7513,11 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         last->error = factor * vmi_osc_difference(plan, t, strict, loose) +
                       4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
         if (last->error < by_chance * step_tolerance) last->error = by_chance * step_tolerance;
-        if (last->error > before / 2) stalled++, longest /= 2; /* roundings, chance, or longest is what counts */
+        if (last->error > before / 2) {
+            /* roundings, chance, or longest is what counts */
+            stalled++;
+            longest /= 2;
+        }
         if (last->error <= tolerance || step_tolerance == least || stalled == 3) break;
         before = last->error;
         step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
@@ -7144,7 +7549,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 {
     if (p->problem.force) return VM_NO_LAW;
     motion->x = motion->v = motion->amplitude = motion->error = 0;
-    motion->route = route, motion->evals = 0;
+    motion->route = route;
+    motion->evals = 0;
     return VM_OK;
 }
 
@@ -7272,7 +7678,8 @@ VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_re
     vm_real mean;
     if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth)) return 0;
     mean = vmi_log_ratio(growth); /* of m0/m */
-    *ln_ratio = growth * mean, *integral = t / m.mass * mean;
+    *ln_ratio = growth * mean;
+    *integral = t / m.mass * mean;
     return 1;
 }
 
@@ -7426,7 +7833,8 @@ VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
     if (!r->stiffness) return VM_BAD_ARGUMENT;
     stiffness = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_c_add(vmi_laval_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
-    dydt[0] = v.re, dydt[1] = v.im;
+    dydt[0] = v.re;
+    dydt[1] = v.im;
     dydt[2] = (force.re - r->reactive * rate * v.re - stiffness * z.re) / mass;
     dydt[3] = (force.im - r->reactive * rate * v.im - stiffness * z.im) / mass;
     return VM_OK;
@@ -7457,7 +7865,11 @@ VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, v
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    found[0] = P.re, found[1] = P.im, found[2] = N.re, found[3] = N.im, found[4] = phi;
+    found[0] = P.re;
+    found[1] = P.im;
+    found[2] = N.re;
+    found[3] = N.im;
+    found[4] = phi;
     return vmi_deliver(5, found, y);
 }
 
@@ -7479,7 +7891,10 @@ VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real
     const int status = vmi_laval_now(r, t, &now);
     if (status) return status;
     vmi_laval_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
-    joined[0] = z.re, joined[1] = z.im, joined[2] = v.re, joined[3] = v.im;
+    joined[0] = z.re;
+    joined[1] = z.im;
+    joined[2] = v.re;
+    joined[3] = v.im;
     return vmi_deliver(4, joined, motion);
 }
 
@@ -7516,9 +7931,13 @@ VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_l
     if (status) return status;
     for (j = 0; j < samples; j++) {
         vmi_laval_rates(r, t, &now, y, y[4] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
-        P = vmi_c_add(P, dP), N = vmi_c_add(N, dN);
+        P = vmi_c_add(P, dP);
+        N = vmi_c_add(N, dN);
     }
-    dydt[0] = P.re * share, dydt[1] = P.im * share, dydt[2] = N.re * share, dydt[3] = N.im * share;
+    dydt[0] = P.re * share;
+    dydt[1] = P.im * share;
+    dydt[2] = N.re * share;
+    dydt[3] = N.im * share;
     dydt[4] = now.omega;
     return VM_OK;
 }
@@ -7563,7 +7982,8 @@ VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const 
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
     stiffness = vmi_laval_stiffness(r, y[0], &slope);
-    W = vmi_laval_root(r->gyro, mass, stiffness, sense), S = mass * W - r->gyro;
+    W = vmi_laval_root(r->gyro, mass, stiffness, sense);
+    S = mass * W - r->gyro;
     if (!(S * S > 0)) return VM_DOMAIN;
     for (j = 0; j < samples; j++) {
         const vm_complex turn = vmi_c_turn(y[1] + 2 * VM_PI * (vm_real)j / (vm_real)samples),
@@ -7602,7 +8022,10 @@ VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
     for (i = 1; i < 3 * VM_MANT_DIG + 60; i++) {
         vm_real x = a - fa * ((b - a) / (fb - fa)), fx;
         if (i % 4 == 0) {
-            if (VM_FABS(b - a) > width / 8) x = a + (b - a) / 2, side = 0;
+            if (VM_FABS(b - a) > width / 8) {
+                x = a + (b - a) / 2;
+                side = 0;
+            }
             width = VM_FABS(b - a);
         }
         if (!((x > a) == (x < b)) || x == a || x == b) x = a + (b - a) / 2;
@@ -7610,11 +8033,13 @@ VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
         fx = f(x, ctx);
         if (fx == 0) return x;
         if ((fx > 0) == (fb > 0)) {
-            b = x, fb = fx;
+            b = x;
+            fb = fx;
             if (side == 1) fa /= 2;
             side = 1;
         } else {
-            a = x, fa = fx;
+            a = x;
+            fa = fx;
             if (side == -1) fb /= 2;
             side = -1;
         }
@@ -7646,20 +8071,27 @@ VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real first_A, vm_real ma
     if (!(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
-    if (r->gyro == 0) mass = vmi_raised(mass / mass0, 2 * r->reactive - 1), mass0 = 1;
-    o.r = r, o.first_A = first_A, o.mass = mass;
+    if (r->gyro == 0) {
+        mass = vmi_raised(mass / mass0, 2 * r->reactive - 1);
+        mass0 = 1;
+    }
+    o.r = r;
+    o.first_A = first_A;
+    o.mass = mass;
     o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, first_A, &slope);
     here = vmi_laval_invariant(0, &o);
     if (here == 0 || here != here) return here == 0 ? first_A : VM_NAN;
     for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
         there = vmi_laval_invariant(x + step, &o);
         while (there != there) { /* F_e' is no number there */
-            step /= 2, bounded = 1;
+            step /= 2;
+            bounded = 1;
             if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(x))) return VM_NAN;
             there = vmi_laval_invariant(x + step, &o);
         }
         if (there == 0 || (there > 0) != (here > 0)) break;
-        x += step, here = there;
+        x += step;
+        here = there;
     }
     return first_A * vmi_exp(vmi_slow_zero(vmi_laval_invariant, &o, x, x + step, here, there), 0);
 }
@@ -7674,7 +8106,8 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     vm_real mass, rate;
     const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
     if (status) return status;
-    dydt[0] = y[2], dydt[1] = y[3];
+    dydt[0] = y[2];
+    dydt[1] = y[3];
     dydt[2] = (-force - p->reactive * rate * y[2]) / mass;
     dydt[3] = (force - p->reactive * rate * y[3]) / mass;
     return VM_OK;
@@ -7709,7 +8142,9 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
     if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, found[1]) - exact) <= exact / 8))
         return VM_DOMAIN; /* the ripple is as large as the motion: its equation is not solved */
     if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
-    found[0] = A, found[2] = y[0] + y[1], found[3] = y[2] + y[3];
+    found[0] = A;
+    found[2] = y[0] + y[1];
+    found[3] = y[2] + y[3];
     return vmi_deliver(4, found, modes);
 }
 
@@ -7721,8 +8156,10 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[1]);
     if (!(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, modes[1], 2 * p->k, mass, p->alpha, &x, &v);
-    joined[0] = (q - x) / 2, joined[1] = (q + x) / 2;
-    joined[2] = (dq - v) / 2, joined[3] = (dq + v) / 2;
+    joined[0] = (q - x) / 2;
+    joined[1] = (q + x) / 2;
+    joined[2] = (dq - v) / 2;
+    joined[3] = (dq + v) / 2;
     return vmi_deliver(4, joined, y);
 }
 
@@ -7810,11 +8247,14 @@ VM_API void vmi_forced_fourier(vm_forced *f)
         vm_real sa, ca, sine, c, before, twice;
         ateb_saca(f->pi / 2 * u, f->alpha, &sa, &ca);
         vmi_sincos(half_pi * u, &sine, &c);
-        before = c, twice = 2 * (c - sine) * (c + sine), total += weight;
+        before = c;
+        twice = 2 * (c - sine) * (c + sine);
+        total += weight;
         for (j = 0; j < 5; j++) {
             const vm_real next = twice * c - before;
             sum[j] += weight * ca * c;
-            before = c, c = next;
+            before = c;
+            c = next;
         }
     }
     for (j = 0; j < 5; j++) {
@@ -7876,7 +8316,8 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const int status = vmi_forced_check(&n);
     vm_real q, Om, push, sa, ca, sine, cosine;
     if (status) return status;
-    q = vmi_forced_q(f, &n), Om = vmi_slow_rate(y[0], n.k, n.mass, f->alpha);
+    q = vmi_forced_q(f, &n);
+    Om = vmi_slow_rate(y[0], n.k, n.mass, f->alpha);
     ateb_saca(y[1], f->alpha, &sa, &ca);
     vmi_sincos(y[2], &sine, &cosine);
     push = n.force / (n.mass * Om) * cosine;
@@ -7894,7 +8335,8 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
     const int status = vmi_forced_check(&n);
     vm_real w, push, sine, cosine;
     if (status) return status;
-    w = vmi_forced_natural(f, &n, y[0]), push = n.force * f->G / (n.mass * w);
+    w = vmi_forced_natural(f, &n, y[0]);
+    push = n.force * f->G / (n.mass * w);
     vmi_sincos(y[1], &sine, &cosine);
     dydt[0] = -vmi_forced_q(f, &n) * y[0] / (f->alpha + 3) - push * sine;
     dydt[1] = w - n.nu - push / y[0] * cosine;
@@ -7929,10 +8371,13 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
     if (status) return status;
     if (!vmi_all_finite(3, motion)) return VM_NOT_FINITE;
     vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
-    phi *= VM_PI / f->pi, A = exact;
+    phi *= VM_PI / f->pi;
+    A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
     if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
-    y[0] = A, y[1] = phi - theta, y[2] = theta;
+    y[0] = A;
+    y[1] = phi - theta;
+    y[2] = theta;
     return VM_OK;
 }
 
@@ -7960,8 +8405,11 @@ typedef struct VM_TAG(vmi_frozen) {
 VM_API vmi_frozen vmi_forced_frozen(const vm_forced *f, const vm_forced_now *n)
 {
     vmi_frozen z;
-    z.w1 = vmi_forced_natural(f, n, 1), z.exponent = (f->alpha - 1) / 2;
-    z.nu = n->nu, z.p = vmi_forced_q(f, n) / (f->alpha + 3), z.push = n->force * f->G / n->mass;
+    z.w1 = vmi_forced_natural(f, n, 1);
+    z.exponent = (f->alpha - 1) / 2;
+    z.nu = n->nu;
+    z.p = vmi_forced_q(f, n) / (f->alpha + 3);
+    z.push = n->force * f->G / n->mass;
     return z;
 }
 
@@ -7978,7 +8426,8 @@ VM_API vm_steady vmi_forced_state(const vmi_frozen *z, vm_real alpha, vm_real A)
 {
     const vm_real w = z->w1 * vmi_raised(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
     vm_steady s;
-    s.nu = z->nu, s.A = A;
+    s.nu = z->nu;
+    s.A = A;
     s.delta = ateb_phase(-p * A * w / z->push, off * A * w / z->push, 1);
     s.trace = -(alpha + 3) * p / 2;
     s.det = p * p * gain + off * (z->exponent * w + gain * off);
@@ -7996,7 +8445,11 @@ VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
     if (!(square > 0)) return 0; /* so for alpha = 1 */
     x[n++] = vmi_log(2 * (alpha + 1) * (z->nu * z->nu + z->p * z->p) / (half * z->w1)).hi / z->exponent;
     if (alpha > 0) x[n++] = vmi_log(half / (4 * alpha * z->w1)).hi / z->exponent;
-    if (n == 2 && x[0] > x[1]) x[2] = x[0], x[0] = x[1], x[1] = x[2];
+    if (n == 2 && x[0] > x[1]) {
+        x[2] = x[0];
+        x[0] = x[1];
+        x[1] = x[2];
+    }
     return n;
 }
 
@@ -8007,10 +8460,12 @@ VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
     const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
     vm_real ends[5], turns[3], left, right;
     int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
-    ends[0] = -reach, ends[n + 1] = reach;
+    ends[0] = -reach;
+    ends[n + 1] = reach;
     for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -reach ? -reach : turns[i] > reach ? reach : turns[i];
     for (i = 0; i <= n; i++) {
-        left = vmi_forced_excess(ends[i], z), right = vmi_forced_excess(ends[i + 1], z);
+        left = vmi_forced_excess(ends[i], z);
+        right = vmi_forced_excess(ends[i + 1], z);
         if (!((left > 0) != (right > 0))) continue;
         A[found++] = vmi_exp(vmi_slow_zero(vmi_forced_excess, z, ends[i], ends[i + 1], left, right), 0);
     }
@@ -8047,7 +8502,9 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady c
     if (status) return status;
     if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
     z = vmi_forced_frozen(f, &n);
-    w = vmi_forced_natural(f, &n, A), hold = VM_FABS(z.push) / (w * A), p = VM_FABS(z.p);
+    w = vmi_forced_natural(f, &n, A);
+    hold = VM_FABS(z.push) / (w * A);
+    p = VM_FABS(z.p);
     if (!(hold >= p) || z.push == 0) return 0;
     width = VM_SQRT(hold - p) * VM_SQRT(hold + p);
     z.nu = w - width;
@@ -8120,10 +8577,13 @@ VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm
     intervals = -VM_FLOOR(-(t1 - t0) / step);
     if (!(intervals >= 0) || !(intervals < VM_C(2e9))) return VM_NOT_FINITE;
     last = (long)intervals;
-    s.motion = motion, s.ctx = ctx, s.kind = kind;
+    s.motion = motion;
+    s.ctx = ctx;
+    s.kind = kind;
     for (here = vmi_point_function(t0, &s); i < last; here = there) {
         const vm_real before = t;
-        i++, t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
+        i++;
+        t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
         there = vmi_point_function(t, &s);
         if (!VM_IS_FINITE(there)) return VM_NOT_FINITE;
         if (here == 0 || !(there == 0 || (there > 0) != (here > 0))) continue;
@@ -8159,7 +8619,10 @@ VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buf
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
     length = s->t - s->t_old;
     if (length == 0) return 0;
-    m.s = s, m.x = x, m.v = v, m.buffer = buffer;
+    m.s = s;
+    m.x = x;
+    m.v = v;
+    m.buffer = buffer;
     return vm_find_points(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
 }
 
@@ -8224,7 +8687,9 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
 {
     vm_scene_body b;
     memset(&b, 0, sizeof b);
-    b.motion = motion, b.positions = positions, b.coordinates = coordinates;
+    b.motion = motion;
+    b.positions = positions;
+    b.coordinates = coordinates;
     return b;
 }
 
@@ -8238,41 +8703,54 @@ VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, v
 
 VM_API void vmi_line_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
-    (void)b, (void)angle;
-    state[0] = now->r.x, state[1] = now->v.x;
+    (void)b;
+    (void)angle;
+    state[0] = now->r.x;
+    state[1] = now->v.x;
 }
 
 VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
-    now->r.x = state[0], now->v.x = state[1];
+    now->r.x = state[0];
+    now->v.x = state[1];
 }
 
 VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
-    b.start.mass = mass, b.start.r.x = x, b.start.v.x = v;
-    b.put = vmi_line_put, b.get = vmi_line_get, b.accelerate = vmi_single_accelerate;
+    b.start.mass = mass;
+    b.start.r.x = x;
+    b.start.v.x = v;
+    b.put = vmi_line_put;
+    b.get = vmi_line_get;
+    b.accelerate = vmi_single_accelerate;
     return b;
 }
 
 VM_API void vmi_axle_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     (void)b;
-    state[0] = angle, state[1] = now->omega.z;
+    state[0] = angle;
+    state[1] = now->omega.z;
 }
 
 VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
-    now->omega.z = state[1], now->inertia.zz = now->mass;
+    now->omega.z = state[1];
+    now->inertia.zz = now->mass;
 }
 
 VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
-    b.start.mass = inertia, b.start.omega.z = omega, b.angle = angle;
-    b.put = vmi_axle_put, b.get = vmi_axle_get, b.accelerate = vmi_single_accelerate;
+    b.start.mass = inertia;
+    b.start.omega.z = omega;
+    b.angle = angle;
+    b.put = vmi_axle_put;
+    b.get = vmi_axle_get;
+    b.accelerate = vmi_single_accelerate;
     return b;
 }
 
@@ -8290,14 +8768,21 @@ VM_API int vmi_plane_accelerate(const vm_scene_body *b, const vm_real *state, vm
 VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     (void)b;
-    state[0] = now->r.x, state[1] = now->r.y, state[2] = angle;
-    state[3] = now->v.x, state[4] = now->v.y, state[5] = now->omega.z;
+    state[0] = now->r.x;
+    state[1] = now->r.y;
+    state[2] = angle;
+    state[3] = now->v.x;
+    state[4] = now->v.y;
+    state[5] = now->omega.z;
 }
 
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
-    now->r.x = state[0], now->r.y = state[1], now->v.x = state[3], now->v.y = state[4];
+    now->r.x = state[0];
+    now->r.y = state[1];
+    now->v.x = state[3];
+    now->v.y = state[4];
     vmi_sincos(state[2] / 2, &now->q.z, &now->q.w);
     now->omega.z = state[5];
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
@@ -8307,10 +8792,17 @@ VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm
                                     vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_PLANE, 3, 3);
-    b.start.mass = mass, b.start.inertia.zz = inertia;
-    b.start.r = r, b.start.v = v, b.start.omega.z = omega, b.angle = angle;
+    b.start.mass = mass;
+    b.start.inertia.zz = inertia;
+    b.start.r = r;
+    b.start.v = v;
+    b.start.omega.z = omega;
+    b.angle = angle;
     b.start.r.z = b.start.v.z = 0;
-    b.put = vmi_plane_put, b.get = vmi_plane_get, b.accelerate = vmi_plane_accelerate, b.check = vmi_plane_check;
+    b.put = vmi_plane_put;
+    b.get = vmi_plane_get;
+    b.accelerate = vmi_plane_accelerate;
+    b.check = vmi_plane_check;
     return b;
 }
 
@@ -8333,8 +8825,12 @@ VM_API void vmi_point_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
 {
     vm_real *v = state + b->positions;
     (void)angle;
-    state[0] = now->r.x, state[1] = now->r.y, state[2] = now->r.z;
-    v[0] = now->v.x, v[1] = now->v.y, v[2] = now->v.z;
+    state[0] = now->r.x;
+    state[1] = now->r.y;
+    state[2] = now->r.z;
+    v[0] = now->v.x;
+    v[1] = now->v.y;
+    v[2] = now->v.z;
 }
 
 VM_API void vmi_point_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
@@ -8347,15 +8843,23 @@ VM_API void vmi_point_get(const vm_scene_body *b, const vm_real *state, vm_body 
 VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
-    b.start.mass = mass, b.start.r = r, b.start.v = v;
-    b.put = vmi_point_put, b.get = vmi_point_get, b.accelerate = vmi_point_accelerate, b.check = vmi_point_check;
+    b.start.mass = mass;
+    b.start.r = r;
+    b.start.v = v;
+    b.put = vmi_point_put;
+    b.get = vmi_point_get;
+    b.accelerate = vmi_point_accelerate;
+    b.check = vmi_point_check;
     return b;
 }
 
 VM_API vm_quat vmi_free_quat(const vm_real *state)
 {
     vm_quat q;
-    q.w = state[3], q.x = state[4], q.y = state[5], q.z = state[6];
+    q.w = state[3];
+    q.x = state[4];
+    q.y = state[5];
+    q.z = state[6];
     return q;
 }
 
@@ -8372,13 +8876,25 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vm_vec3 h = vmi_sub(torque, vmi_cross(w, vmi_inertia_times(&b->inertia, w)));
     vm_quat spin, turn;
     vm_real a[9];
-    spin.w = 0, spin.x = w.x / 2, spin.y = w.y / 2, spin.z = w.z / 2;
+    spin.w = 0;
+    spin.x = w.x / 2;
+    spin.y = w.y / 2;
+    spin.z = w.z / 2;
     turn = vmi_quat_times(q, spin);
     vmi_point_accelerate(b, state, rates);
-    rates[3] = turn.w + pull * q.w, rates[4] = turn.x + pull * q.x;
-    rates[5] = turn.y + pull * q.y, rates[6] = turn.z + pull * q.z;
-    a[0] = i->xx, a[4] = i->yy, a[8] = i->zz, a[1] = a[3] = i->xy, a[2] = a[6] = i->xz, a[5] = a[7] = i->yz;
-    rates[10] = h.x, rates[11] = h.y, rates[12] = h.z;
+    rates[3] = turn.w + pull * q.w;
+    rates[4] = turn.x + pull * q.x;
+    rates[5] = turn.y + pull * q.y;
+    rates[6] = turn.z + pull * q.z;
+    a[0] = i->xx;
+    a[4] = i->yy;
+    a[8] = i->zz;
+    a[1] = a[3] = i->xy;
+    a[2] = a[6] = i->xz;
+    a[5] = a[7] = i->yz;
+    rates[10] = h.x;
+    rates[11] = h.y;
+    rates[12] = h.z;
     return vmi_solve_linear(3, a, rates + 10) ? VM_BAD_INERTIA : VM_OK;
 }
 
@@ -8389,7 +8905,10 @@ VM_API vm_inertia vmi_free_filled(const vm_inertia *i)
     vmi_principal p = vmi_principal_axes(i);
     int k, null_axes = 0;
     for (k = 0; k < 3; k++)
-        if (!(p.moment[k] > vmi_slack(i))) p.moment[k] = trace > 0 ? trace : 1, null_axes++;
+        if (!(p.moment[k] > vmi_slack(i))) {
+            p.moment[k] = trace > 0 ? trace : 1;
+            null_axes++;
+        }
     return null_axes ? vmi_inertia_from(&p) : *i;
 }
 
@@ -8400,8 +8919,12 @@ VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm
     b->filled = vmi_free_filled(&now->inertia);
     vmi_point_put(b, now, angle, state);
     state[3] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
-    state[4] = now->q.x, state[5] = now->q.y, state[6] = now->q.z;
-    state[10] = omega.x, state[11] = omega.y, state[12] = omega.z;
+    state[4] = now->q.x;
+    state[5] = now->q.y;
+    state[6] = now->q.z;
+    state[10] = omega.x;
+    state[11] = omega.y;
+    state[12] = omega.z;
 }
 
 VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
@@ -8419,7 +8942,10 @@ VM_API vm_scene_body vm_scene_free(const vm_body *start)
     b.status = start ? VM_OK : VM_BAD_ARGUMENT;
     if (!start) return b;
     b.start = *start;
-    b.put = vmi_free_put, b.get = vmi_free_get, b.accelerate = vmi_free_accelerate, b.check = vmi_check_body;
+    b.put = vmi_free_put;
+    b.get = vmi_free_get;
+    b.accelerate = vmi_free_accelerate;
+    b.check = vmi_check_body;
     return b;
 }
 
@@ -8464,9 +8990,14 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
         a[0] += turning.z;
         return;
     }
-    a[0] += moving.x, a[1] += moving.y;
+    a[0] += moving.x;
+    a[1] += moving.y;
     a[2] += b->motion == VM_PLANE ? turning.z : moving.z;
-    if (b->motion == VM_FREE) a[3] += turning.x, a[4] += turning.y, a[5] += turning.z;
+    if (b->motion == VM_FREE) {
+        a[3] += turning.x;
+        a[4] += turning.y;
+        a[5] += turning.z;
+    }
 }
 
 /* ---- Scenes: growing bodies --------------------------------------------------------------------------------- */
@@ -8490,7 +9021,8 @@ VM_API vm_vec3 vmi_growth_centre(const vm_scene_body *b, const vm_real *state)
 VM_API void vmi_growth_put_centre(const vm_scene_body *b, vm_vec3 centre, vm_real *state)
 {
     vm_real *c = state + vmi_growth(b);
-    c[0] = centre.x, c[1] = centre.y;
+    c[0] = centre.x;
+    c[1] = centre.y;
     if (b->motion != VM_PLANE) c[2] = centre.z;
 }
 
@@ -8499,7 +9031,9 @@ VM_API void vmi_plane_growing_begin(vm_scene_body *b, const vm_real *state)
     vm_real s, c;
     vmi_growth_begin(b);
     vmi_sincos(state[2], &s, &c);
-    b->axes.x = vmi_vec3(c, s, 0), b->axes.y = vmi_vec3(-s, c, 0), b->axes.z = vmi_vec3(0, 0, 1);
+    b->axes.x = vmi_vec3(c, s, 0);
+    b->axes.y = vmi_vec3(-s, c, 0);
+    b->axes.z = vmi_vec3(0, 0, 1);
     b->inertia.zz = state[vmi_growth(b) + 2];
 }
 
@@ -8508,7 +9042,8 @@ VM_API int vmi_plane_growing_accelerate(const vm_scene_body *b, const vm_real *s
     const vm_load *load = &b->load;
     if (!(b->inertia.zz > 0)) return VM_BAD_INERTIA;
     vmi_plane_accelerate(b, state, rates);
-    rates[0] += load->drift.x, rates[1] += load->drift.y;
+    rates[0] += load->drift.x;
+    rates[1] += load->drift.y;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     rates[vmi_growth(b) + 2] = load->inertia_rate.zz;
     return VM_OK;
@@ -8529,7 +9064,8 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
 VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
-    body.begin = vmi_plane_growing_begin, body.accelerate = vmi_plane_growing_accelerate;
+    body.begin = vmi_plane_growing_begin;
+    body.accelerate = vmi_plane_growing_accelerate;
     body.put = body.motion == VM_PLANE ? vmi_plane_growing_put : NULL; /* NULL is refused by vm_scene_check */
     body.get = vmi_plane_growing_get;
     return body;
@@ -8550,7 +9086,9 @@ VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *st
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_stream_store_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
     if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
-    rates[0] += load->drift.x, rates[1] += load->drift.y, rates[2] += load->drift.z;
+    rates[0] += load->drift.x;
+    rates[1] += load->drift.y;
+    rates[2] += load->drift.z;
     return VM_OK;
 }
 
@@ -8579,7 +9117,8 @@ VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;
-    body.begin = vmi_free_growing_begin, body.accelerate = vmi_free_growing_accelerate;
+    body.begin = vmi_free_growing_begin;
+    body.accelerate = vmi_free_growing_accelerate;
     body.put = body.motion == VM_FREE ? vmi_free_growing_put : NULL;
     body.get = vmi_free_growing_get;
     return body;
@@ -8612,7 +9151,8 @@ VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm
 {
     if (!fx || !fy) return;
     const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(k, alpha, r) / r : 0;
-    *fx = f * x, *fy = f * y;
+    *fx = f * x;
+    *fy = f * y;
 }
 VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
                                   vm_real *fy)
@@ -8621,12 +9161,14 @@ VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real 
     const vm_real size = unbalance * (frequency * frequency);
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
-    *fx = size * c, *fy = size * s;
+    *fx = size * c;
+    *fy = size * s;
 }
 VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -coupling * vy, *fy = coupling * vx;
+    *fx = -coupling * vy;
+    *fy = coupling * vx;
 }
 
 /* An effect on one coordinate, against another */
@@ -8635,16 +9177,24 @@ VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coord
 {
     vm_effect e;
     memset(&e, 0, sizeof e);
-    e.body = body, e.coordinate = coordinate, e.other = other, e.other_coordinate = other_coordinate;
-    e.motions = motions, e.other_motions = VMI_ALL_MOTIONS;
+    e.body = body;
+    e.coordinate = coordinate;
+    e.other = other;
+    e.other_coordinate = other_coordinate;
+    e.motions = motions;
+    e.other_motions = VMI_ALL_MOTIONS;
     e.order = 1;
-    e.p[0] = p0, e.p[1] = p1, e.p[2] = p2;
+    e.p[0] = p0;
+    e.p[1] = p1;
+    e.p[2] = p2;
     return e;
 }
 
 VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t, (void)y, (void)s;
+    (void)t;
+    (void)y;
+    (void)s;
     e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[0]);
 }
 
@@ -8658,7 +9208,8 @@ VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 
 VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t, (void)s;
+    (void)t;
+    (void)s;
     vmi_effect_act(e, vm_force_spring(e->p[0], e->p[1], vmi_effect_x(e, y) - e->p[2]));
 }
 
@@ -8668,13 +9219,15 @@ VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other
                                   vm_real alpha, vm_real rest)
 {
     vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, alpha, rest);
-    e.apply = vmi_apply_spring, e.check = vmi_power_check;
+    e.apply = vmi_apply_spring;
+    e.check = vmi_power_check;
     return e;
 }
 
 VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t, (void)s;
+    (void)t;
+    (void)s;
     vmi_effect_act(e, -e->p[0] * (vmi_effect_x(e, y) - e->p[2]));
 }
 
@@ -8688,7 +9241,8 @@ VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, in
 
 VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t, (void)s;
+    (void)t;
+    (void)s;
     vmi_effect_act(e, vm_force_damper(e->p[0], vmi_effect_v(e, y)));
 }
 
@@ -8716,7 +9270,8 @@ VM_API vm_effect vm_effect_rotational_damper(int body, vm_real b)
 
 VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t, (void)s;
+    (void)t;
+    (void)s;
     vmi_effect_act(e, vm_force_van_der_pol(e->p[0], e->p[1], vmi_effect_x(e, y), vmi_effect_v(e, y)));
 }
 
@@ -8729,7 +9284,8 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
 
 VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)t, (void)s;
+    (void)t;
+    (void)s;
     vmi_effect_act(e, vm_force_drive(e->p[0], e->p[1], vmi_effect_v(e, y)));
 }
 
@@ -8742,7 +9298,8 @@ VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_re
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)y, (void)s;
+    (void)y;
+    (void)s;
     vmi_effect_act(e, vm_force_harmonic(e->p[0], e->p[1], e->p[2], t));
 }
 
@@ -8764,7 +9321,8 @@ VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int
 {
     vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, 0, 0, 0);
     e.apply = force ? vmi_apply_user : NULL;
-    e.force = force, e.ctx = ctx;
+    e.force = force;
+    e.ctx = ctx;
     return e;
 }
 
@@ -8780,31 +9338,37 @@ VM_API vm_effect vm_effect_callback(int body, int other,
                                     void *ctx)
 {
     vm_effect e = vmi_effect(body, 0, other, 0, VMI_ALL_MOTIONS, 0, 0, 0);
-    e.apply = apply, e.ctx = ctx;
+    e.apply = apply;
+    e.ctx = ctx;
     return e;
 }
 
 VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_real fx, fy;
-    (void)t, (void)s;
+    (void)t;
+    (void)s;
     vm_force_shaft(e->p[0], e->p[1], y[e->x], y[e->x + 1], &fx, &fy);
-    e->load->force[0] += fx, e->load->force[1] += fy;
+    e->load->force[0] += fx;
+    e->load->force[1] += fy;
 }
 
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, k, alpha, 0);
-    e.apply = vmi_apply_shaft, e.check = vmi_power_check;
+    e.apply = vmi_apply_shaft;
+    e.check = vmi_power_check;
     return e;
 }
 
 VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_real fx, fy;
-    (void)y, (void)s;
+    (void)y;
+    (void)s;
     vm_force_unbalance(e->p[0], e->p[1], e->p[2], t, &fx, &fy);
-    e->load->force[0] += fx, e->load->force[1] += fy;
+    e->load->force[0] += fx;
+    e->load->force[1] += fy;
 }
 
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
@@ -8817,9 +9381,11 @@ VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real freque
 VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_real fx, fy;
-    (void)t, (void)s;
+    (void)t;
+    (void)s;
     vm_force_gyroscopic(e->p[0], y[e->v], y[e->v + 1], &fx, &fy);
-    e->load->force[0] += fx, e->load->force[1] += fy;
+    e->load->force[0] += fx;
+    e->load->force[1] += fy;
 }
 
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
@@ -8858,7 +9424,8 @@ VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *
     const vm_real v = y[e->v];
     load->mass = now->mass + s->bodies[e->body].jumped;
     load->extra = now->by_v * ((1 - share) * v - u[0]);
-    load->by_v = now->by_v, load->own = u[0] + share * v;
+    load->by_v = now->by_v;
+    load->own = u[0] + share * v;
     vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v, u, share);
 }
 
@@ -8875,7 +9442,8 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_r
     e.p[3] = share;
     e.order = 0;
     e.apply = law ? vmi_apply_mass_law : NULL;
-    e.law = law, e.ctx = ctx;
+    e.law = law;
+    e.ctx = ctx;
     return e;
 }
 
@@ -8884,9 +9452,16 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     const vm_real x = y[e->x], v = y[e->v], c = e->p[4];
     vm_mass_now now = {0, 0, 0, 0};
     now.mass = s->bodies[e->body].start.mass;
-    if (e->other_coordinate == VM_MASS_OF_T) now.mass += c * t, now.by_t = c;
-    else if (e->other_coordinate == VM_MASS_OF_X) now.mass += c * x, now.by_x = c;
-    else now.mass += c * v * v, now.by_v = 2 * c * v;
+    if (e->other_coordinate == VM_MASS_OF_T) {
+        now.mass += c * t;
+        now.by_t = c;
+    } else if (e->other_coordinate == VM_MASS_OF_X) {
+        now.mass += c * x;
+        now.by_x = c;
+    } else {
+        now.mass += c * v * v;
+        now.by_v = 2 * c * v;
+    }
     vmi_scene_follow(e, y, s, &now, e->p, e->p[3]);
 }
 
@@ -8894,7 +9469,8 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 {
     const unsigned motions = kind == VM_MASS_OF_T ? VMI_ALL_MOTIONS : VMI_SINGLE;
     vm_effect e = vmi_effect(body, 0, VM_GROUND, kind, motions, u, 0, 0);
-    e.p[3] = share, e.p[4] = c;
+    e.p[3] = share;
+    e.p[4] = c;
     e.order = 0;
     e.apply = kind >= VM_MASS_OF_T && kind <= VM_MASS_OF_V2 ? vmi_apply_mass : NULL;
     return e;
@@ -8910,7 +9486,8 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
 {
     vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_ALL_MOTIONS, u.x, u.y, u.z);
-    e.p[3] = share, e.p[4] = rate;
+    e.p[3] = share;
+    e.p[4] = rate;
     e.needs_mass_state = 1;
     e.apply = vmi_apply_stream;
     return e;
@@ -8927,9 +9504,15 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_stream stream = *e->stream;
-    if (e->vary) e->vary(t, y, &stream, e->ctx), stream.from = NULL;
-    c->seen.turn = &b->axes, c->seen.slip = vmi_vec3(0, 0, 0), c->seen.energy = s->book != NULL;
-    c->seen.v = vmi_scene_moving(b, y + e->v), c->seen.omega = vmi_scene_turning(b, y + e->v);
+    if (e->vary) {
+        e->vary(t, y, &stream, e->ctx);
+        stream.from = NULL;
+    }
+    c->seen.turn = &b->axes;
+    c->seen.slip = vmi_vec3(0, 0, 0);
+    c->seen.energy = s->book != NULL;
+    c->seen.v = vmi_scene_moving(b, y + e->v);
+    c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
     if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT; /* an unknown motion */
 }
@@ -9002,7 +9585,9 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 {
     vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_PLANE | 1 << VM_FREE, 0, 0, 0);
     e.needs_mass_state = 2;
-    e.stream = stream, e.check = vmi_crossing_check, e.apply = apply;
+    e.stream = stream;
+    e.check = vmi_crossing_check;
+    e.apply = apply;
     return e;
 }
 
@@ -9030,7 +9615,8 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
 {
-    effect.vary = vary, effect.ctx = ctx;
+    effect.vary = vary;
+    effect.ctx = ctx;
     if (!effect.stream || !vary) effect.apply = NULL; /* which vm_scene_check refuses */
     return effect;
 }
@@ -9069,7 +9655,8 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
     const vm_real bare = VM_IS_FINITE(phi) && vmi_band_good(band) ? 0 : VM_NAN;
     vm_band_now now;
-    now.radius = R + bare, now.rate = now.mass = now.inertia = bare;
+    now.radius = R + bare;
+    now.rate = now.mass = now.inertia = bare;
     if (!(phi >= 0 && bare == 0)) return now;
     if (band->by_layer) return vmi_band_by_layer(phi, band, line);
     now.radius = r;
@@ -9082,8 +9669,13 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 VM_API vm_band vmi_band_of(const vm_effect *e)
 {
     vm_band b;
-    b.radius = e->p[0], b.thickness = e->p[1], b.width = e->p[2], b.density = e->p[3];
-    b.speed = e->p[4], b.share = e->p[5], b.by_layer = e->other_coordinate;
+    b.radius = e->p[0];
+    b.thickness = e->p[1];
+    b.width = e->p[2];
+    b.density = e->p[3];
+    b.speed = e->p[4];
+    b.share = e->p[5];
+    b.by_layer = e->other_coordinate;
     return b;
 }
 
@@ -9109,10 +9701,16 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_AXLE, 0, 0, 0);
     e.order = 0;
-    e.apply = band ? vmi_apply_band : NULL, e.check = vmi_band_check;
+    e.apply = band ? vmi_apply_band : NULL;
+    e.check = vmi_band_check;
     if (!band) return e;
-    e.p[0] = band->radius, e.p[1] = band->thickness, e.p[2] = band->width, e.p[3] = band->density;
-    e.p[4] = band->speed, e.p[5] = band->share, e.other_coordinate = band->by_layer != 0;
+    e.p[0] = band->radius;
+    e.p[1] = band->thickness;
+    e.p[2] = band->width;
+    e.p[3] = band->density;
+    e.p[4] = band->speed;
+    e.p[5] = band->share;
+    e.other_coordinate = band->by_layer != 0;
     return e;
 }
 
@@ -9129,7 +9727,8 @@ VM_API void vmi_link_body(const vm_scene *s, int body, const vm_real *y, vmi_lin
     const int n = b->motion == VM_LINE ? 1 : b->motion == VM_PLANE ? 2 : 3;
     int i;
     for (i = 0; i < 3; i++) {
-        end->r[i] = i < n ? r[i] : 0, end->v[i] = i < n ? v[i] : 0;
+        end->r[i] = i < n ? r[i] : 0;
+        end->v[i] = i < n ? v[i] : 0;
         end->mobility[i] = i < n ? 1 / (b->load.mass + b->load.extra) : 0;
         end->a[i] = end->mobility[i] * b->load.force[i];
     }
@@ -9140,9 +9739,15 @@ VM_API void vmi_link_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
     int i;
     e->point(t, &r, &v, &a, e->ctx);
-    end->r[0] = r.x, end->r[1] = r.y, end->r[2] = r.z;
-    end->v[0] = v.x, end->v[1] = v.y, end->v[2] = v.z;
-    end->a[0] = a.x, end->a[1] = a.y, end->a[2] = a.z;
+    end->r[0] = r.x;
+    end->r[1] = r.y;
+    end->r[2] = r.z;
+    end->v[0] = v.x;
+    end->v[1] = v.y;
+    end->v[2] = v.z;
+    end->a[0] = a.x;
+    end->a[1] = a.y;
+    end->a[2] = a.z;
     for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
@@ -9163,7 +9768,10 @@ VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     for (i = 0; i < 3; i++) {
         const vm_real v = here.v[i] - there.v[i];
         d[i] = here.r[i] - there.r[i];
-        dd += d[i] * d[i], dv += d[i] * v, vv += v * v, da += d[i] * (here.a[i] - there.a[i]);
+        dd += d[i] * d[i];
+        dv += d[i] * v;
+        vv += v * v;
+        da += d[i] * (here.a[i] - there.a[i]);
         mobility += d[i] * d[i] * (here.mobility[i] + there.mobility[i]);
     }
     if (!(mobility > 0)) { /* the ends are in one place, or cannot move along the link */
@@ -9185,9 +9793,12 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
                                 vm_real rate)
 {
     vm_effect e = vmi_effect(body, 0, other, 0, VMI_FLAT, length, rate, (vm_real)(cord != 0));
-    e.order = 2, e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
-    e.apply = point || other >= 0 ? vmi_apply_link : NULL, e.check = vmi_link_check;
-    e.point = point, e.ctx = ctx;
+    e.order = 2;
+    e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
+    e.apply = point || other >= 0 ? vmi_apply_link : NULL;
+    e.check = vmi_link_check;
+    e.point = point;
+    e.ctx = ctx;
     return e;
 }
 
@@ -9228,7 +9839,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
-    b->mass = now->mass, b->inertia = now->inertia;
+    b->mass = now->mass;
+    b->inertia = now->inertia;
     if (b->mass_is_state) y[b->mass_at] = now->mass;
     b->put(b, now, angle, y + b->at);
 }
@@ -9257,7 +9869,8 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
     load->extra = load->by_v = load->mass_rate = 0;
     if (b->begin) b->begin(b, y + b->at);
     if (book) {
-        memset(load->reactive, 0, sizeof load->reactive), memset(load->brought, 0, sizeof load->brought);
+        memset(load->reactive, 0, sizeof load->reactive);
+        memset(load->brought, 0, sizeof load->brought);
         load->brought_energy = load->mixing = 0;
     }
 }
@@ -9297,7 +9910,8 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     vm_scene *s = (vm_scene *)ctx;
     int i, before;
     if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
-    before = s->status, s->status = VM_OK;
+    before = s->status;
+    s->status = VM_OK;
     vmi_scene_load(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
@@ -9319,7 +9933,10 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* ---- Scenes: balance ---------------------------------------------------------------------------------------- */
 
-VM_INLINE void vmi_scene_store(vm_vec3 a, vm_real *d) { d[0] += a.x, d[1] += a.y, d[2] += a.z; }
+VM_INLINE void vmi_scene_store(vm_vec3 a, vm_real *d) {
+d[0] += a.x;
+d[1] += a.y;
+d[2] += a.z; }
 
 /* What a body's load adds to the book by the second: impulse, angular impulse, momentum and angular momentum brought,
    work, energy brought, mixing */
@@ -9335,7 +9952,8 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     vmi_scene_store(brought, d + 6);
     vmi_scene_store(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
     d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) + vmi_dot(torque, vmi_scene_spin(b, y));
-    d[13] += load->brought_energy, d[14] += load->mixing;
+    d[13] += load->brought_energy;
+    d[14] += load->mixing;
 }
 
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
@@ -9373,7 +9991,8 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
         if (b->away) continue;
         vmi_scene_body_now(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
-        p = vmi_scale(now.mass, now.v), spin = vmi_spin_momentum(&now);
+        p = vmi_scale(now.mass, now.v);
+        spin = vmi_spin_momentum(&now);
         book->momentum = vmi_add(book->momentum, p);
         book->angular_momentum = vmi_add(book->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
         book->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
@@ -9418,14 +10037,17 @@ VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_boo
     vm_book b;
     if (!start || !y || !book) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
-    b = *start, d = y + vm_scene_size(scene) - VM_BOOK;
+    b = *start;
+    d = y + vm_scene_size(scene) - VM_BOOK;
     vmi_scene_load(scene, t, y);
     vmi_scene_totals(scene, y, &b);
     b.impulse = vmi_add(start->impulse, vmi_vec3(d[0], d[1], d[2]));
     b.angular_impulse = vmi_add(start->angular_impulse, vmi_vec3(d[3], d[4], d[5]));
     b.brought = vmi_vec3(d[6], d[7], d[8]);
     b.brought_angular = vmi_vec3(d[9], d[10], d[11]);
-    b.work = d[12], b.brought_energy = d[13], b.mixing = d[14];
+    b.work = d[12];
+    b.brought_energy = d[13];
+    b.mixing = d[14];
     b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
     b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
                                vmi_add(b.angular_impulse, b.brought_angular));
@@ -9506,7 +10128,8 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
     if (!(e->motions >> s->bodies[e->jump_body].motion & 1)) return VM_BAD_MOTION;
     if (!vmi_vec3_finite(j->linear) || !vmi_vec3_finite(j->couple) || !vmi_vec3_finite(j->at)) return VM_NOT_FINITE;
     if (e->jumps < 0) return VM_OK;
-    part = s->bodies[e->other], part.start = e->part;
+    part = s->bodies[e->other];
+    part.start = e->part;
     return vmi_scene_check_body(&part);
 }
 
@@ -9543,12 +10166,21 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit)
     if (status) return status;
     for (i = 0; !status && i < scene->n_bodies; i++) {
         scene->bodies[i].acted = 0;
-        if ((status = vmi_scene_check_body(scene->bodies + i)) != 0) c.kind = "body", c.index = i;
+        if ((status = vmi_scene_check_body(scene->bodies + i)) != 0) {
+            c.kind = "body";
+            c.index = i;
+        }
     }
     for (i = 0; !status && i < scene->n_effects; i++)
-        if ((status = vmi_scene_check_effect(scene, scene->effects + i)) != 0) c.kind = "effect", c.index = i;
+        if ((status = vmi_scene_check_effect(scene, scene->effects + i)) != 0) {
+            c.kind = "effect";
+            c.index = i;
+        }
     for (i = 0; !status && i < scene->n_events; i++)
-        if ((status = vmi_scene_check_event(scene, scene->events + i)) != 0) c.kind = "event", c.index = i;
+        if ((status = vmi_scene_check_event(scene, scene->events + i)) != 0) {
+            c.kind = "event";
+            c.index = i;
+        }
     if (culprit) *culprit = c;
     return status;
 }
@@ -9575,12 +10207,16 @@ VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
     e->idle = e->off != 0;
-    e->load = &b->load, e->other_load = NULL;
-    e->x = b->at + e->coordinate, e->v = e->x + b->positions;
-    e->other_x = e->x, e->other_v = e->v;
+    e->load = &b->load;
+    e->other_load = NULL;
+    e->x = b->at + e->coordinate;
+    e->v = e->x + b->positions;
+    e->other_x = e->x;
+    e->other_v = e->v;
     if (!other) return; /* other_coordinate may be anything then */
     e->other_load = &other->load;
-    e->other_x = other->at + e->other_coordinate, e->other_v = e->other_x + other->positions;
+    e->other_x = other->at + e->other_coordinate;
+    e->other_v = e->other_x + other->positions;
 }
 
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *culprit)
@@ -9593,14 +10229,18 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
     scene->size = vm_scene_size(scene);
     for (i = 0; i < scene->n_bodies; i++) {
         vm_scene_body *b = scene->bodies + i;
-        b->at = at, b->mass_at = at + vmi_scene_mass_at(b), b->away = b->absent, b->jumped = 0;
+        b->at = at;
+        b->mass_at = at + vmi_scene_mass_at(b);
+        b->away = b->absent;
+        b->jumped = 0;
         for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
         vmi_scene_put(scene, i, &b->start, b->angle, y);
     }
     for (i = 0; i < scene->n_effects; i++) vmi_scene_bind(scene, scene->effects + i);
     for (i = 0; i < scene->n_events; i++) {
         vm_event *e = scene->events + i;
-        e->scene = scene, e->count = e->seen = 0;
+        e->scene = scene;
+        e->count = e->seen = 0;
         if (e->when) e->time = t;
         vmi_scene_locate(scene, i);
     }
@@ -9617,7 +10257,10 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
 {
     vm_event e;
     memset(&e, 0, sizeof e);
-    e.body = body, e.coordinate = coordinate, e.value = value, e.direction = direction;
+    e.body = body;
+    e.coordinate = coordinate;
+    e.value = value;
+    e.direction = direction;
     e.watches = 1;
     return e;
 }
@@ -9625,7 +10268,9 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
-    e.time = time, e.watches = 0, e.most = 1;
+    e.time = time;
+    e.watches = 0;
+    e.most = 1;
     return e;
 }
 
@@ -9678,14 +10323,17 @@ VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void 
     vm_event e = vmi_event(0, 0, 0, direction);
     e.watches = 0;
     e.when = when ? vmi_when_user : NULL;
-    e.user_when = when, e.ctx = ctx;
+    e.user_when = when;
+    e.ctx = ctx;
     if (!when) e.status = VM_BAD_ARGUMENT;
     return e;
 }
 
 VM_API int vmi_then_stop(vm_event *e, vm_real t, vm_real *y)
 {
-    (void)e, (void)t, (void)y;
+    (void)e;
+    (void)t;
+    (void)y;
     return VM_STOPPED;
 }
 
@@ -9712,7 +10360,8 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
         vm_scene_body *b = s->bodies + i;
         const vm_real more = b->held - b->load.mass;
         if (b->away || b->mass_is_state) continue;
-        b->mass += more, b->jumped += more; /* a body uses only one of them: `jumped` if it has a mass law */
+        b->mass += more;
+        b->jumped += more; /* a body uses only one of them: `jumped` if it has a mass law */
     }
     vmi_scene_load(s, t, y);
 }
@@ -9731,7 +10380,9 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
-    event.effect = effect, event.off = off != 0, event.switches = 1;
+    event.effect = effect;
+    event.off = off != 0;
+    event.switches = 1;
     return event;
 }
 
@@ -9741,7 +10392,8 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 {
     event.then = vmi_then_user;
     if (!then) event.status = VM_BAD_ARGUMENT;
-    event.user_then = then, event.then_ctx = ctx;
+    event.user_then = then;
+    event.then_ctx = ctx;
     return event;
 }
 
@@ -9769,7 +10421,8 @@ VM_API int vmi_jump_single(const vm_event *e, const vm_body *body, const vm_body
 VM_API int vmi_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     if (e->relative) {
-        other->r.x += body->r.x, other->v.x += body->v.x;
+        other->r.x += body->r.x;
+        other->v.x += body->v.x;
         other->omega.z += body->omega.z;
     }
     return vmi_jump_single(e, body, other, b);
@@ -9789,9 +10442,14 @@ VM_API void vmi_jump_place(const vm_body *body, vm_body *part)
 VM_API vm_body2 vmi_scene_flat(const vm_body *b)
 {
     vm_body2 flat;
-    flat.mass = b->mass, flat.inertia = b->inertia.zz;
-    flat.x = b->r.x, flat.y = b->r.y, flat.angle = 0;
-    flat.vx = b->v.x, flat.vy = b->v.y, flat.omega = b->omega.z;
+    flat.mass = b->mass;
+    flat.inertia = b->inertia.zz;
+    flat.x = b->r.x;
+    flat.y = b->r.y;
+    flat.angle = 0;
+    flat.vx = b->v.x;
+    flat.vy = b->v.y;
+    flat.omega = b->omega.z;
     return flat;
 }
 
@@ -9802,14 +10460,23 @@ VM_API int vmi_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *ot
     vm_impulse2 blow;
     int status;
     if (e->relative) vmi_jump_place(body, other);
-    one = vmi_scene_flat(body), two = vmi_scene_flat(other);
-    blow.jx = external->linear.x, blow.jy = external->linear.y, blow.couple = external->couple.z;
-    blow.x = external->at.x, blow.y = external->at.y;
+    one = vmi_scene_flat(body);
+    two = vmi_scene_flat(other);
+    blow.jx = external->linear.x;
+    blow.jy = external->linear.y;
+    blow.couple = external->couple.z;
+    blow.x = external->at.x;
+    blow.y = external->at.y;
     status = e->jumps > 0 ? vm_separate2(&one, &two, &blow, &flat) : vm_attach2(&one, &two, &blow, &flat);
     if (status < 0) return status;
     *b = *body;
-    b->mass = flat.mass, b->inertia.zz = flat.inertia;
-    b->r.x = flat.x, b->r.y = flat.y, b->v.x = flat.vx, b->v.y = flat.vy, b->omega.z = flat.omega;
+    b->mass = flat.mass;
+    b->inertia.zz = flat.inertia;
+    b->r.x = flat.x;
+    b->r.y = flat.y;
+    b->v.x = flat.vx;
+    b->v.y = flat.vy;
+    b->omega.z = flat.omega;
     return flat.inertia > 0 ? VM_OK : VM_BAD_INERTIA; /* a rest that is a point cannot move on as a body */
 }
 
@@ -9877,8 +10544,13 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 {
     event.then = vmi_then_separate;
     if (!part) event.status = VM_BAD_ARGUMENT;
-    event.check = vmi_scene_check_jump, event.jump = vmi_jump_on_line, event.motions = VMI_SINGLE;
-    event.jump_body = body, event.other = into, event.jumps = 1, event.relative = relative;
+    event.check = vmi_scene_check_jump;
+    event.jump = vmi_jump_on_line;
+    event.motions = VMI_SINGLE;
+    event.jump_body = body;
+    event.other = into;
+    event.jumps = 1;
+    event.relative = relative;
     if (part) event.part = *part;
     return event;
 }
@@ -9886,14 +10558,16 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
-    event.jump = vmi_jump_in_plane, event.motions = 1 << VM_PLANE;
+    event.jump = vmi_jump_in_plane;
+    event.motions = 1 << VM_PLANE;
     return event;
 }
 
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
-    event.jump = vmi_jump_any, event.motions = VMI_ALL_MOTIONS;
+    event.jump = vmi_jump_any;
+    event.motions = VMI_ALL_MOTIONS;
     return event;
 }
 
@@ -9914,22 +10588,29 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
 VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
-    event.check = vmi_scene_check_jump, event.jump = vmi_jump_on_line, event.motions = VMI_SINGLE;
-    event.jump_body = body, event.other = added, event.jumps = -1, event.relative = 0;
+    event.check = vmi_scene_check_jump;
+    event.jump = vmi_jump_on_line;
+    event.motions = VMI_SINGLE;
+    event.jump_body = body;
+    event.other = added;
+    event.jumps = -1;
+    event.relative = 0;
     return event;
 }
 
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
-    event.jump = vmi_jump_in_plane, event.motions = 1 << VM_PLANE;
+    event.jump = vmi_jump_in_plane;
+    event.motions = 1 << VM_PLANE;
     return event;
 }
 
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
-    event.jump = vmi_jump_any, event.motions = VMI_ALL_MOTIONS;
+    event.jump = vmi_jump_any;
+    event.motions = VMI_ALL_MOTIONS;
     return event;
 }
 
@@ -9967,12 +10648,14 @@ VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *
         if (e->when) e->seen = found->count;
         if (!now || (e->most && e->count >= e->most)) continue;
         if (e->when && found->action == ODE_RECORD) {
-            e->count += times, e->time = found->t;
+            e->count += times;
+            e->time = found->t;
             continue;
         }
         if (e->when && e->count && t - e->time < pace->gap) pace->gap = t - e->time;
         if (e->when) e->time = t;
-        e->count++, pace->happened++;
+        e->count++;
+        pace->happened++;
         result = e->then ? e->then(e, t, y) : (int)VM_OK;
         if (result < 0 || status == VM_OK) status = result;
     }
@@ -10064,7 +10747,8 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     int i;
     for (i = 0; i < n; i++) atol[i] = i >= n - booked ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
     o.atol_each = atol;
-    o.events = s->located, o.n_events = s->n_events;
+    o.events = s->located;
+    o.n_events = s->n_events;
     if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
     s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
     r->attempts = o.max_steps;

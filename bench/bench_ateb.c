@@ -60,7 +60,8 @@ static void by_gsl(double s, double alpha, double *sa, double *ca)
     const double turned = fmod(fabs(s), 2 * gsl_pi), t = turned > gsl_pi ? 2 * gsl_pi - turned : turned;
     const double p = (t > gsl_pi / 2 ? gsl_pi - t : t) / (gsl_pi / 2), q = 1 / (alpha + 1);
     const double x = p < 0.5 ? gsl_cdf_beta_Pinv(p, 0.5, q) : gsl_cdf_beta_Pinv(1 - p, q, 0.5);
-    *sa = sqrt(p < 0.5 ? x : 1 - x), *ca = pow(p < 0.5 ? 1 - x : x, q);
+    *sa = sqrt(p < 0.5 ? x : 1 - x);
+    *ca = pow(p < 0.5 ? 1 - x : x, q);
     if ((s < 0) != (turned > gsl_pi)) *sa = -*sa;
     if (t > gsl_pi / 2) *ca = -*ca;
 }

@@ -125,9 +125,11 @@ static result run_gsl(int k, int method, double knob, int count, double *y)
     gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, type, 1e-3, knob, knob);
     double t = 0;
     result r;
-    counted_rhs = methods[k].rhs, calls = 0;
+    counted_rhs = methods[k].rhs;
+    calls = 0;
     if (gsl_odeiv2_driver_apply(driver, &t, problems[k].T, y) != GSL_SUCCESS) puts("GSL failed");
-    r.evals = calls, r.steps = (long)driver->n;
+    r.evals = calls;
+    r.steps = (long)driver->n;
     gsl_odeiv2_driver_free(driver);
     return r;
 }
@@ -211,7 +213,10 @@ static void measure_curve(curve *c)
         if (c->work[s].evals == 0) continue;
         snprintf(knob, sizeof knob, "%.3g", now.knob);
         runs = 1;
-        if (fixed_step(now.method) && now.knob > TIMED_STEPS) runs = TIMED_STEPS / now.knob, now.knob = TIMED_STEPS;
+        if (fixed_step(now.method) && now.knob > TIMED_STEPS) {
+            runs = TIMED_STEPS / now.knob;
+            now.knob = TIMED_STEPS;
+        }
         c->time[s] = time_beside(body, runs, yardstick, 1);
         bench_write_row(problems[now.problem].name, method_names[now.method], knob, c->error[s], c->time[s],
                         "rk4_loop; 1000 steps");
@@ -263,7 +268,8 @@ static void measure_problem(int k)
     now.problem = k;
     for (now.method = 0; now.method < METHODS; now.method++) measure_curve(curves + now.method);
     print_times_to_errors(curves);
-    now.method = RK4_SOLVE, now.knob = YARDSTICK_STEPS;
+    now.method = RK4_SOLVE;
+    now.knob = YARDSTICK_STEPS;
     run(k, now.method, now.knob, 0, y);
     snprintf(job, sizeof job, "%s, 1000 steps", problems[k].name);
     measure(job, "rk4_solve", "", error_at_end(problems + k, y), body, 1, "rk4_loop", yardstick, 1);
@@ -280,19 +286,22 @@ static int spring_rhs(double t, const double *y, double *d, void *ctx)
     const spring *p = (const spring *)ctx;
     double force = p->alpha == 0 ? 1 : pow(fabs(y[0]), p->alpha);
     (void)t;
-    d[0] = y[1], d[1] = -(p->sign == 0 ? copysign(force, y[0]) : p->sign * force);
+    d[0] = y[1];
+    d[1] = -(p->sign == 0 ? copysign(force, y[0]) : p->sign * force);
     return 0;
 }
 
 static double position(double t, const double *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return y[0];
 }
 
 static void turn_sign(double t, double *y, void *ctx)
 {
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     ((spring *)ctx)->sign *= -1;
 }
 
@@ -304,10 +313,16 @@ static double non_smooth(int order, double alpha, double period, double tol, int
     ode_event zero;
     rk45_options o = {0};
     rk45 s;
-    p.alpha = alpha, p.sign = way == 2;
+    p.alpha = alpha;
+    p.sign = way == 2;
     memset(&zero, 0, sizeof zero);
-    zero.g = position, zero.ctx = &p, zero.action = ODE_RESTART, zero.change = way == 2 ? turn_sign : NULL;
-    o.rtol = o.atol = tol, o.events = &zero, o.n_events = way > 0;
+    zero.g = position;
+    zero.ctx = &p;
+    zero.action = ODE_RESTART;
+    zero.change = way == 2 ? turn_sign : NULL;
+    o.rtol = o.atol = tol;
+    o.events = &zero;
+    o.n_events = way > 0;
     if ((order == 5 ? rk45_init : rk87_init)(&s, spring_rhs, &p, 2, 0, y, &o, work) < 0) return -1;
     if ((order == 5 ? rk45_solve(&s, 10 * period) : rk87_solve(&s, 10 * period)) < 0) puts("failed");
     *evals = s.evals;

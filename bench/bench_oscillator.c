@@ -58,11 +58,13 @@ static void prepare_envelope(int wave, int corrected)
 {
     const double alpha = now->alpha, rate = sqrt((alpha + 1) / 2); /* of the Ateb phase */
     double turn = 1;
-    form.wave = wave, form.m = vm_osc_m_jacobi(alpha);
+    form.wave = wave;
+    form.m = vm_osc_m_jacobi(alpha);
     if (wave == COS) turn = VM_PI / ateb_pi(alpha);
     if (wave == CN) turn = 2 * jacobi_K(form.m) / ateb_pi(alpha);
     form.P = corrected ? 1 / (alpha + 3) : printed_exponent(wave, alpha, form.m);
-    form.start = turn * now->psi0, form.rate = turn * rate;
+    form.start = turn * now->psi0;
+    form.rate = turn * rate;
 }
 
 static double by_envelope_at(double t)
@@ -175,7 +177,9 @@ static void prepare_gsl(int high)
 {
     if (driver) gsl_odeiv2_driver_free(driver);
     gsl_eps = now->eps;
-    gsl_system.function = rhs(), gsl_system.dimension = 2, gsl_system.params = &gsl_eps;
+    gsl_system.function = rhs();
+    gsl_system.dimension = 2;
+    gsl_system.params = &gsl_eps;
     driver = gsl_odeiv2_driver_alloc_y_new(&gsl_system, high ? gsl_odeiv2_step_rk8pd : gsl_odeiv2_step_rkf45, 1e-2,
                                            knob, knob);
 }
@@ -227,7 +231,8 @@ static void measure_route(const char *name, const char *knob_format)
     snprintf(job, sizeof job, "alpha=%s psi0=%g eps=%g%s", now->alpha == 3 ? "3" : "4/3", now->psi0, now->eps,
              many ? " of 16" : "");
     snprintf(setting, sizeof setting, knob_format, knob);
-    results[count].route = name, results[count].error = error;
+    results[count].route = name;
+    results[count].error = error;
     results[count].ns = measure(job, name, setting, error, many ? all_answers : one_answer, many ? ANSWERS : 1,
                                 "sin", sin_apart, WINDOW)
                             .ns;
@@ -271,7 +276,8 @@ static void measure_kit(void)
                                         "vm_osc_by second",    "vm_osc_by variation",  "vm_osc_by rk45",
                                         "vm_osc_by rk87",      "vm_osc_plan_by trig",  "vm_osc_plan_by Jacobi",
                                         "vm_osc_plan_by Ateb", "vm_osc_plan_by second"};
-    through = by_kit, knob = 0;
+    through = by_kit;
+    knob = 0;
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_SECOND; route++) measure_route(names[route], "");
     prepared = vm_osc_plan_init(&plan, &problem) == VM_OK;
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_SECOND; route++) measure_route(names[route + 7], "");
@@ -319,7 +325,10 @@ static double cheapest(double error, int gsl, const char **name)
     int i;
     for (*name = "-", i = 0; i < count; i++) {
         const double ns = time_to(error, i);
-        if (is_of(gsl, results[i].route) && ns == ns && !(ns >= least)) least = ns, *name = results[i].route;
+        if (is_of(gsl, results[i].route) && ns == ns && !(ns >= least)) {
+            least = ns;
+            *name = results[i].route;
+        }
     }
     return least;
 }
@@ -344,11 +353,16 @@ static void print_summary(void)
 static void measure_case(const oscillator_case *c)
 {
     int i;
-    now = c, count = 0;
+    now = c;
+    count = 0;
     for (i = 0; i < ANSWERS; i++) times[i] = 3 / c->eps * (i + 1) / ANSWERS;
     memset(&problem, 0, sizeof problem);
-    problem.alpha = c->alpha, problem.mass = vm_law_linear(1, c->eps), problem.stiffness = vm_law_linear(1, 0);
-    problem.reactive = 1, problem.x = c->x0, problem.v = c->v0;
+    problem.alpha = c->alpha;
+    problem.mass = vm_law_linear(1, c->eps);
+    problem.stiffness = vm_law_linear(1, 0);
+    problem.reactive = 1;
+    problem.x = c->x0;
+    problem.v = c->v0;
     measure_closed_forms();
     measure_kit();
     measure_integrators();

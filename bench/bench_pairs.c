@@ -64,7 +64,9 @@ static long integrate(const pair *p, const problem *q, double tol, double *y)
         }
         factor = fmin(10, fmax(0.2, 0.9 * pow(fmax(e, 1e-8), -0.17) * pow(before, 0.04)));
         h = s * (rejected ? fmin(factor, 1) : factor);
-        before = fmax(e, 1e-4), rejected = 0, t += s;
+        before = fmax(e, 1e-4);
+        rejected = 0;
+        t += s;
         memcpy(y, z, sizeof z);
         memcpy(k[0], k[6], sizeof k[0]);
         if (last) return evals;

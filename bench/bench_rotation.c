@@ -60,13 +60,19 @@ static int free_rhs(double t, const double *y, double *dydt, void *ctx)
 
 static void start(double *y)
 {
-    y[0] = body->omega.x, y[1] = body->omega.y, y[2] = body->omega.z;
-    y[3] = 1, y[4] = y[5] = y[6] = 0;
+    y[0] = body->omega.x;
+    y[1] = body->omega.y;
+    y[2] = body->omega.z;
+    y[3] = 1;
+    y[4] = y[5] = y[6] = 0;
 }
 
 static void take(const double *y, int ok)
 {
-    reached.w = ok ? y[3] : VM_NAN, reached.x = y[4], reached.y = y[5], reached.z = y[6];
+    reached.w = ok ? y[3] : VM_NAN;
+    reached.x = y[4];
+    reached.y = y[5];
+    reached.z = y[6];
 }
 
 static void by_rk4(void)
@@ -97,7 +103,9 @@ static void prepare_gsl(void)
 {
     static gsl_odeiv2_system system;
     if (driver) gsl_odeiv2_driver_free(driver);
-    system.function = free_rhs, system.dimension = 7, system.params = &moments;
+    system.function = free_rhs;
+    system.dimension = 7;
+    system.params = &moments;
     driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-2, knob, knob);
 }
 
@@ -129,7 +137,9 @@ static timing time_once(void (*run)(void), double sin_ns)
     const double from = seconds();
     timing t;
     run();
-    t.ns = (seconds() - from) * 1e9, t.ratio = t.ns / sin_ns, t.spread = 0;
+    t.ns = (seconds() - from) * 1e9;
+    t.ratio = t.ns / sin_ns;
+    t.spread = 0;
     return t.ns < 5e7 ? time_beside(run, 1, sin_apart, WINDOW) : t;
 }
 

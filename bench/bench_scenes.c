@@ -73,7 +73,10 @@ static void sines(void)
 {
     vm_real sum = 0, x = VM_C(0.1);
     long i;
-    for (i = 0; i < COUNT; i++) sum += VM_LIBM(sin)(x), x += VM_C(1e-3);
+    for (i = 0; i < COUNT; i++) {
+        sum += VM_LIBM(sin)(x);
+        x += VM_C(1e-3);
+    }
     sink = sum;
 }
 
@@ -115,13 +118,17 @@ static void adds(const char *name, void (*hand)(void), void (*inlined)(void), vm
     double sine;
     snprintf(job, sizeof job, "damper and %s", name);
     effect[0] = effect[1] = vm_effect_damper(0, 0, VM_GROUND, 0, parameter[1]);
-    effect[!law] = added, scene.n_effects = 2;
+    effect[!law] = added;
+    scene.n_effects = 2;
     in_scene = three_ways(job, hand, inlined);
     by_hand = time_beside(hand, COUNT, sines, COUNT);
     sine = by_hand.ns / by_hand.ratio;
-    extra.ns = in_scene.ns - damper_alone.ns, extra.ratio = extra.ns / sine, extra.spread = in_scene.spread;
+    extra.ns = in_scene.ns - damper_alone.ns;
+    extra.ratio = extra.ns / sine;
+    extra.spread = in_scene.spread;
     bench_row(name, "adds to a scene", "", NO_ERROR, extra, "sin");
-    extra.ns -= by_hand.ns - damper_by_hand.ns, extra.ratio = extra.ns / sine;
+    extra.ns -= by_hand.ns - damper_by_hand.ns;
+    extra.ratio = extra.ns / sine;
     bench_row(name, "adds beyond its arithmetic", "", NO_ERROR, extra, "sin");
 }
 
@@ -129,7 +136,8 @@ static void each_alone(void)
 {
     const vm_real k = parameter[0], b = parameter[1], c = parameter[2], T = parameter[3], g = parameter[4];
 #define GROUND VM_GROUND, 0
-    effect[0] = vm_effect_damper(0, 0, GROUND, b), scene.n_effects = 1;
+    effect[0] = vm_effect_damper(0, 0, GROUND, b);
+    scene.n_effects = 1;
     damper_alone = three_ways("damper", hand_damper, inline_damper);
     damper_by_hand = time_beside(hand_damper, COUNT, sines, COUNT);
     adds("linear spring", hand_linear, inline_linear, vm_effect_linear_spring(0, 0, GROUND, k, 0));
@@ -151,7 +159,8 @@ static void chain(int n)
     for (i = 0; i < n; i++) body[i] = vm_scene_line(1, 0, i == 0);
     for (i = 0; i <= n; i++)
         effect[i] = vm_effect_linear_spring(i < n ? i : n - 1, 0, i < n ? i - 1 : VM_GROUND, 0, parameter[0], 0);
-    scene.n_bodies = n, scene.n_effects = n + 1;
+    scene.n_bodies = n;
+    scene.n_effects = n + 1;
     vm_scene_start(&scene, 0, state, NULL);
     snprintf(job, sizeof job, "a body of a chain of %d", n);
     measure(job, "scene", "", NO_ERROR, as_chain, (double)CHAINED * n, "sin", sines, COUNT);
@@ -162,7 +171,9 @@ int main(int argc, char **argv)
     int n;
     bench_start(argc, argv, "scenes, a right-hand side of a body on a line, beside one written by hand");
     body[0] = vm_scene_line(1, VM_C(0.3), VM_C(0.1));
-    scene.bodies = body, scene.n_bodies = 1, scene.effects = effect;
+    scene.bodies = body;
+    scene.n_bodies = 1;
+    scene.effects = effect;
     one_after_another();
     each_alone();
     for (n = 1; n <= LONGEST_CHAIN; n *= 10) chain(n);

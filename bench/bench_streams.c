@@ -24,9 +24,13 @@ static int hand1(double t, const double *y, double *dy, void *ctx)
     int k;
     (void)t;
     if (!(y[2] > 0)) return -1;
-    for (k = 0; k < f->n; k++)
-        rate += f->streams[k].rate, force += f->streams[k].rate * (v + f->streams[k].velocity);
-    dy[0] = v, dy[1] = force, dy[2] = rate;
+    for (k = 0; k < f->n; k++) {
+        rate += f->streams[k].rate;
+        force += f->streams[k].rate * (v + f->streams[k].velocity);
+    }
+    dy[0] = v;
+    dy[1] = force;
+    dy[2] = rate;
     return 0;
 }
 
@@ -41,10 +45,17 @@ static int hand_translation(double t, const double *y, double *dy, void *ctx)
     for (k = 0; k < f->n; k++) {
         const vm_stream *s = f->streams + k;
         rate += s->rate;
-        fx += s->rate * (vx + s->velocity.x), fy += s->rate * (vy + s->velocity.y);
+        fx += s->rate * (vx + s->velocity.x);
+        fy += s->rate * (vy + s->velocity.y);
         fz += s->rate * (vz + s->velocity.z);
     }
-    dy[0] = vx, dy[1] = vy, dy[2] = vz, dy[3] = fx, dy[4] = fy, dy[5] = fz, dy[6] = rate;
+    dy[0] = vx;
+    dy[1] = vy;
+    dy[2] = vz;
+    dy[3] = fx;
+    dy[4] = fy;
+    dy[5] = fz;
+    dy[6] = rate;
     return 0;
 }
 
@@ -61,14 +72,26 @@ static int hand2(double t, const double *y, double *dy, void *ctx)
         const vm_stream2 *p = f->streams + k;
         const double dx = p->x - y[7], dy_ = p->y - y[8];
         const double ux = p->rate * (p->vx - w * dy_), uy = p->rate * (p->vy + w * dx);
-        rate += p->rate, px += ux, py += uy;
+        rate += p->rate;
+        px += ux;
+        py += uy;
         moment += dx * uy - dy_ * ux + p->rate * p->gyration * (w + p->spin);
-        sx += p->rate * dx, sy += p->rate * dy_, inertia += p->rate * (p->gyration + dx * dx + dy_ * dy_);
+        sx += p->rate * dx;
+        sy += p->rate * dy_;
+        inertia += p->rate * (p->gyration + dx * dx + dy_ * dy_);
     }
-    sx *= inverse, sy *= inverse;
-    dy[0] = vx + c * sx - s * sy, dy[1] = vy + s * sx + c * sy, dy[2] = w;
-    dy[3] = f->fx + rate * vx + c * px - s * py, dy[4] = f->fy + rate * vy + s * px + c * py;
-    dy[5] = moment, dy[6] = rate, dy[7] = sx, dy[8] = sy, dy[9] = inertia;
+    sx *= inverse;
+    sy *= inverse;
+    dy[0] = vx + c * sx - s * sy;
+    dy[1] = vy + s * sx + c * sy;
+    dy[2] = w;
+    dy[3] = f->fx + rate * vx + c * px - s * py;
+    dy[4] = f->fy + rate * vy + s * px + c * py;
+    dy[5] = moment;
+    dy[6] = rate;
+    dy[7] = sx;
+    dy[8] = sy;
+    dy[9] = inertia;
     return 0;
 }
 
@@ -102,27 +125,49 @@ static int hand3(double t, const double *y, double *dy, void *ctx)
         const double ox = wx + p->spin.x, oy = wy + p->spin.y, oz = wz + p->spin.z;
         const double kxx = a * p->gyration.xx, kyy = a * p->gyration.yy, kzz = a * p->gyration.zz;
         const double kxy = a * p->gyration.xy, kxz = a * p->gyration.xz, kyz = a * p->gyration.yz;
-        rate += a, px += ux, py += uy, pz += uz;
+        rate += a;
+        px += ux;
+        py += uy;
+        pz += uz;
         mx += dy_ * uz - dz * uy + kxx * ox + kxy * oy + kxz * oz;
         my += dz * ux - dx * uz + kxy * ox + kyy * oy + kyz * oz;
         mz += dx * uy - dy_ * ux + kxz * ox + kyz * oy + kzz * oz;
-        sx += a * dx, sy += a * dy_, sz += a * dz;
-        ixx += kxx + a * (dy_ * dy_ + dz * dz), iyy += kyy + a * (dx * dx + dz * dz);
+        sx += a * dx;
+        sy += a * dy_;
+        sz += a * dz;
+        ixx += kxx + a * (dy_ * dy_ + dz * dz);
+        iyy += kyy + a * (dx * dx + dz * dz);
         izz += kzz + a * (dx * dx + dy_ * dy_);
-        ixy += kxy - a * dx * dy_, ixz += kxz - a * dx * dz, iyz += kyz - a * dy_ * dz;
+        ixy += kxy - a * dx * dy_;
+        ixz += kxz - a * dx * dz;
+        iyz += kyz - a * dy_ * dz;
     }
-    sx *= inverse, sy *= inverse, sz *= inverse;
-    dy[0] = vx + m11 * sx + m12 * sy + m13 * sz, dy[1] = vy + m21 * sx + m22 * sy + m23 * sz;
+    sx *= inverse;
+    sy *= inverse;
+    sz *= inverse;
+    dy[0] = vx + m11 * sx + m12 * sy + m13 * sz;
+    dy[1] = vy + m21 * sx + m22 * sy + m23 * sz;
     dy[2] = vz + m31 * sx + m32 * sy + m33 * sz;
-    dy[3] = back * qw - (qx * wx + qy * wy + qz * wz) / 2, dy[4] = back * qx + (qw * wx + qy * wz - qz * wy) / 2;
-    dy[5] = back * qy + (qw * wy + qz * wx - qx * wz) / 2, dy[6] = back * qz + (qw * wz + qx * wy - qy * wx) / 2;
+    dy[3] = back * qw - (qx * wx + qy * wy + qz * wz) / 2;
+    dy[4] = back * qx + (qw * wx + qy * wz - qz * wy) / 2;
+    dy[5] = back * qy + (qw * wy + qz * wx - qx * wz) / 2;
+    dy[6] = back * qz + (qw * wz + qx * wy - qy * wx) / 2;
     dy[7] = f->force.x + rate * vx + m11 * px + m12 * py + m13 * pz;
     dy[8] = f->force.y + rate * vy + m21 * px + m22 * py + m23 * pz;
     dy[9] = f->force.z + rate * vz + m31 * px + m32 * py + m33 * pz;
-    dy[10] = f->moment.x + m11 * mx + m12 * my + m13 * mz, dy[11] = f->moment.y + m21 * mx + m22 * my + m23 * mz;
+    dy[10] = f->moment.x + m11 * mx + m12 * my + m13 * mz;
+    dy[11] = f->moment.y + m21 * mx + m22 * my + m23 * mz;
     dy[12] = f->moment.z + m31 * mx + m32 * my + m33 * mz;
-    dy[13] = rate, dy[14] = sx, dy[15] = sy, dy[16] = sz;
-    dy[17] = ixx, dy[18] = iyy, dy[19] = izz, dy[20] = ixy, dy[21] = ixz, dy[22] = iyz;
+    dy[13] = rate;
+    dy[14] = sx;
+    dy[15] = sy;
+    dy[16] = sz;
+    dy[17] = ixx;
+    dy[18] = iyy;
+    dy[19] = izz;
+    dy[20] = ixy;
+    dy[21] = ixz;
+    dy[22] = iyz;
     return 0;
 }
 
@@ -188,8 +233,11 @@ static void set_up(void)
         streams1[k].velocity = streams2[k].vx = streams2[k].x = between(-1, 1);
         streams2[k].vy = streams2[k].y = streams2[k].gyration = between(0, 1);
     }
-    flow.streams = streams, flow1.streams = streams1, flow2.streams = streams2;
-    flow.mass = 3, flow.inertia.xx = flow.inertia.yy = flow.inertia.zz = 2;
+    flow.streams = streams;
+    flow1.streams = streams1;
+    flow2.streams = streams2;
+    flow.mass = 3;
+    flow.inertia.xx = flow.inertia.yy = flow.inertia.zz = 2;
 }
 
 static void set_streams(int n) { flow.n = flow1.n = flow2.n = n; }

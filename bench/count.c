@@ -75,8 +75,10 @@ COUNT(ateb_plan_saca_4_3, ateb_plan_saca(&power_plan, u[i], &a, &b))
 
 static int cubic(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0];
+    (void)t;
+    (void)ctx;
+    dydt[0] = y[1];
+    dydt[1] = -y[0] * y[0] * y[0];
     return 0;
 }
 
@@ -136,33 +138,52 @@ static void set_up(void)
     int i;
     for (i = 0; i < CALLS; i++) {
         state = (state * 1664525ul + 1013904223ul) & 0xfffffffful;
-        p[i] = ((vm_real)(state >> 8) + VM_C(0.5)) / 16777216, u[i] = 6 * p[i] - 3,
+        p[i] = ((vm_real)(state >> 8) + VM_C(0.5)) / 16777216;
+        u[i] = 6 * p[i] - 3;
         m[i] = VM_C(1.9) * p[i] - VM_C(0.95);
         state = (state * 1664525ul + 1013904223ul) & 0xfffffffful;
-        alpha[i] = VM_C(0.5) + 3 * ((vm_real)(state >> 8) / 16777216), other[i] = 4 - alpha[i];
+        alpha[i] = VM_C(0.5) + 3 * ((vm_real)(state >> 8) / 16777216);
+        other[i] = 4 - alpha[i];
         if (i % 2) m[i] = -m[i];
     }
     rk45_init(&pair5, cubic, NULL, 2, 0, y_start, NULL, work5);
     rk87_init(&pair8, cubic, NULL, 2, 0, y_start, NULL, work8);
-    whole2.mass = 5, whole2.inertia = 2, whole2.vx = 10, whole2.omega = 3;
-    piece2.mass = 1, piece2.inertia = VM_C(0.1), piece2.x = VM_C(0.4), piece2.vx = 10, piece2.vy = 2;
-    problem.alpha = 3, problem.mass = vm_law_linear(1, VM_C(0.01)), problem.stiffness = vm_law_linear(1, 0);
-    problem.reactive = 1, problem.x = 1;
-    flow.streams = &stream, flow.n = 1, stream.rate = 1, stream.velocity.x = 1;
+    whole2.mass = 5;
+    whole2.inertia = 2;
+    whole2.vx = 10;
+    whole2.omega = 3;
+    piece2.mass = 1;
+    piece2.inertia = VM_C(0.1);
+    piece2.x = VM_C(0.4);
+    piece2.vx = 10;
+    piece2.vy = 2;
+    problem.alpha = 3;
+    problem.mass = vm_law_linear(1, VM_C(0.01));
+    problem.stiffness = vm_law_linear(1, 0);
+    problem.reactive = 1;
+    problem.x = 1;
+    flow.streams = &stream;
+    flow.n = 1;
+    stream.rate = 1;
+    stream.velocity.x = 1;
     vm_flow_start(&flow, &whole, y_flow);
     body[0] = vm_scene_line(1, VM_C(0.3), VM_C(0.1));
     effect[0] = vm_effect_spring(0, 0, VM_GROUND, 0, 2, 3, 0);
     effect[1] = vm_effect_damper(0, 0, VM_GROUND, 0, VM_C(0.1));
     effect[2] = vm_effect_van_der_pol(0, 0, VM_C(0.1), VM_C(0.2));
     scene = no_scene;
-    scene.bodies = body, scene.n_bodies = 1, scene.effects = effect, scene.n_effects = 3;
+    scene.bodies = body;
+    scene.n_bodies = 1;
+    scene.effects = effect;
+    scene.n_effects = 3;
     vm_scene_start(&scene, 0, y_scene, NULL);
 }
 
 static void set_plans(void)
 {
     jacobi_plan_init(&m_plan, VM_C(0.5));
-    ateb_plan_init(&alpha_plan, 3), ateb_plan_init_to(&rough_plan, 3, VM_C(1e-4));
+    ateb_plan_init(&alpha_plan, 3);
+    ateb_plan_init_to(&rough_plan, 3, VM_C(1e-4));
     ateb_plan_init(&power_plan, VM_C(4.) / 3);
 }
 

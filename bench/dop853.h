@@ -141,7 +141,11 @@ static inline long dop853_solve(dop853_rhs f, void *ctx, int n, double t, double
     static dop853_run s;
     double h;
     int i, rejected = 0;
-    s.f = f, s.ctx = ctx, s.n = n, s.tolerance = tolerance, s.evals = 0;
+    s.f = f;
+    s.ctx = ctx;
+    s.n = n;
+    s.tolerance = tolerance;
+    s.evals = 0;
     for (i = 0; i < n; i++) s.y[i] = y[i];
     dop853_eval(&s, t, s.y, s.k[0]);
     h = dop853_first_step(&s, t, t_end - t);
@@ -156,7 +160,10 @@ static inline long dop853_solve(dop853_rhs f, void *ctx, int n, double t, double
         factor = error == 0 ? 10 : fmin(10, fmax(0.2, 0.9 * pow(error, -1. / 8)));
         if (error < 1) {
             if (rejected) factor = fmin(1, factor);
-            for (i = 0; i < n; i++) s.y[i] = s.z[i], s.k[0][i] = s.k[DOP853_STAGES][i];
+            for (i = 0; i < n; i++) {
+                s.y[i] = s.z[i];
+                s.k[0][i] = s.k[DOP853_STAGES][i];
+            }
             t = t_new;
         }
         rejected = !(error < 1);

@@ -7,14 +7,16 @@
 static exact_value words(quad x)
 {
     exact_value value;
-    value.high = (double)x, value.low = (double)(x - (quad)value.high);
+    value.high = (double)x;
+    value.low = (double)(x - (quad)value.high);
     return value;
 }
 
 void exact_complete(double m, exact_value K_E[2])
 {
     quad E, K = quarter_period(1 - (quad)m, &E);
-    K_E[0] = words(K), K_E[1] = words(E);
+    K_E[0] = words(K);
+    K_E[1] = words(E);
 }
 
 void exact_sncndn(double u, double m, exact_value sn_cn_dn_am[4])
@@ -22,7 +24,9 @@ void exact_sncndn(double u, double m, exact_value sn_cn_dn_am[4])
     quad sn, cn, dn, E, half_turns = rintq(u / (2 * quarter_period(1 - (quad)m, &E)));
     const int odd = fmodq(half_turns, 2) != 0;
     sncndn(u, 1 - (quad)m, &sn, &cn, &dn);
-    sn_cn_dn_am[0] = words(sn), sn_cn_dn_am[1] = words(cn), sn_cn_dn_am[2] = words(dn);
+    sn_cn_dn_am[0] = words(sn);
+    sn_cn_dn_am[1] = words(cn);
+    sn_cn_dn_am[2] = words(dn);
     sn_cn_dn_am[3] = words(half_turns * M_PIq + atan2q(odd ? -sn : sn, odd ? -cn : cn));
 }
 
@@ -30,7 +34,9 @@ void exact_saca(double s, double alpha, exact_value sa_ca_pi[3])
 {
     quad sa, ca, pi;
     saca(s, alpha, &sa, &ca, &pi);
-    sa_ca_pi[0] = words(sa), sa_ca_pi[1] = words(ca), sa_ca_pi[2] = words(pi);
+    sa_ca_pi[0] = words(sa);
+    sa_ca_pi[1] = words(ca);
+    sa_ca_pi[2] = words(pi);
 }
 
 exact_value exact_beta(double a, double b) { return words(beta(a, b)); }
@@ -46,11 +52,19 @@ double exact_beta_inc_inv(double p, double a, double b, double x)
 #else
 static const exact_value none = {(double)NAN, 0};
 
-void exact_complete(double m, exact_value K_E[2]) { (void)m, K_E[0] = K_E[1] = none; }
+void exact_complete(double m, exact_value K_E[2]) {
+(void)m;
+K_E[0] = K_E[1] = none; }
 
-void exact_sncndn(double u, double m, exact_value r[4]) { (void)u, (void)m, r[0] = r[1] = r[2] = r[3] = none; }
+void exact_sncndn(double u, double m, exact_value r[4]) {
+(void)u;
+(void)m;
+r[0] = r[1] = r[2] = r[3] = none; }
 
-void exact_saca(double s, double alpha, exact_value r[3]) { (void)s, (void)alpha, r[0] = r[1] = r[2] = none; }
+void exact_saca(double s, double alpha, exact_value r[3]) {
+(void)s;
+(void)alpha;
+r[0] = r[1] = r[2] = none; }
 
 exact_value exact_beta(double a, double b) { return (void)a, (void)b, none; }
 

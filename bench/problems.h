@@ -8,7 +8,9 @@
 /* x'' = -x^3 */
 static inline void cubic_f(double t, const double *y, double *d)
 {
-    (void)t, d[0] = y[1], d[1] = -y[0] * y[0] * y[0];
+    (void)t;
+    d[0] = y[1];
+    d[1] = -y[0] * y[0] * y[0];
 }
 
 /* (m x')' = -x^3, m = 1 + 0.1 t, by velocity and by momentum */
@@ -39,7 +41,8 @@ static inline void orbit_f(double t, const double *y, double *d)
     const double mu = 0.012277471, mu1 = 1 - mu;
     double r1 = (y[0] + mu) * (y[0] + mu) + y[1] * y[1], r2 = (y[0] - mu1) * (y[0] - mu1) + y[1] * y[1];
     (void)t;
-    r1 = mu1 / (r1 * sqrt(r1)), r2 = mu / (r2 * sqrt(r2));
+    r1 = mu1 / (r1 * sqrt(r1));
+    r2 = mu / (r2 * sqrt(r2));
     d[0] = y[2];
     d[1] = y[3];
     d[2] = y[0] + 2 * y[3] - r1 * (y[0] + mu) - r2 * (y[0] - mu1);

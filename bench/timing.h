@@ -96,7 +96,8 @@ static timing time_beside(void (*body)(void), double calls, void (*yardstick)(vo
     }
     qsort(ns, (size_t)n, sizeof *ns, ascending);
     qsort(ratio, (size_t)n, sizeof *ratio, ascending);
-    result.ns = quartile(ns, n, 2), result.ratio = quartile(ratio, n, 2);
+    result.ns = quartile(ns, n, 2);
+    result.ratio = quartile(ratio, n, 2);
     result.spread = (quartile(ratio, n, 3) - quartile(ratio, n, 1)) / result.ratio;
     return result;
 }
@@ -117,7 +118,10 @@ static inline void bench_start(int argc, char **argv, const char *title)
 {
     bench_quick = argc > 2 && strcmp(argv[2], "quick") == 0;
     bench_csv = argc > 1 ? fopen(argv[1], "w") : NULL;
-    if (argc > 1 && !bench_csv) perror(argv[1]), exit(1);
+    if (argc > 1 && !bench_csv) {
+        perror(argv[1]);
+        exit(1);
+    }
     if (bench_csv) fputs("topic,job,route,knob,error,ns,ratio,spread,yardstick\n", bench_csv);
     fprintf(stderr, "%s ...\n", TOPIC);
     printf("%s: %s\n\n%-34s %-26s %-9s %9s %12s %9s %6s\n", TOPIC, title, "job", "route", "knob", "error", "ns",
@@ -136,7 +140,10 @@ static inline void bench_write_row(const char *job, const char *route, const cha
                                    const char *yardstick)
 {
     if (!bench_csv) return;
-    bench_write(TOPIC), bench_write(job), bench_write(route), bench_write(knob);
+    bench_write(TOPIC);
+    bench_write(job);
+    bench_write(route);
+    bench_write(knob);
     if (!(error < 0)) fprintf(bench_csv, "%.2g", error);
     fprintf(bench_csv, ",%.4g,%.4g,%.3g,%s\n", t.ns, t.ratio, t.spread, yardstick);
 }

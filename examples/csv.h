@@ -12,7 +12,10 @@ static inline FILE *csv_open(const char *prefix, const char *name)
     if (!prefix) return NULL;
     snprintf(path, sizeof path, "%s_%s.csv", prefix, name);
     file = fopen(path, "w");
-    if (!file) fprintf(stderr, "cannot write %s\n", path), exit(1);
+    if (!file) {
+        fprintf(stderr, "cannot write %s\n", path);
+        exit(1);
+    }
     return file;
 }
 

@@ -43,9 +43,13 @@ static int printed_rhs(double t, const double *y, double *dydt, void *ctx)
     int status = vm_drum_at(y[2], d, &g);
     (void)t;
     if (status) return status;
-    offset = g.offset, cx = offset * cos(half), cy = offset * sin(half);
+    offset = g.offset;
+    cx = offset * cos(half);
+    cy = offset * sin(half);
     slope = mu * R * R + mu * offset * offset - 2 * mu * R * offset * cos(half); /* dJ_S1/dphi */
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = y[5];
     dydt[3] = (-c * (y[0] - cx) - flow * y[3]) / g.mass;
     dydt[4] = (-c * (y[1] - cy) + flow * (d->speed - y[4])) / g.mass;
     dydt[5] = -slope * y[5] * y[5] - d->damping * y[5] + c * (y[0] * cy - y[1] * cx);
@@ -68,7 +72,8 @@ static int advance(ode_rhs f, void *ctx, int n, double from, double to, double *
     rk87 s;
     int status;
     memset(&options, 0, sizeof options);
-    options.rtol = 1e-12, options.atol = 1e-15;
+    options.rtol = 1e-12;
+    options.atol = 1e-15;
     status = rk87_init(&s, f, ctx, n, from, y, &options, work);
     if (status >= 0) status = rk87_solve(&s, to);
     if (status >= 0) memcpy(y, s.y, (size_t)n * sizeof *y);
@@ -95,8 +100,11 @@ static void rigid_shaft(FILE *file)
         double y[2] = {0, 3};
         if (advance(rigid_rhs, &d, 2, 0, 2, y) < 0) puts("integration failed");
         printf("%6.1f  ", drives[i]);
-        column(y[0]), column(vm_drum_angle(2, &d)), column(vm_drum_angle_lambert(2, &d));
-        column((-k1 * w - 1) * 3 / drives[i]), column(drives[i] < 0 ? vm_drum_stop(&d) : VM_INFINITY);
+        column(y[0]);
+        column(vm_drum_angle(2, &d));
+        column(vm_drum_angle_lambert(2, &d));
+        column((-k1 * w - 1) * 3 / drives[i]);
+        column(drives[i] < 0 ? vm_drum_stop(&d) : VM_INFINITY);
         puts(i == 1 ? "(e is 5.6e-17, rounded)" : "");
     }
     for (phi = 0; file && phi < 7.4995; phi += phi < 7.49 ? 0.01 : 0.001) {
@@ -142,7 +150,8 @@ static void deflection(FILE *file)
     for (phi = 0; phi < 6.28; phi += 0.02) {
         const double m = sqrt(1 - A * phi), closed = vm_drum_deflection(phi, &s, a0, alpha0, s.shift);
         const double printed = a0 / sqrt(m) * exp(-delta * phi) * cos(k * m + alpha0) + R / (k * k) * mu_M0;
-        worst = fmax(worst, fabs(closed - z[1])), worst_printed = fmax(worst_printed, fabs(printed - z[1]));
+        worst = fmax(worst, fabs(closed - z[1]));
+        worst_printed = fmax(worst_printed, fabs(printed - z[1]));
         if (file) fprintf(file, "%g,%.10g,%.10g,%.10g\n", phi, z[1], closed, printed);
         if (advance(vm_drum_rhs_angle, &d, 4, phi, phi + 0.02, z) < 0) puts("integration failed");
     }

@@ -25,8 +25,11 @@ static vm_stream settling(double rate, double z)
 {
     vm_stream s;
     memset(&s, 0, sizeof s);
-    s.rate = rate, s.motion = VM_AT_REST, s.at.z = z; /* a layer on the whole end */
-    s.gyration.xx = s.gyration.yy = radius * radius / 4, s.gyration.zz = radius * radius / 2;
+    s.rate = rate;
+    s.motion = VM_AT_REST;
+    s.at.z = z; /* a layer on the whole end */
+    s.gyration.xx = s.gyration.yy = radius * radius / 4;
+    s.gyration.zz = radius * radius / 2;
     return s;
 }
 
@@ -34,7 +37,10 @@ static vm_body start(void)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = mass, b.inertia.xx = b.inertia.yy = transverse, b.inertia.zz = axial, b.q.w = 1;
+    b.mass = mass;
+    b.inertia.xx = b.inertia.yy = transverse;
+    b.inertia.zz = axial;
+    b.q.w = 1;
     return b;
 }
 
@@ -49,11 +55,15 @@ static int spin_down(sample *samples)
     rk45_options options = rk45_defaults(NULL);
     rk45 s;
     int i;
-    ends[0] = settling(gathered / 2, half_length), ends[1] = settling(gathered / 2, -half_length);
+    ends[0] = settling(gathered / 2, half_length);
+    ends[1] = settling(gathered / 2, -half_length);
     memset(&flow, 0, sizeof flow);
-    flow.n = 2, flow.streams = ends;
-    b.omega.x = 0.2, b.omega.z = 2;
-    before = vm_angular_momentum(&b, b.r), energy = vm_kinetic_energy(&b);
+    flow.n = 2;
+    flow.streams = ends;
+    b.omega.x = 0.2;
+    b.omega.z = 2;
+    before = vm_angular_momentum(&b, b.r);
+    energy = vm_kinetic_energy(&b);
     options.rtol = 1e-10;
     if (vm_flow_start(&flow, &b, y) || rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &options, work) < 0) return 1;
     for (i = 0; i < SAMPLES; i++) {
@@ -62,8 +72,10 @@ static int spin_down(sample *samples)
         vmi_mat3 turn;
         vm_vec3 omega;
         if (rk45_solve(&s, t) < 0 || vm_flow_body(&flow, VM_RHS, s.y, &b)) return 1;
-        turn = vmi_rotation(b.q), omega = vmi_times_transposed(&turn, b.omega);
-        p->spin = omega.z, p->wobble = sqrt(omega.x * omega.x + omega.y * omega.y);
+        turn = vmi_rotation(b.q);
+        omega = vmi_times_transposed(&turn, b.omega);
+        p->spin = omega.z;
+        p->wobble = sqrt(omega.x * omega.x + omega.y * omega.y);
         p->closed_spin = vm_levi_civita(2, axial, axial + dust * radius * radius / 2, 0, 0);
         p->closed_wobble = vm_levi_civita(
             0.2, transverse, transverse + dust * (radius * radius / 4 + half_length * half_length), 0, 0);
@@ -89,7 +101,10 @@ static int with_printed(double t, const double *y, double *dydt, void *ctx)
     vm_quat q;
     vmi_mat3 turn;
     vm_vec3 arm;
-    q.w = y[VM_Y_Q], q.x = y[VM_Y_Q + 1], q.y = y[VM_Y_Q + 2], q.z = y[VM_Y_Q + 3];
+    q.w = y[VM_Y_Q];
+    q.x = y[VM_Y_Q + 1];
+    q.y = y[VM_Y_Q + 2];
+    q.z = y[VM_Y_Q + 3];
     turn = vmi_rotation(q);
     arm = vmi_scale(flow->streams[0].at.z - y[VM_Y_CENTRE + 2], turn.z);
     dydt[VM_RHS] = (arm.y * y[VM_Y_P + 2] - arm.z * y[VM_Y_P + 1]) / y[VM_Y_MASS] *
@@ -108,14 +123,16 @@ static int turned(sample *samples)
     rk45 s;
     int i;
     memset(&flow, 0, sizeof flow);
-    flow.n = 1, flow.streams = &front;
+    flow.n = 1;
+    flow.streams = &front;
     b.v.y = 2;
     options.rtol = 1e-10;
     if (vm_flow_start(&flow, &b, y) || rk45_init(&s, with_printed, &flow, VM_RHS + 1, 0, y, &options, work) < 0)
         return 1;
     for (i = 0; i < SAMPLES; i++) {
         if (rk45_solve(&s, end / 10 * i / (SAMPLES - 1)) < 0 || vm_flow_body(&flow, VM_RHS, s.y, &b)) return 1;
-        samples[i].turning = b.omega.x, samples[i].printed = s.y[VM_RHS] / s.y[VM_Y_INERTIA];
+        samples[i].turning = b.omega.x;
+        samples[i].printed = s.y[VM_RHS] / s.y[VM_Y_INERTIA];
     }
     expected = vm_levi_civita(2, mass, b.mass, 0, 0);
     printf("Dust on one end, in flight: after %g s the speed is %.9f (Levi-Civita %.9f) m/s, turning at %.6f "

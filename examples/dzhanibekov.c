@@ -16,14 +16,24 @@ static const double tolerances[RUNS] = {1e-3, 1e-8}, duration = 40;
 static int free_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_quat q, half_omega;
-    (void)t, (void)ctx;
-    q.w = y[3], q.x = y[4], q.y = y[5], q.z = y[6];
-    half_omega.w = 0, half_omega.x = y[0] / 2, half_omega.y = y[1] / 2, half_omega.z = y[2] / 2;
+    (void)t;
+    (void)ctx;
+    q.w = y[3];
+    q.x = y[4];
+    q.y = y[5];
+    q.z = y[6];
+    half_omega.w = 0;
+    half_omega.x = y[0] / 2;
+    half_omega.y = y[1] / 2;
+    half_omega.z = y[2] / 2;
     q = vmi_quat_times(q, half_omega);
     dydt[0] = (moments.y - moments.z) * y[1] * y[2] / moments.x;
     dydt[1] = (moments.z - moments.x) * y[2] * y[0] / moments.y;
     dydt[2] = (moments.x - moments.y) * y[0] * y[1] / moments.z;
-    dydt[3] = q.w, dydt[4] = q.x, dydt[5] = q.y, dydt[6] = q.z;
+    dydt[3] = q.w;
+    dydt[4] = q.x;
+    dydt[5] = q.y;
+    dydt[6] = q.z;
     return 0;
 }
 
@@ -75,8 +85,10 @@ int main(int argc, char **argv)
             error[run] = attitude_error(q, y[run]);
             if (error[run] > worst[run]) worst[run] = error[run];
         }
-        if (before.y * omega.y < 0)
-            printf("  turned over before t = %6.3f s: omega_y = %+.6f rad/s\n", t, omega.y), turned++;
+        if (before.y * omega.y < 0) {
+            printf("  turned over before t = %6.3f s: omega_y = %+.6f rad/s\n", t, omega.y);
+            turned++;
+        }
         before = omega;
         if (csv) fprintf(csv, "%.6f,%.9g,%.9g,%.9g,%.3e,%.3e\n", t, omega.y, y[0][1], y[1][1], error[0], error[1]);
     }

@@ -43,7 +43,8 @@ static void rates(const char *prefix)
     }
     for (share = 0.005; file && share < 0.5; share += 0.005) {
         double l = share * L, spun;
-        vm_pendulum_separate(&p, l, 3, 0, 0, &c), spun = c.rest.rate;
+        vm_pendulum_separate(&p, l, 3, 0, 0, &c);
+        spun = c.rest.rate;
         vm_pendulum_separate(&p, l, 0.6, 0.4, -0.25, &c);
         fprintf(file, "%g,%g,%g,%g,%g\n", share, c.rest.rate, printed_rate(0.7, 1.3, l, 0.6, 0.4, -0.25), spun,
                 printed_rate(0.7, 1.3, l, 3, 0, 0));
@@ -83,9 +84,12 @@ static void motion(const char *prefix)
         rk45_solve(&s, i * step);
         rod(file, L / 2 * sin(s.y[0]), L / 2 * cos(s.y[0]), L / 2, s.y[0], 0);
     }
-    p.angle = s.y[0], p.rate = s.y[1];
+    p.angle = s.y[0];
+    p.rate = s.y[1];
     if (vm_pendulum_separate(&p, l, 3, 1.5, -0.5, &c)) return;
-    length = L - l, state[0] = p.angle, state[1] = c.rest.rate;
+    length = L - l;
+    state[0] = p.angle;
+    state[1] = c.rest.rate;
     rk45_restart(&s, cut_time, state);
     for (i = 1; i <= 8; i++) {
         t = i * step;

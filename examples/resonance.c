@@ -19,17 +19,23 @@ typedef struct drifts {
 static void drift(vm_real t, vm_forced_now *now, void *ctx)
 {
     const drifts *d = (const drifts *)ctx;
-    now->nu = d->nu0 + d->nu_rate * t, now->nu_rate = d->nu_rate;
-    now->mass = 1 + d->mass_rate * t, now->mass_rate = d->mass_rate;
+    now->nu = d->nu0 + d->nu_rate * t;
+    now->nu_rate = d->nu_rate;
+    now->mass = 1 + d->mass_rate * t;
+    now->mass_rate = d->mass_rate;
 }
 
 static vm_forced cubic(double b, double force, drifts *d)
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
-    f.alpha = 3, f.b = b, f.reactive = 1;
-    f.now.mass = f.now.k = f.now.nu = 1, f.now.force = force;
-    f.drift = drift, f.drift_ctx = d;
+    f.alpha = 3;
+    f.b = b;
+    f.reactive = 1;
+    f.now.mass = f.now.k = f.now.nu = 1;
+    f.now.force = force;
+    f.drift = drift;
+    f.drift_ctx = d;
     vm_forced_init(&f);
     return f;
 }
@@ -70,8 +76,10 @@ static void write_branch(const vm_forced *f, int upper, double fold[2], FILE *cs
         const int found = vm_forced_curve(f, 0, peak * i / 2000, curve);
         const vm_steady *s = found == 2 ? curve + upper : curve;
         if (found == 0 || (found == 1 && !upper)) continue;
-        if (was_stable >= 0 && s->stable != was_stable)
-            fold[0] = fmin(fold[0], s->nu), fold[1] = fmax(fold[1], s->nu);
+        if (was_stable >= 0 && s->stable != was_stable) {
+            fold[0] = fmin(fold[0], s->nu);
+            fold[1] = fmax(fold[1], s->nu);
+        }
         was_stable = s->stable;
         if (csv) fprintf(csv, "%.6g,%.6g,%d\n", s->nu, s->A, s->stable);
     }
@@ -87,13 +95,16 @@ static void resonance(FILE *csv)
     vm_forced f;
     vm_real y[3] = {0.3, 0, 0};
     double fold[2] = {VM_INFINITY, 0}, nu;
-    write_branch(&still, 0, fold, csv), write_branch(&still, 1, fold, csv);
+    write_branch(&still, 0, fold, csv);
+    write_branch(&still, 1, fold, csv);
     printf("Resonance curve of m x'' + x^3 = -%g x' + %g cos(nu t): A_peak = %.4f\n", b, force,
            (double)vm_forced_peak(&still, 0));
     f = cubic(b, force, &up);
     nu = write_turning_points(&f, &up, y, 1.4 * Om1 / rate, 1, 0.6, csv);
     printf("  nu up:   falls off the upper branch at nu = %.3f, its fold is at %.3f\n", nu, fold[1]);
-    y[0] = 0, y[1] = 0, y[2] = 0;
+    y[0] = 0;
+    y[1] = 0;
+    y[2] = 0;
     f = cubic(b, force, &down);
     nu = write_turning_points(&f, &down, y, 1.4 * Om1 / rate, 1, 0.6, csv);
     printf("  nu down: leaves the lower branch at nu = %.3f, its fold is at %.3f\n", nu, fold[0]);
@@ -110,7 +121,8 @@ static void passage(double force, double t_end, FILE *csv)
     rk45 s;
     double t;
     vm_forced_passage(&f, 0, 0, &at);
-    slow[0] = at.A, slow[1] = at.torque <= 1 ? at.delta : 0;
+    slow[0] = at.A;
+    slow[1] = at.torque <= 1 ? at.delta : 0;
     if (vm_forced_join(&f, 0, slow, y)) return;
     rk45_init(&s, vm_forced_averaged_rhs, &f, 3, 0, slow, NULL, work);
     for (t = 0; t <= t_end; t += t_end / 2000) {

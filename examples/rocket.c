@@ -38,7 +38,8 @@ static int fly(double t, const double *y, vm_flow *flow)
 
 static void burnt_out(double t, double *y, void *flow)
 {
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     ((vm_flow *)flow)->streams[0].rate = 0;
 }
 
@@ -93,28 +94,46 @@ static int launch(double spin, sample *samples)
     rk45_options options = rk45_defaults(NULL);
     rk45 s;
     int i, k;
-    memset(&r, 0, sizeof r), memset(&dry, 0, sizeof dry);
+    memset(&r, 0, sizeof r);
+    memset(&dry, 0, sizeof dry);
     b.omega.z = spin;
-    r.jet.rate = -burning, r.jet.velocity.z = -exhaust, r.jet.at.x = off_axis, r.jet.at.z = nozzle;
+    r.jet.rate = -burning;
+    r.jet.velocity.z = -exhaust;
+    r.jet.at.x = off_axis;
+    r.jet.at.z = nozzle;
     r.jet.from = &r.surface;
     r.jet.gyration.xx = r.jet.gyration.yy = nozzle_radius * nozzle_radius / 4;
     r.jet.gyration.zz = nozzle_radius * nozzle_radius / 2;
     r.surface.gyration.xx = r.surface.gyration.yy = tank_radius * tank_radius / 4;
     r.surface.gyration.zz = tank_radius * tank_radius / 2;
     r.surface.at.z = level(propellant);
-    r.flow.n = 1, r.flow.streams = &r.jet, r.flow.update = fly, r.flow.ctx = &r, r.flow.centre.z = centre;
+    r.flow.n = 1;
+    r.flow.streams = &r.jet;
+    r.flow.update = fly;
+    r.flow.ctx = &r;
+    r.flow.centre.z = centre;
     r.flow.least_mass = dry_mass;
-    dry.g = vm_flow_mass_left, dry.ctx = &r.flow, dry.direction = -1, dry.action = ODE_RESTART,
+    dry.g = vm_flow_mass_left;
+    dry.ctx = &r.flow;
+    dry.direction = -1;
+    dry.action = ODE_RESTART;
     dry.change = burnt_out;
-    options.rtol = 1e-11, options.events = &dry, options.n_events = 1;
+    options.rtol = 1e-11;
+    options.events = &dry;
+    options.n_events = 1;
     if (vm_flow_start(&r.flow, &b, y)) return 1;
     momentum = vm_momentum(&b);
-    angular.x = y[VM_Y_H], angular.y = y[VM_Y_H + 1], angular.z = y[VM_Y_H + 2]; /* about the origin, where it is */
+    angular.x = y[VM_Y_H];
+    angular.y = y[VM_Y_H + 1];
+    angular.z = y[VM_Y_H + 2]; /* about the origin, where it is */
     if (rk45_init(&s, with_others, &r.flow, STATES, 0, y, &options, work) < 0) return 1;
     for (i = 0; i < SAMPLES; i++) {
         if (rk45_solve(&s, end * i / (SAMPLES - 1)) < 0 || vm_flow_body(&r.flow, VM_RHS, s.y, &b)) return 1;
-        samples[i].tilt = tilt(b.q), samples[i].x = b.r.x, samples[i].z = b.r.z;
-        samples[i].printed = s.y[PRINTED] * 180 / pi, samples[i].undamped = s.y[UNDAMPED] * 180 / pi;
+        samples[i].tilt = tilt(b.q);
+        samples[i].x = b.r.x;
+        samples[i].z = b.r.z;
+        samples[i].printed = s.y[PRINTED] * 180 / pi;
+        samples[i].undamped = s.y[UNDAMPED] * 180 / pi;
     }
     empty = assemble(0, &centre);
     printf("spin %4.2f turns/s: burnt out at %.12g s; after %g s %.4g km high, %.3g km aside, tilted by %.4g "

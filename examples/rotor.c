@@ -24,9 +24,14 @@ static void start_state(vm_real *y)
     double turn, c, s;
     int i;
     vm_rotor_free(break_time, &whole, first, at);
-    turn = alpha - atan2(at[4], at[3]), c = cos(turn), s = sin(turn);
+    turn = alpha - atan2(at[4], at[3]);
+    c = cos(turn);
+    s = sin(turn);
     for (i = 0; i < 6; i++) y[i] = first[i];
-    for (i = 0; i < 6; i += 3) y[i] = c * first[i] - s * first[i + 1], y[i + 1] = s * first[i] + c * first[i + 1];
+    for (i = 0; i < 6; i += 3) {
+        y[i] = c * first[i] - s * first[i + 1];
+        y[i + 1] = s * first[i] + c * first[i + 1];
+    }
 }
 
 /* |v_S| after (52), as printed */
@@ -59,8 +64,12 @@ static void free_motion(const vm_real *start, const char *prefix)
 static vm_rotor_piece piece_at(double angle)
 {
     vm_rotor_piece p = {0, 0, 0, 0, 0, 0};
-    p.mass = piece_mass, p.inertia = piece_inertia, p.distance = SS2, p.radius = radius;
-    p.alpha = angle, p.contact = alpha;
+    p.mass = piece_mass;
+    p.inertia = piece_inertia;
+    p.distance = SS2;
+    p.radius = radius;
+    p.alpha = angle;
+    p.contact = alpha;
     return p;
 }
 

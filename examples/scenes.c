@@ -42,8 +42,10 @@ static void play(stage *s, const char *name, const char *what, int i, double wan
     for (k = 0; k < POINTS; k++) times[k] = s->end * (vm_real)k / (POINTS - 1);
     sprintf(path, "%.*s_%.30s.csv", length, file_name ? file_name : "", name);
     if (file_name && (file = fopen(path, "w")) != NULL) {
-        s->scene.output = write_row, s->scene.output_ctx = file;
-        s->scene.times = times, s->scene.n_times = POINTS;
+        s->scene.output = write_row;
+        s->scene.output_ctx = file;
+        s->scene.times = times;
+        s->scene.n_times = POINTS;
     }
     status = stage_start(s);
     if (!status) status = stage_run(s, (double)s->end);
@@ -63,34 +65,50 @@ int main(int argc, char **argv)
         length = (int)strlen(file_name) - 4;
     }
     puts("The machines of chapter 1 as scenes: where they come to (reference)");
-    vessel_by_motor(&s),
-        play(&s, "vessel", "tipped by a motor to 1.4 rad: rad/s", 1, 4.23898704805918765, 0.372068251670792583);
-    turner_scene(&s, &turn, 1),
-        play(&s, "turner", "a wagon is turned over: rad/s", 1, 1.84635466780631226, 3.49657701427779438);
-    turner_scene(&s, &tip, 1),
-        play(&s, "tippler", "with counterweights: rad/s", 1, 2.94061464196003694, 2.94501866090748102);
-    wagon(&s), play(&s, "wagon", "fills 60 s, then empties: m/s", 1, 120, 44.9383328318419495);
-    mechanism(&s), play(&s, "mechanism", "on a crank, a turn: rad/s", 1, 1.85978210307734631, 5.82581880164640765);
-    mill(&s, &mill_driven, 0, 25), play(&s, "mill", "rolls 25 m: m/s", 1, 3.28047146698998200, 14.7999500519540368);
-    regulator(&s), play(&s, "regulator", "holds its speed: switched off last at 9.43 s", 1, 10, 12.0231459473126);
-    scoop(&s, &full), play(&s, "scoop", "cuts, carries and drops: rad/s", 1, 2, 2.03335511035973);
-    crane(&s), play(&s, "crane", "picks up, leaks, drops: m", 0, 12, 0.000712652643793425313);
-    dosing(&s, 40), s.end = 5, play(&s, "dosing", "a belt feeds itself: rad", 0, 5, 0.000907954100047924994);
-    weighing(&s), play(&s, "weighing", "from lift-off to the largest angle: rad", 0, 2.0330313512972609,
+    vessel_by_motor(&s);
+    play(&s, "vessel", "tipped by a motor to 1.4 rad: rad/s", 1, 4.23898704805918765, 0.372068251670792583);
+    turner_scene(&s, &turn, 1);
+    play(&s, "turner", "a wagon is turned over: rad/s", 1, 1.84635466780631226, 3.49657701427779438);
+    turner_scene(&s, &tip, 1);
+    play(&s, "tippler", "with counterweights: rad/s", 1, 2.94061464196003694, 2.94501866090748102);
+    wagon(&s);
+    play(&s, "wagon", "fills 60 s, then empties: m/s", 1, 120, 44.9383328318419495);
+    mechanism(&s);
+    play(&s, "mechanism", "on a crank, a turn: rad/s", 1, 1.85978210307734631, 5.82581880164640765);
+    mill(&s, &mill_driven, 0, 25);
+    play(&s, "mill", "rolls 25 m: m/s", 1, 3.28047146698998200, 14.7999500519540368);
+    regulator(&s);
+    play(&s, "regulator", "holds its speed: switched off last at 9.43 s", 1, 10, 12.0231459473126);
+    scoop(&s, &full);
+    play(&s, "scoop", "cuts, carries and drops: rad/s", 1, 2, 2.03335511035973);
+    crane(&s);
+    play(&s, "crane", "picks up, leaks, drops: m", 0, 12, 0.000712652643793425313);
+    dosing(&s, 40);
+    s.end = 5;
+    play(&s, "dosing", "a belt feeds itself: rad", 0, 5, 0.000907954100047924994);
+    weighing(&s);
+    play(&s, "weighing", "from lift-off to the largest angle: rad", 0, 2.0330313512972609,
                        0.234693965122421166);
-    chain_heap(&s),
-        play(&s, "heap", "Cayley's chain from a heap: m/s", 1, 0.921289371977640962, 3.61640221767435598);
-    chain_winding(&s),
-        play(&s, "winding", "a chain winds on a drum: rad/s", 1, 4.16723798047598732, 3.54964786985976963);
-    stator(&s, &gap),
-        play(&s, "stator", "a broken rotor meets the stator: rad", 2, 10.0667375197206978, 18.8738526581898339);
-    reel(&s, 1, 40),
-        play(&s, "reel", "a band winds up, layer by layer: rad/s", 1, 4.96711418419346504, 7.25340764780580859);
+    chain_heap(&s);
+    play(&s, "heap", "Cayley's chain from a heap: m/s", 1, 0.921289371977640962, 3.61640221767435598);
+    chain_winding(&s);
+    play(&s, "winding", "a chain winds on a drum: rad/s", 1, 4.16723798047598732, 3.54964786985976963);
+    stator(&s, &gap);
+    play(&s, "stator", "a broken rotor meets the stator: rad", 2, 10.0667375197206978, 18.8738526581898339);
+    reel(&s, 1, 40);
+    play(&s, "reel", "a band winds up, layer by layer: rad/s", 1, 4.96711418419346504, 7.25340764780580859);
     puts("Numerical examples of the dissertation as scenes: where they are (reference)");
-    figure18(&s, 0.625), s.end = 10,
-                         play(&s, "fig18", "the rest of a broken rotor: rad", 2, 10, 4.84962146546119455);
-    example1(&s), s.end = 10, play(&s, "example1", "(398): m", 0, 10, 0.832947674575421393);
-    figure30(&s), s.end = 10, play(&s, "fig30", "Laval's rotor, (514): m", 0, 10, -0.494339964193726892);
-    figure32(&s), s.end = 5, play(&s, "fig32", "two bodies and a spring, (530): m", 0, 5, 1.35739338901332805);
+    figure18(&s, 0.625);
+    s.end = 10;
+    play(&s, "fig18", "the rest of a broken rotor: rad", 2, 10, 4.84962146546119455);
+    example1(&s);
+    s.end = 10;
+    play(&s, "example1", "(398): m", 0, 10, 0.832947674575421393);
+    figure30(&s);
+    s.end = 10;
+    play(&s, "fig30", "Laval's rotor, (514): m", 0, 10, -0.494339964193726892);
+    figure32(&s);
+    s.end = 5;
+    play(&s, "fig32", "two bodies and a spring, (530): m", 0, 5, 1.35739338901332805);
     return 0;
 }

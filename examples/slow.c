@@ -53,8 +53,11 @@ static vm_vdp vdp_of(const motion_case *c)
 {
     vm_vdp v;
     memset(&v, 0, sizeof v);
-    v.alpha = c->b < 0 ? 5. / 3 : 4. / 3, v.k = 1, v.reactive = 1; /* b < 0 marks (440) */
-    v.b = c->b < 0 ? 0.01 : -0.01 * c->b, v.c = c->b < 0 ? 0.01 : 0;
+    v.alpha = c->b < 0 ? 5. / 3 : 4. / 3;
+    v.k = 1;
+    v.reactive = 1; /* b < 0 marks (440) */
+    v.b = c->b < 0 ? 0.01 : -0.01 * c->b;
+    v.c = c->b < 0 ? 0.01 : 0;
     v.mass = vm_slow_mass_linear;
     vm_vdp_init(&v);
     return v;
@@ -75,7 +78,9 @@ static double radius(double t, const motion_case *c)
     vm_power_force cubic = {1, 3};
     vm_laval r;
     memset(&r, 0, sizeof r);
-    r.stiffness = vm_laval_power, r.stiffness_ctx = &cubic, r.reactive = 1;
+    r.stiffness = vm_laval_power;
+    r.stiffness_ctx = &cubic;
+    r.reactive = 1;
     return vm_laval_amplitude(&r, c->x0, c->m0, c->m0 + c->m1 * t);
 }
 
@@ -105,12 +110,20 @@ static void *start(const motion_case *c, context *x, vm_real *y)
 {
     const double half = sqrt(0.5);
     memset(x, 0, sizeof *x);
-    x->mass.mass = c->m0, x->mass.rate = c->m1;
-    x->vdp = vdp_of(c), x->vdp.mass_ctx = &x->mass;
-    x->cubic.k = 1, x->cubic.alpha = 3;
-    x->rotor.mass = x->pair.mass = vm_slow_mass_linear, x->rotor.mass_ctx = x->pair.mass_ctx = &x->mass;
-    x->rotor.stiffness = vm_laval_power, x->rotor.stiffness_ctx = &x->cubic, x->rotor.reactive = 1;
-    x->pair.alpha = 3, x->pair.k = 1, x->pair.reactive = 1;
+    x->mass.mass = c->m0;
+    x->mass.rate = c->m1;
+    x->vdp = vdp_of(c);
+    x->vdp.mass_ctx = &x->mass;
+    x->cubic.k = 1;
+    x->cubic.alpha = 3;
+    x->rotor.mass = x->pair.mass = vm_slow_mass_linear;
+    x->rotor.mass_ctx = x->pair.mass_ctx = &x->mass;
+    x->rotor.stiffness = vm_laval_power;
+    x->rotor.stiffness_ctx = &x->cubic;
+    x->rotor.reactive = 1;
+    x->pair.alpha = 3;
+    x->pair.k = 1;
+    x->pair.reactive = 1;
     if (c->f == vm_laval_rhs) return y[0] = y[1] = y[3] = half, y[2] = -half, &x->rotor;
     if (c->f == vm_pair_rhs) return y[0] = 1, y[1] = 3, y[2] = y[3] = 0, &x->pair;
     return y[0] = c->x0, y[1] = 0, &x->vdp;
@@ -125,7 +138,8 @@ static branches at(const motion_case *c, double t, curve f, double centre)
 {
     const double value = f(t, c);
     branches b;
-    b.upper = centre + value, b.lower = c->waves || value < 0 ? b.upper : centre - value;
+    b.upper = centre + value;
+    b.lower = c->waves || value < 0 ? b.upper : centre - value;
     return b;
 }
 

@@ -36,7 +36,8 @@ int main(void)
         const table5_row *row = table5 + i;
         double kit[3];
         int off = 0, shown = 0;
-        kit[0] = vm_osc_omega_trig(row->alpha), kit[1] = vm_osc_m_jacobi(row->alpha),
+        kit[0] = vm_osc_omega_trig(row->alpha);
+        kit[1] = vm_osc_m_jacobi(row->alpha);
         kit[2] = vm_osc_omega_jacobi(row->alpha);
         printf("%5g", row->alpha);
         for (k = 0; k < 3; k++) {
@@ -47,7 +48,8 @@ int main(void)
             if (is_off(row->printed[k], row->exact[k]))
                 printf("%s %s %+.2f", shown++ ? "," : "  |", names[k], (row->printed[k] - row->exact[k]) * 1e6);
         puts("");
-        off_rows += off > 0, off_numbers += off;
+        off_rows += off > 0;
+        off_numbers += off;
     }
     printf("\n%d rows; %d have a printed digit off (%d numbers, nearly all cut off instead of rounded);\n", rows,
            off_rows, off_numbers);

@@ -22,7 +22,8 @@ static vm_body box(double mass, vm_vec3 edges, vm_vec3 at)
 {
     const double k = mass / 12;
     vm_body body = {0, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    body.mass = mass, body.r = at;
+    body.mass = mass;
+    body.r = at;
     body.inertia.xx = k * (edges.y * edges.y + edges.z * edges.z);
     body.inertia.yy = k * (edges.x * edges.x + edges.z * edges.z);
     body.inertia.zz = k * (edges.x * edges.x + edges.y * edges.y);
@@ -54,7 +55,10 @@ static int turning(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     const vm_vec3 w = spin_at((const spinning *)ctx, quaternion(y));
     vm_quat half = {0, w.x / 2, w.y / 2, w.z / 2}, rate = vmi_quat_times(half, quaternion(y));
     (void)t;
-    dydt[0] = rate.w, dydt[1] = rate.x, dydt[2] = rate.y, dydt[3] = rate.z;
+    dydt[0] = rate.w;
+    dydt[1] = rate.x;
+    dydt[2] = rate.y;
+    dydt[3] = rate.z;
     return 0;
 }
 
@@ -66,14 +70,21 @@ static int moved(const vm_body *from, double t, vm_body *to)
     rk45 run;
     vm_real y[4], work[RK45_WORK(4)];
     int status;
-    s.body = *from, s.L = vm_angular_momentum(from, from->r), s.principal = vmi_principal_axes(&from->inertia);
-    y[0] = from->q.w, y[1] = from->q.x, y[2] = from->q.y, y[3] = from->q.z;
+    s.body = *from;
+    s.L = vm_angular_momentum(from, from->r);
+    s.principal = vmi_principal_axes(&from->inertia);
+    y[0] = from->q.w;
+    y[1] = from->q.x;
+    y[2] = from->q.y;
+    y[3] = from->q.z;
     o.rtol = o.atol = 1e-11;
     status = rk45_init(&run, turning, &s, 4, 0, y, &o, work);
     if (!status) status = rk45_solve(&run, t);
     if (status) return status;
     *to = *from;
-    to->q = quaternion(run.y), to->r = plus(from->r, t, from->v), to->omega = spin_at(&s, to->q);
+    to->q = quaternion(run.y);
+    to->r = plus(from->r, t, from->v);
+    to->omega = spin_at(&s, to->q);
     return 0;
 }
 
@@ -144,7 +155,8 @@ static int draw(const scene *s, const char *file)
         vmi_mat3 turn;
         failed = moved(t < 0 ? &s->whole : &s->hub, t, &a) || moved(&s->panel, t, &b);
         if (failed) break;
-        turn = vmi_rotation(a.q), w = vmi_times_transposed(&turn, a.omega);
+        turn = vmi_rotation(a.q);
+        w = vmi_times_transposed(&turn, a.omega);
         hub = vm_angular_momentum(&a, vec3(0, 0, 0)).z;
         if (t >= 0) panel = vm_angular_momentum(&b, vec3(0, 0, 0)).z;
         fprintf(csv, "%g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", t, w.x, w.y, w.z, hub, panel, hub + panel);
@@ -177,21 +189,28 @@ int main(int argc, char **argv)
     vm_body relative, after[2];
     vm_balance balance;
     vm_vec3 wrong;
-    s.hub_edges = vec3(1, 0.8, 0.6), s.panel_edges = vec3(1.6, 0.7, 0.05);
-    s.hub = box(60, s.hub_edges, vec3(0, 0, 0)), s.panel = box(12, s.panel_edges, vec3(1.3, 0, 0.2));
+    s.hub_edges = vec3(1, 0.8, 0.6);
+    s.panel_edges = vec3(1.6, 0.7, 0.05);
+    s.hub = box(60, s.hub_edges, vec3(0, 0, 0));
+    s.panel = box(12, s.panel_edges, vec3(1.3, 0, 0.2));
     s.hub.v = s.panel.v = vec3(1.2, 0, 0.2);
     if (vm_attach(&s.hub, &s.panel, NULL, &s.whole)) return 1;
     s.whole.omega = vec3(0.3, 0.25, 0.7);
-    s.hub_in_whole = plus(s.hub.r, -1, s.whole.r), s.panel_in_whole = plus(s.panel.r, -1, s.whole.r);
+    s.hub_in_whole = plus(s.hub.r, -1, s.whole.r);
+    s.panel_in_whole = plus(s.panel.r, -1, s.whole.r);
 
     relative = s.panel; /* it leaves at 0.15 m/s outwards, and turning, (25), (41) */
-    relative.v = vec3(0.15, 0, 0), relative.omega = vec3(0.4, -0.3, -1);
+    relative.v = vec3(0.15, 0, 0);
+    relative.omega = vec3(0.4, -0.3, -1);
     if (vm_to_absolute(&s.whole, &relative, &s.panel) || vm_separate(&s.whole, &s.panel, NULL, &s.hub)) return 1;
 
     puts("A satellite of 72 kg sheds a panel of 12 kg: M v, N s; angular momentum about the origin, N m s; energy, "
          "J");
-    print_motion("whole", &s.whole), print_motion("hub", &s.hub), print_motion("panel", &s.panel);
-    after[0] = s.hub, after[1] = s.panel;
+    print_motion("whole", &s.whole);
+    print_motion("hub", &s.hub);
+    print_motion("panel", &s.panel);
+    after[0] = s.hub;
+    after[1] = s.panel;
     if (vm_balance_between(1, &s.whole, 2, after, NULL, vec3(0, 0, 0), &balance)) return 1;
     printf("  after - before %8.1e %8.1e %8.1e   %8.1e  %8.1e  %8.1e  %9.4f\n", balance.momentum.x,
            balance.momentum.y, balance.momentum.z, balance.angular_momentum.x, balance.angular_momentum.y,

@@ -21,14 +21,22 @@ static inline double size_of(vm_vec3 a) { return sqrt((double)vmi_dot(a, a)); }
 static inline vm_inertia inertia(double xx, double xy, double xz, double yy, double yz, double zz)
 {
     vm_inertia i;
-    i.xx = R(xx), i.yy = R(yy), i.zz = R(zz), i.xy = R(xy), i.xz = R(xz), i.yz = R(yz);
+    i.xx = R(xx);
+    i.yy = R(yy);
+    i.zz = R(zz);
+    i.xy = R(xy);
+    i.xz = R(xz);
+    i.yz = R(yz);
     return i;
 }
 
 static inline vm_quat random_attitude(void)
 {
     vm_quat q;
-    q.w = R(uniform(-1, 1)), q.x = R(uniform(-1, 1)), q.y = R(uniform(-1, 1)), q.z = R(uniform(-1, 1));
+    q.w = R(uniform(-1, 1));
+    q.x = R(uniform(-1, 1));
+    q.y = R(uniform(-1, 1));
+    q.z = R(uniform(-1, 1));
     return q;
 }
 
@@ -47,7 +55,9 @@ static inline vm_body random_body(double mass, double size)
         b.inertia = vmi_inertia_plus(b.inertia, R(mass / 6), vmi_inertia_of_point(vmi_sub(at[i], centre)));
     b.mass = R(mass);
     b.q = random_attitude();
-    b.r = random_vector(3), b.v = random_vector(5), b.omega = random_vector(4);
+    b.r = random_vector(3);
+    b.v = random_vector(5);
+    b.omega = random_vector(4);
     return b;
 }
 
@@ -66,13 +76,16 @@ static inline vm_body rod(int n, vm_vec3 axis)
 static inline vm_impulse random_impulse(void)
 {
     vm_impulse j;
-    j.linear = random_vector(3), j.couple = random_vector(3), j.at = random_vector(3);
+    j.linear = random_vector(3);
+    j.couple = random_vector(3);
+    j.at = random_vector(3);
     return j;
 }
 
 static inline vm_impulse opposite(vm_impulse j)
 {
-    j.linear = vmi_scale(-1, j.linear), j.couple = vmi_scale(-1, j.couple);
+    j.linear = vmi_scale(-1, j.linear);
+    j.couple = vmi_scale(-1, j.couple);
     return j;
 }
 
@@ -104,7 +117,9 @@ static inline vm_body body_of(int n, const particle *p, vm_quat q)
         b.inertia = vmi_inertia_plus(b.inertia, R(p[i].m),
                                      vmi_inertia_of_point(vmi_times_transposed(&turn, vector(d[0], d[1], d[2]))));
     }
-    b.mass = R(mass), b.q = q, b.r = vector(centre[0], centre[1], centre[2]);
+    b.mass = R(mass);
+    b.q = q;
+    b.r = vector(centre[0], centre[1], centre[2]);
     return b;
 }
 
@@ -121,15 +136,18 @@ static inline void add_particles(sums *s, double sign, int n, const particle *p,
         for (k = 0; k < 3; k++) {
             int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
             u[k] = v[k] + w[k1] * (p[i].r[k2] - c[k2]) - w[k2] * (p[i].r[k1] - c[k1]);
-            u2 += u[k] * u[k], arm2 += (p[i].r[k] - about[k]) * (p[i].r[k] - about[k]);
+            u2 += u[k] * u[k];
+            arm2 += (p[i].r[k] - about[k]) * (p[i].r[k] - about[k]);
         }
         for (k = 0; k < 3; k++) {
             int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
             s->K[k] += sign * p[i].m * u[k];
             s->L[k] += sign * p[i].m * ((p[i].r[k1] - about[k1]) * u[k2] - (p[i].r[k2] - about[k2]) * u[k1]);
         }
-        s->mass += sign * p[i].m, s->T += sign * p[i].m * u2 / 2;
-        s->K_size += p[i].m * sqrt(u2), s->L_size += p[i].m * sqrt(u2 * arm2);
+        s->mass += sign * p[i].m;
+        s->T += sign * p[i].m * u2 / 2;
+        s->K_size += p[i].m * sqrt(u2);
+        s->L_size += p[i].m * sqrt(u2 * arm2);
     }
 }
 

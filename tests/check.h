@@ -18,8 +18,12 @@ static long check_passed, check_failed, check_skipped;
 
 static inline void check_count(int good, const char *file, int line, const char *what)
 {
-    if (good) check_passed++;
-    else check_failed++, printf("FAILED %s:%d: %s\n", file, line, what);
+    if (good) {
+        check_passed++;
+    } else {
+        check_failed++;
+        printf("FAILED %s:%d: %s\n", file, line, what);
+    }
 }
 #define CHECK(condition) check_count((condition) != 0, __FILE__, __LINE__, #condition)
 #define FAIL(text) check_count(0, __FILE__, __LINE__, text)
@@ -46,14 +50,19 @@ static inline void check_error(const char *function, const char *region, const c
             return;
         }
         check_row_count++;
-        row->function = function, row->region = region, row->unit = unit;
-        row->worst = -1, row->count = 0, row->bound = bound;
+        row->function = function;
+        row->region = region;
+        row->unit = unit;
+        row->worst = -1;
+        row->count = 0;
+        row->bound = bound;
     }
     row->count++;
     if (bound < row->bound) row->bound = bound;
     if (row->worst == row->worst && !(error <= row->worst)) {
         row->worst = error;
-        row->at[0] = x, row->at[1] = parameter;
+        row->at[0] = x;
+        row->at[1] = parameter;
     }
 }
 

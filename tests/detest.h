@@ -29,14 +29,16 @@ enum { DETEST_PROBLEMS = 30, DETEST_LARGEST = 51 };
 
 DETEST_RHS(detest_a1) /* decay */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = -y[0];
     return 0;
 }
 
 DETEST_RHS(detest_a2) /* y = 1/sqrt(1 + t) */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = -y[0] * y[0] * y[0] / 2;
     return 0;
 }
@@ -50,7 +52,8 @@ DETEST_RHS(detest_a3) /* y = exp(sin t) */
 
 DETEST_RHS(detest_a4) /* a logistic curve */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = y[0] / 4 * (1 - y[0] / 20);
     return 0;
 }
@@ -66,7 +69,8 @@ DETEST_RHS(detest_a5) /* a spiral */
 
 DETEST_RHS(detest_b1) /* two populations that fight */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = 2 * (y[0] - y[0] * y[1]);
     dydt[1] = -(y[1] - y[0] * y[1]);
     return 0;
@@ -74,7 +78,8 @@ DETEST_RHS(detest_b1) /* two populations that fight */
 
 DETEST_RHS(detest_b2) /* a linear chemical reaction */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = -y[0] + y[1];
     dydt[1] = y[0] - 2 * y[1] + y[2];
     dydt[2] = y[1] - y[2];
@@ -83,7 +88,8 @@ DETEST_RHS(detest_b2) /* a linear chemical reaction */
 
 DETEST_RHS(detest_b3) /* a nonlinear chemical reaction */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = -y[0];
     dydt[1] = y[0] - y[1] * y[1];
     dydt[2] = y[1] * y[1];
@@ -93,7 +99,8 @@ DETEST_RHS(detest_b3) /* a nonlinear chemical reaction */
 DETEST_RHS(detest_b4) /* a curve on a torus */
 {
     const DETEST_REAL r = DETEST_MATH(sqrt)(y[0] * y[0] + y[1] * y[1]);
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = -y[1] - y[0] * y[2] / r;
     dydt[1] = y[0] - y[1] * y[2] / r;
     dydt[2] = y[0] / r;
@@ -102,7 +109,8 @@ DETEST_RHS(detest_b4) /* a curve on a torus */
 
 DETEST_RHS(detest_b5) /* Euler's equations of a rigid body */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = y[1] * y[2];
     dydt[1] = -y[0] * y[2];
     dydt[2] = DETEST_C(-0.51) * y[0] * y[1];
@@ -114,7 +122,8 @@ DETEST_RHS(detest_b5) /* Euler's equations of a rigid body */
 DETEST_RHS(detest_c1) /* a chain of ten decays at equal rates */
 {
     int i;
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = -y[0];
     for (i = 1; i < 9; i++) dydt[i] = y[i - 1] - y[i];
     dydt[9] = y[8];
@@ -124,7 +133,8 @@ DETEST_RHS(detest_c1) /* a chain of ten decays at equal rates */
 DETEST_RHS(detest_c2) /* a chain of ten decays, each faster than the one before */
 {
     int i;
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = -y[0];
     for (i = 1; i < 9; i++) dydt[i] = DETEST_C(i) * y[i - 1] - DETEST_C(i + 1) * y[i];
     dydt[9] = 9 * y[8];
@@ -142,14 +152,16 @@ static void detest_rod(int n, const DETEST_REAL *y, DETEST_REAL *dydt)
 
 DETEST_RHS(detest_c3)
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     detest_rod(10, y, dydt);
     return 0;
 }
 
 DETEST_RHS(detest_c4)
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     detest_rod(51, y, dydt);
     return 0;
 }
@@ -168,7 +180,8 @@ DETEST_RHS(detest_c5) /* the five outer planets: positions about the sun, then v
                                    .277777777778e-5};
     DETEST_REAL pull[5]; /* of each planet on the sun, over its mass and distance */
     int i, j, k;
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     for (j = 0; j < 5; j++) pull[j] = detest_inverse_cube(y[3 * j], y[3 * j + 1], y[3 * j + 2]);
     for (j = 0; j < 5; j++) {
         const DETEST_REAL *at = y + 3 * j;
@@ -195,7 +208,8 @@ DETEST_RHS(detest_c5) /* the five outer planets: positions about the sun, then v
 DETEST_RHS(detest_d)
 {
     const DETEST_REAL square = y[0] * y[0] + y[1] * y[1], cube = square * DETEST_MATH(sqrt)(square);
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = y[2];
     dydt[1] = y[3];
     dydt[2] = -y[0] / cube;
@@ -216,7 +230,8 @@ DETEST_RHS(detest_e1) /* Bessel's equation of order 1/2 */
 
 DETEST_RHS(detest_e2) /* Van der Pol's oscillator */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = y[1];
     dydt[1] = (1 - y[0] * y[0]) * y[1] - y[0];
     return 0;
@@ -232,7 +247,8 @@ DETEST_RHS(detest_e3) /* Duffing's oscillator, driven */
 
 DETEST_RHS(detest_e4) /* fall in air */
 {
-    DETEST_UNUSED(t), DETEST_UNUSED(ctx);
+    DETEST_UNUSED(t);
+    DETEST_UNUSED(ctx);
     dydt[0] = y[1];
     dydt[1] = DETEST_C(0.032) - DETEST_C(0.4) * y[1] * y[1];
     return 0;

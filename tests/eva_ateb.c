@@ -3,13 +3,17 @@
 #define EVA_HEADER "../ateb.h"
 #include "eva_words.h"
 
-void eva_pi(void) { sink[0] = ateb_pi(any), sink[1] = ateb_pi_nm(any, any); }
+void eva_pi(void) {
+sink[0] = ateb_pi(any);
+sink[1] = ateb_pi_nm(any, any); }
 
 void eva_saca(void)
 {
     ateb_saca(any, any, sink, sink + 1);
-    sink[2] = ateb_sa(any, any), sink[3] = ateb_ca(any, any);
-    sink[4] = ateb_integral_sa2(any, any), sink[5] = ateb_integral_ca(any, any);
+    sink[2] = ateb_sa(any, any);
+    sink[3] = ateb_ca(any, any);
+    sink[4] = ateb_integral_sa2(any, any);
+    sink[5] = ateb_integral_ca(any, any);
 }
 
 void eva_phase(void) { sink[0] = ateb_phase(any, any, any); }
@@ -52,13 +56,24 @@ void eva_plan_init(void)
 static void any_plan(ateb_plan *p)
 {
     int i, j;
-    p->quarter.hi = any, p->quarter.lo = any, p->twice_q.hi = any, p->twice_q.lo = any;
+    p->quarter.hi = any;
+    p->quarter.lo = any;
+    p->twice_q.hi = any;
+    p->twice_q.lo = any;
     for (i = 0; i < 3; i++) p->quarter_parts[i] = any;
-    p->per_quarter = any, p->longest = any, p->change_over = any, p->n = any, p->g = any;
-    p->twice_alpha = any_int, p->length = any_int;
+    p->per_quarter = any;
+    p->longest = any;
+    p->change_over = any;
+    p->n = any;
+    p->g = any;
+    p->twice_alpha = any_int;
+    p->length = any_int;
     if (p->length < 2 || p->length > ATEB_PLAN_LENGTH || p->length % 2) p->length = 2;
     for (i = 0; i < ATEB_PLAN_LENGTH; i++)
-        for (j = 0; j < 2; j++) p->part[j].odd[i] = any, p->part[j].even[i] = any;
+        for (j = 0; j < 2; j++) {
+            p->part[j].odd[i] = any;
+            p->part[j].even[i] = any;
+        }
 }
 
 void eva_plan_saca(void)

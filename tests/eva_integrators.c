@@ -8,21 +8,27 @@ volatile long any_long;
 static int right_hand_side(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     (void)ctx;
-    sink[0] = t, sink[1] = y[0], sink[2] = y[1];
-    dydt[0] = any, dydt[1] = any;
+    sink[0] = t;
+    sink[1] = y[0];
+    sink[2] = y[1];
+    dydt[0] = any;
+    dydt[1] = any;
     return any_int;
 }
 
 static vm_real event(vm_real t, const vm_real *y, void *ctx)
 {
     (void)ctx;
-    sink[0] = t, sink[1] = y[0], sink[2] = y[1];
+    sink[0] = t;
+    sink[1] = y[0];
+    sink[2] = y[1];
     return any;
 }
 
 static void change(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     y[0] = any;
 }
 
@@ -38,16 +44,27 @@ void eva_rk4(void)
 static rk45_options any_options(ode_event *e, vm_real *atol)
 {
     rk45_options o;
-    o.rtol = any, o.atol = any, o.h0 = any, o.h_min = any, o.h_max = any;
+    o.rtol = any;
+    o.atol = any;
+    o.h0 = any;
+    o.h_min = any;
+    o.h_max = any;
     o.max_steps = any_long;
-    atol[0] = any, atol[1] = any;
+    atol[0] = any;
+    atol[1] = any;
     o.atol_each = any_int ? atol : NULL;
-    o.events = e, o.n_events = e ? 1 : 0;
+    o.events = e;
+    o.n_events = e ? 1 : 0;
     if (e) {
-        e->g = event, e->ctx = NULL;
-        e->direction = any_int, e->action = any_int, e->checks = any_int;
+        e->g = event;
+        e->ctx = NULL;
+        e->direction = any_int;
+        e->action = any_int;
+        e->checks = any_int;
         e->change = any_int ? change : NULL;
-        e->room = any_long, e->times = NULL, e->states = NULL;
+        e->room = any_long;
+        e->times = NULL;
+        e->states = NULL;
     }
     return o;
 }
@@ -73,10 +90,16 @@ void eva_refusals(void)
     if (any_int) e.g = NULL;
     rk45_init(any_int ? &s : NULL, any_int ? right_hand_side : NULL, NULL, n > 2 ? 2 : n, any, any_int ? y : NULL, &o,
               any_int ? work : NULL);
-    rk45_step(NULL), rk45_solve(NULL, any), rk45_solve_with(NULL, right_hand_side, 2, any);
-    rk45_interpolate(NULL, any, y), rk45_restart(NULL, any, y);
-    rk87_step(NULL), rk87_solve(NULL, any), rk87_solve_with(NULL, right_hand_side, 2, any);
-    rk87_interpolate(NULL, any, y), rk87_restart(NULL, any, y);
+    rk45_step(NULL);
+    rk45_solve(NULL, any);
+    rk45_solve_with(NULL, right_hand_side, 2, any);
+    rk45_interpolate(NULL, any, y);
+    rk45_restart(NULL, any, y);
+    rk87_step(NULL);
+    rk87_solve(NULL, any);
+    rk87_solve_with(NULL, right_hand_side, 2, any);
+    rk87_interpolate(NULL, any, y);
+    rk87_restart(NULL, any, y);
 }
 
 #define ADAPTIVE(name, method, WORK, event_or_NULL)                                                \

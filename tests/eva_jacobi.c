@@ -4,28 +4,43 @@
 
 void eva_K_E(void)
 {
-    sink[0] = jacobi_K(any), sink[1] = jacobi_K_m1(any), sink[2] = jacobi_E(any), sink[3] = jacobi_E_m1(any);
-    sink[4] = jacobi_kpK(any), sink[5] = jacobi_agm_K(any);
+    sink[0] = jacobi_K(any);
+    sink[1] = jacobi_K_m1(any);
+    sink[2] = jacobi_E(any);
+    sink[3] = jacobi_E_m1(any);
+    sink[4] = jacobi_kpK(any);
+    sink[5] = jacobi_agm_K(any);
 }
 
 void eva_sncndn(void)
 {
-    jacobi_sncndn(any, any, sink, sink + 1, sink + 2), jacobi_sncndn_m1(any, any, sink, sink + 1, sink + 2);
-    sink[3] = jacobi_sn(any, any), sink[4] = jacobi_cn(any, any), sink[5] = jacobi_dn(any, any);
+    jacobi_sncndn(any, any, sink, sink + 1, sink + 2);
+    jacobi_sncndn_m1(any, any, sink, sink + 1, sink + 2);
+    sink[3] = jacobi_sn(any, any);
+    sink[4] = jacobi_cn(any, any);
+    sink[5] = jacobi_dn(any, any);
 }
 
 void eva_quotients(void)
 {
-    sink[0] = jacobi_cd(any, any), sink[1] = jacobi_sd(any, any), sink[2] = jacobi_nd(any, any);
-    sink[3] = jacobi_sc(any, any), sink[4] = jacobi_dc(any, any), sink[5] = jacobi_nc(any, any);
-    sink[6] = jacobi_cs(any, any), sink[7] = jacobi_ds(any, any), sink[0] = jacobi_ns(any, any);
+    sink[0] = jacobi_cd(any, any);
+    sink[1] = jacobi_sd(any, any);
+    sink[2] = jacobi_nd(any, any);
+    sink[3] = jacobi_sc(any, any);
+    sink[4] = jacobi_dc(any, any);
+    sink[5] = jacobi_nc(any, any);
+    sink[6] = jacobi_cs(any, any);
+    sink[7] = jacobi_ds(any, any);
+    sink[0] = jacobi_ns(any, any);
 }
 
 void eva_am(void) { sink[0] = jacobi_am(any, any); }
 void eva_solve(void)
 {
-    sink[0] = jacobi_solve_kpK(any), sink[1] = jacobi_solve_kpK_m1(any);
-    sink[2] = jacobi_solve_K(any), sink[3] = jacobi_solve_K_m1(any);
+    sink[0] = jacobi_solve_kpK(any);
+    sink[1] = jacobi_solve_kpK_m1(any);
+    sink[2] = jacobi_solve_K(any);
+    sink[3] = jacobi_solve_K_m1(any);
 }
 void eva_cn_means(void) { jacobi_cn_means(any, sink, sink + 1, sink + 2); }
 void eva_agm_sncndn(void) { jacobi_agm_sncndn(any, any, any_int, sink, sink + 1, sink + 2); }
@@ -57,7 +72,8 @@ void eva_rotation(void)
     const vm_two x = {any, any}, y = {any, any}, z = {any, any};
     vmi_doubled_theta theta = vmi_doubled_direct(any, any, any);
     const vm_real turns = any;
-    sink[0] = vmi_carlson_rf(x, y, z).hi, sink[1] = vmi_third_kind_ladder(x, y, z).rest.hi;
+    sink[0] = vmi_carlson_rf(x, y, z).hi;
+    sink[1] = vmi_third_kind_ladder(x, y, z).rest.hi;
     if (-8192 < turns && turns < 8192) vmi_sincos_turns(turns, sink + 2, sink + 3);
     vmi_doubled_at(&theta, VM_C(0.25), sink + 4, sink + 5);
 }

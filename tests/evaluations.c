@@ -78,7 +78,10 @@ typedef struct trial {
 static trial result(vm_real x, vm_real y, vm_real z, int good)
 {
     trial t;
-    t.x = x, t.y = y, t.z = z, t.good = good;
+    t.x = x;
+    t.y = y;
+    t.z = z;
+    t.good = good;
     return t;
 }
 
@@ -132,7 +135,8 @@ static trial try_sn_rises(random_bits *g)
     int i, good = 1;
     for (i = 0; i < PHASES && good; i++) {
         u = uniform(g, 0, 0.999) * top;
-        a = jacobi_sn(u, m), b = jacobi_sn(next_up(u), m);
+        a = jacobi_sn(u, m);
+        b = jacobi_sn(next_up(u), m);
         good = u == 0 || (b >= a * (1 - 16 * EPS) && a >= 0 && b <= 1);
     }
     return result(u, m, 0, good);
@@ -161,7 +165,8 @@ static trial try_jacobi_plan(random_bits *g)
     int i, good = jacobi_plan_init(&p, m) == 0;
     for (i = 0; i < 64 && good; i++) {
         u = random_phase(g, K);
-        jacobi_plan_sncndn(&p, u, &sn, &cn, &dn), jacobi_sncndn(u, m, &s, &c, &d);
+        jacobi_plan_sncndn(&p, u, &sn, &cn, &dn);
+        jacobi_sncndn(u, m, &s, &c, &d);
         good = on_curve(sn, cn, dn, 1 - m) && VM_FABS(sn - s) <= 8 * EPS && VM_FABS(cn - c) <= 8 * EPS &&
                VM_FABS(dn - d) <= 8 * EPS * top;
     }
@@ -174,7 +179,8 @@ static trial try_am(random_bits *g)
     vm_real u = 0, am;
     int i, good = 1;
     for (i = 0; i < PHASES && good; i++) {
-        u = uniform(g, 0, 1) * top, am = jacobi_am(u, m);
+        u = uniform(g, 0, 1) * top;
+        am = jacobi_am(u, m);
         good = u == 0 || (jacobi_am(next_up(u), m) >= am * (1 - 4 * EPS) && jacobi_am(-u, m) == -am);
     }
     return result(u, m, 0, good);
@@ -232,7 +238,8 @@ static trial try_saca(random_bits *g)
     int i, good = 1;
     for (i = 0; i < PHASES && good; i++) {
         s = random_phase(g, quarter);
-        ateb_saca(s, alpha, &sa, &ca), ateb_saca(-s, alpha, &sa2, &ca2);
+        ateb_saca(s, alpha, &sa, &ca);
+        ateb_saca(-s, alpha, &sa2, &ca2);
         x = vmi_raised(VM_FABS(ca), n);
         good = VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 && sa2 == -sa && ca2 == ca &&
                (n * EPS > R(1e-3) ||
@@ -262,7 +269,8 @@ static trial try_ateb_plan(random_bits *g)
     int i, good = ateb_plan_init(&p, alpha) == 0;
     for (i = 0; i < 256 && good; i++) {
         s = random_phase(g, quarter);
-        ateb_plan_saca(&p, s, &sa, &ca), ateb_saca(s, alpha, &a, &c);
+        ateb_plan_saca(&p, s, &sa, &ca);
+        ateb_saca(s, alpha, &a, &c);
         good = VM_FABS(sa - a) <= 6 * EPS && VM_FABS(ca - c) <= 6 * EPS && VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1;
     }
     return result(s, alpha, 0, good);
@@ -298,7 +306,8 @@ static trial try_integrals(random_bits *g)
     int i, good = 1;
     for (i = 0; i < PHASES && good; i++) {
         s = uniform(g, 0, 2) * pi;
-        a = ateb_integral_sa2(s, alpha), b = ateb_integral_ca(s, alpha);
+        a = ateb_integral_sa2(s, alpha);
+        b = ateb_integral_ca(s, alpha);
         good = a >= 0 && b >= 0 && VM_FABS(a + b - s) <= 32 * EPS * s;
     }
     return result(s, alpha, 0, good);
@@ -314,7 +323,8 @@ static trial try_beta_inc(random_bits *g)
 {
     const vm_real a = of_size(g, -9, 13), b = of_size(g, -9, 13), x = uniform(g, 0, 1);
     vm_real p, q, p2, q2;
-    ateb_beta_inc_both(x, 1 - x, a, b, &p, &q), ateb_beta_inc_both(1 - x, x, b, a, &p2, &q2);
+    ateb_beta_inc_both(x, 1 - x, a, b, &p, &q);
+    ateb_beta_inc_both(1 - x, x, b, a, &p2, &q2);
     return result(a, b, x,
                   p >= 0 && p <= 1 && q >= 0 && q <= 1 && VM_FABS(p + q - 1) <= 64 * EPS && same_size(p, q2, 64) &&
                       same_size(q, p2, 64));
@@ -332,7 +342,8 @@ static trial try_saca_nm(random_bits *g)
     const vm_real n = of_size(g, -9, 9), m = of_size(g, -9, 9), s = uniform(g, -4, 4) * ateb_pi_nm(n, m);
     vm_real sa, ca, x, y;
     ateb_saca_nm(s, n, m, &sa, &ca);
-    x = vmi_raised(VM_FABS(sa), n + 1), y = vmi_raised(VM_FABS(ca), m + 1);
+    x = vmi_raised(VM_FABS(sa), n + 1);
+    y = vmi_raised(VM_FABS(ca), m + 1);
     return result(n, m, s,
                   VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 &&
                       VM_FABS(x + y - 1) <= EPS * (8 + 10 * ((n + 1) * x + (m + 1) * y)));

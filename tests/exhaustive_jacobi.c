@@ -21,8 +21,14 @@ static void check_values(const char *region, const char *suffix, const float *go
         int at_eps = 0, at_ulp = 0;
         for (i = 0; i < n; i++) {
             const double error = fabs((double)got[k][i] - exact[k][i]), ulp = ULP(exact[k][i]);
-            if (!(error <= worst_eps)) worst_eps = error, at_eps = i;
-            if (!(error / ulp <= worst_ulp)) worst_ulp = error / ulp, at_ulp = i;
+            if (!(error <= worst_eps)) {
+                worst_eps = error;
+                at_eps = i;
+            }
+            if (!(error / ulp <= worst_ulp)) {
+                worst_ulp = error / ulp;
+                at_ulp = i;
+            }
         }
         check_error(name[*suffix != 0][k], region, "eps", worst_eps / (double)VM_EPSILON / largest[k], 4,
                     (double)u[at_eps], m);
@@ -63,7 +69,10 @@ int main(int argc, char **argv)
         for (bits = 0; bits <= vmi_to_bits(last); bits += (vmi_bits)stride) { /* positive floats in their order */
             u[n++] = vmi_from_bits(bits);
             if (u[n - 1] < 1.220703125e-4f) bits += 60 * (vmi_bits)stride;
-            if (n == BLOCK) check_block(cases[k].region, &plan, (double)cases[k].m, n, u), n = 0;
+            if (n == BLOCK) {
+                check_block(cases[k].region, &plan, (double)cases[k].m, n, u);
+                n = 0;
+            }
         }
         check_block(cases[k].region, &plan, (double)cases[k].m, n, u);
     }

@@ -62,19 +62,43 @@ static void fold_all(int n, const vm_real *x)
     while (n-- > 0) fold(*x++);
 }
 
-static void fold3(vm_vec3 a) { fold(a.x), fold(a.y), fold(a.z); }
-static void fold_quat(vm_quat q) { fold(q.w), fold(q.x), fold(q.y), fold(q.z); }
+static void fold3(vm_vec3 a) {
+fold(a.x);
+fold(a.y);
+fold(a.z); }
+static void fold_quat(vm_quat q) {
+fold(q.w);
+fold(q.x);
+fold(q.y);
+fold(q.z); }
 static void fold_inertia(vm_inertia i)
 {
-    fold(i.xx), fold(i.yy), fold(i.zz), fold(i.xy), fold(i.xz), fold(i.yz);
+    fold(i.xx);
+    fold(i.yy);
+    fold(i.zz);
+    fold(i.xy);
+    fold(i.xz);
+    fold(i.yz);
 }
 static void fold_body(const vm_body *b)
 {
-    fold(b->mass), fold_inertia(b->inertia), fold_quat(b->q), fold3(b->r), fold3(b->v), fold3(b->omega);
+    fold(b->mass);
+    fold_inertia(b->inertia);
+    fold_quat(b->q);
+    fold3(b->r);
+    fold3(b->v);
+    fold3(b->omega);
 }
 static void fold_body2(const vm_body2 *b)
 {
-    fold(b->mass), fold(b->inertia), fold(b->x), fold(b->y), fold(b->angle), fold(b->vx), fold(b->vy), fold(b->omega);
+    fold(b->mass);
+    fold(b->inertia);
+    fold(b->x);
+    fold(b->y);
+    fold(b->angle);
+    fold(b->vx);
+    fold(b->vy);
+    fold(b->omega);
 }
 
 /* before what a refusal would leave without a value */
@@ -117,14 +141,17 @@ static vm_vec3 vector(vm_real size)
 #include "golden/slow.h"
 #include "golden/scenes.h"
 
-static void begin(void) { hash = 2166136261u, random_state = 1; }
+static void begin(void) {
+hash = 2166136261u;
+random_state = 1; }
 
 static void end(const char *section)
 {
     char line[64], *p = line;
     const char *words[2];
     int i;
-    words[0] = VM_MANT_DIG > 24 ? "golden double " : "golden float ", words[1] = section;
+    words[0] = VM_MANT_DIG > 24 ? "golden double " : "golden float ";
+    words[1] = section;
     for (i = 0; i < 2; i++)
         while (*words[i]) *p++ = *words[i]++;
     *p++ = ' ';

@@ -9,6 +9,7 @@ float float_half(float x)
     vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}}, part = whole;
     part.mass = 1;
     part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1f;
-    part.r.x = x, part.v.y = 2;
+    part.r.x = x;
+    part.v.y = 2;
     return vm_separate(&whole, &part, NULL, &whole) == VM_OK ? whole.omega.z : -1;
 }

@@ -78,8 +78,11 @@ static vm_body a_body(vm_real mass)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = mass, b.inertia.xx = b.inertia.yy = b.inertia.zz = R(0.25) * mass;
-    b.q.w = 1, b.v.x = 1, b.omega.z = 2;
+    b.mass = mass;
+    b.inertia.xx = b.inertia.yy = b.inertia.zz = R(0.25) * mass;
+    b.q.w = 1;
+    b.v.x = 1;
+    b.omega.z = 2;
     return b;
 }
 static vm_body2 a_body2(vm_real mass)
@@ -148,8 +151,11 @@ static void null_rotor(void)
     vm_rotor rotor = bent;
     vm_rotor_piece piece;
     memset(&piece, 0, sizeof piece);
-    piece.mass = R(0.1), piece.inertia = R(0.001), piece.distance = R(0.1);
-    piece.radius = R(0.2), piece.alpha = R(0.1);
+    piece.mass = R(0.1);
+    piece.inertia = R(0.001);
+    piece.distance = R(0.1);
+    piece.radius = R(0.2);
+    piece.alpha = R(0.1);
     STATUS(3, vm_rotor_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
     STATUS(3, vm_rotor_polar_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
     STATUS(3, vm_rotor_free(1, IN(0, vm_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
@@ -181,8 +187,10 @@ static void null_lagrange(void)
     NOTHING(2, vm_lagrange_mass(1, IN(0, vm_body, &body), NULL, along, X(1, vm_real)));
     NOTHING(2, vm_lagrange_momentum(1, IN(0, vm_body, &body), along, NULL, X(1, vm_real)));
     NOTHING(2, vm_lagrange_impulse(1, IN(0, vm_impulse, &blow), along[0], along, NULL, X(1, vm_real)));
-    vm_lagrange_mass(1, &body, NULL, along, &moment), CHECK(moment == body.inertia.xx); /* no dr: no part of it */
-    vm_lagrange_mass(1, &body, along, NULL, &mass), CHECK(mass == body.mass);
+    vm_lagrange_mass(1, &body, NULL, along, &moment);
+    CHECK(moment == body.inertia.xx); /* no dr: no part of it */
+    vm_lagrange_mass(1, &body, along, NULL, &mass);
+    CHECK(mass == body.mass);
     STATUS(5, vm_lagrange_separate(1, IN(0, vm_real, &three), IN(1, vm_real, &two), IN(2, vm_real, &two), NULL, NULL,
                                    X(3, vm_real), IO(4, vm_real, work)));
     STATUS(5, vm_lagrange_attach(1, IN(0, vm_real, &two), IN(1, vm_real, &three), IN(2, vm_real, &two), NULL, NULL,
@@ -216,10 +224,16 @@ static void null_streams(void)
     vm_flow1 flow1;
     vm_flow2 flow2;
     vm_real y[VM_RHS_BALANCED] = {0};
-    memset(&stream, 0, sizeof stream), memset(&stream2, 0, sizeof stream2);
-    memset(&flow, 0, sizeof flow), memset(&flow1, 0, sizeof flow1), memset(&flow2, 0, sizeof flow2);
-    flow.n = flow1.n = flow2.n = 1, stream.rate = stream2.rate = -1;
-    flow.streams = &stream, flow1.streams = &stream1, flow2.streams = &stream2;
+    memset(&stream, 0, sizeof stream);
+    memset(&stream2, 0, sizeof stream2);
+    memset(&flow, 0, sizeof flow);
+    memset(&flow1, 0, sizeof flow1);
+    memset(&flow2, 0, sizeof flow2);
+    flow.n = flow1.n = flow2.n = 1;
+    stream.rate = stream2.rate = -1;
+    flow.streams = &stream;
+    flow1.streams = &stream1;
+    flow2.streams = &stream2;
     STATUS(3, vm_reactive_loads(IN(0, vm_body, &body), zero, 1, IN(1, vm_stream, &stream), X(2, vm_reactive)));
     CHECK(vm_reactive_loads(&body, zero, 1, &stream, &loads) == VM_OK);
     STATUS(4, vm_accelerations(IN(0, vm_body, &body), IN(1, vm_reactive, &loads), zero, zero, X(2, vm_vec3),
@@ -237,7 +251,9 @@ static void null_streams(void)
     STATUS(3, vm_rhs_translation(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
     STATUS(3, vm_rhs1(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow1, &flow1)));
     STATUS(3, vm_rhs2(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow2, &flow2)));
-    flow.streams = NULL, flow1.streams = NULL, flow2.streams = NULL; /* one stream, which is not there */
+    flow.streams = NULL;
+    flow1.streams = NULL;
+    flow2.streams = NULL; /* one stream, which is not there */
     CHECK(vm_flow_start(&flow, &body, y) == VM_BAD_ARGUMENT);
     CHECK(vm_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
     CHECK(vm_rhs_given(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
@@ -268,7 +284,10 @@ static void null_oscillators(void)
     vm_osc_problem o;
     vm_osc_plan p;
     memset(&o, 0, sizeof o);
-    o.mass = law, o.stiffness = vm_law_linear(4, 0), o.x = 1, o.alpha = 1;
+    o.mass = law;
+    o.stiffness = vm_law_linear(4, 0);
+    o.x = 1;
+    o.alpha = 1;
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     NOTHING(2, vm_osc_exact(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
     NOTHING(2, vm_osc_trig(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
@@ -351,16 +370,21 @@ static void null_slow(void)
     CHECK(vm_pair_split(&pair, 0, y, null_output[0]) == VM_BAD_ARGUMENT);
     CHECK(vm_laval_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
     CHECK(vm_laval_split(&soft, 0, y, 0, null_output[0]) == VM_BAD_ARGUMENT);
-    r.mass = vm_slow_mass_linear, r.stiffness = NULL;
+    r.mass = vm_slow_mass_linear;
+    r.stiffness = NULL;
     CHECK(vm_laval_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
     CHECK(vm_laval_forward_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
     CHECK(isnan((double)vm_laval_frequency(&r, 1, 1, 1)) && isnan((double)vm_laval_amplitude(&r, 1, 1, 2)));
-    memset(&f, 0, sizeof f), f.now.mass = f.now.k = 1; /* not prepared */
+    memset(&f, 0, sizeof f);
+    f.now.mass = f.now.k = 1; /* not prepared */
     CHECK(vm_forced_split(&f, 0, y, null_output[0]) < 0 && vm_forced_averaged_rhs(0, y, null_output[0], &f) < 0);
 }
 
 static vm_real null_law(vm_real t, void *ctx) { return (void)ctx, 1 + t; }
-static void null_motion(vm_real t, vm_real *x, vm_real *v, void *ctx) { (void)ctx, *x = t - R(0.5), *v = 1; }
+static void null_motion(vm_real t, vm_real *x, vm_real *v, void *ctx) {
+(void)ctx;
+*x = t - R(0.5);
+*v = 1; }
 
 static void null_diagnostics(void)
 {
@@ -386,15 +410,25 @@ static vm_mass_now null_mass(vm_real t, vm_real x, vm_real v, void *ctx)
 }
 static void null_apply(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    (void)e, (void)t, (void)y, (void)s;
+    (void)e;
+    (void)t;
+    (void)y;
+    (void)s;
 }
 static void null_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
 {
-    (void)t, (void)ctx, r->x = 2, v->x = 0, a->x = 0;
+    (void)t;
+    (void)ctx;
+    r->x = 2;
+    v->x = 0;
+    a->x = 0;
 }
 static void null_vary(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
-    (void)t, (void)y, (void)ctx, stream->rate = 1;
+    (void)t;
+    (void)y;
+    (void)ctx;
+    stream->rate = 1;
 }
 static vm_real null_when(vm_real t, const vm_real *y, void *ctx) { return (void)y, (void)ctx, t - 1; }
 static int null_then(vm_real t, vm_real *y, void *ctx) { return (void)t, (void)y, (void)ctx, VM_OK; }
@@ -410,13 +444,19 @@ static int null_in_scene(const vm_scene_body *body, const vm_effect *effect, con
     ode_event located[1];
     vm_scene s;
     memset(&s, 0, sizeof s);
-    bodies[0] = vm_scene_line(2, 0, 1), bodies[1] = vm_scene_axle(2, 0, 1);
+    bodies[0] = vm_scene_line(2, 0, 1);
+    bodies[1] = vm_scene_axle(2, 0, 1);
     bodies[2] = vm_scene_plane(2, 1, zero, 0, zero, 0);
     bodies[3] = body ? *body : vm_scene_free(&free_body);
     bodies[4] = vm_scene_growing_free(vm_scene_free(&free_body));
     bodies[5] = vm_scene_absent(vm_scene_line(1, 0, 0));
-    s.bodies = bodies, s.n_bodies = 6, s.effects = effects, s.n_effects = effect != NULL;
-    s.events = events, s.n_events = event != NULL, s.located = located;
+    s.bodies = bodies;
+    s.n_bodies = 6;
+    s.effects = effects;
+    s.n_effects = effect != NULL;
+    s.events = events;
+    s.n_events = event != NULL;
+    s.located = located;
     if (effect) effects[0] = *effect;
     if (event) events[0] = *event;
     return vm_scene_check(&s, NULL);
@@ -433,8 +473,10 @@ static void null_parts_of_scenes(void)
     vm_body body = a_body(2), part;
     vm_stream stream;
     vm_effect mass;
-    memset(&stream, 0, sizeof stream), memset(&part, 0, sizeof part);
-    stream.rate = 1, part.mass = 1;
+    memset(&stream, 0, sizeof stream);
+    memset(&part, 0, sizeof part);
+    stream.rate = 1;
+    part.mass = 1;
     mass = vm_effect_stream_mass(4, &stream);
     STATUS(1, body_in_scene(vm_scene_free(IN(0, vm_body, &body))));
     STATUS(1, body_in_scene(vm_scene_growing_free(vm_scene_free(IN(0, vm_body, &body)))));
@@ -469,8 +511,10 @@ static void null_scenes(void)
     vm_book book, totals;
     vm_scene s;
     memset(&s, 0, sizeof s);
-    s.bodies = &body, s.n_bodies = 1;
-    null_clear(), vm_scene_keep_book(NULL, (vm_book *)(void *)null_output);
+    s.bodies = &body;
+    s.n_bodies = 1;
+    null_clear();
+    vm_scene_keep_book(NULL, (vm_book *)(void *)null_output);
     CHECK(null_untouched());
     vm_scene_keep_book(&s, &book);
     STATUS(1, vm_scene_check(IN(0, vm_scene, &s), &culprit));

@@ -42,7 +42,11 @@ static void show_results(void)
         alpha += (vm_real)0.37;
         jacobi_sncndn(alpha, 1 / (1 + alpha), &sn, &cn, &dn);
         ateb_saca(7 * alpha, alpha, &sa, &ca);
-        show(sn), show(cn), show(dn), show(sa), show(ca);
+        show(sn);
+        show(cn);
+        show(dn);
+        show(sa);
+        show(ca);
         show(jacobi_E(-alpha));
         show(ateb_beta(alpha, (vm_real)1.3));
     }

@@ -6,8 +6,12 @@ static vm_osc_problem problem(double alpha, vm_law mass, double reactive, double
 {
     vm_osc_problem o;
     memset(&o, 0, sizeof o);
-    o.alpha = (vm_real)alpha, o.mass = mass, o.stiffness = vm_law_linear(1, 0);
-    o.reactive = (vm_real)reactive, o.damping = (vm_real)damping, o.x = 1;
+    o.alpha = (vm_real)alpha;
+    o.mass = mass;
+    o.stiffness = vm_law_linear(1, 0);
+    o.reactive = (vm_real)reactive;
+    o.damping = (vm_real)damping;
+    o.x = 1;
     return o;
 }
 

@@ -47,7 +47,8 @@ static void scan_jacobi(const char *region, double m, double u)
     check_error("cn", region, "ulp", fmax(0, ulps(cn, c) - own / ULP((double)c)), 8, (double)ur, (double)mr);
     check_error("dn", region, "ulp", ulps(dn, d), 8, (double)ur, (double)mr);
     if (by_plan) return;
-    turns = rintq(ur / (2 * Kq)), sign = fmodq(turns, 2) != 0 ? -1 : 1;
+    turns = rintq(ur / (2 * Kq));
+    sign = fmodq(turns, 2) != 0 ? -1 : 1;
     check_error("am", region, "ulp", ulps(jacobi_am(ur, mr), turns * M_PIq + atan2q(sign * s, sign * c)), 8,
                 (double)ur, (double)mr);
 }
@@ -136,14 +137,16 @@ int main(int argc, char **argv)
         scan_jacobi("m near 1", 1 - log_uniform(-16, -1), uniform48(-100, 100));
         scan_jacobi("|u| large", uniform48(-5, 1), uniform48(-largest, largest));
         scan_seams(largest);
-        m = (double)(vm_real)(i % 2 ? m : 1 - log_uniform(-4, 4)), K = (double)quarter_period(1 - (quad)m, &E);
+        m = (double)(vm_real)(i % 2 ? m : 1 - log_uniform(-4, 4));
+        K = (double)quarter_period(1 - (quad)m, &E);
         scan_jacobi("u near jK", m,
                     K * floor(uniform48(1, 100)) * (1 + (is_float ? 1e-7 : 2e-16) * uniform48(-4, 4)));
         if (i % 10) continue;                            /* these are slow */
         part = fmod((double)i * 0.06180339887498949, 1); /* equidistributed */
         scan_solver(i % 20 ? 0.5 + 2.5 * part : pow(10, 4.6 * part - 3));
         scan_ateb("2 alpha = 0, 1, ..., 14", (double)(i / 10 % 15) / 2, uniform48(-30, 30));
-        alpha = (double)(vm_real)log_uniform(-4, 6), half = (double)ateb_pi((vm_real)alpha) / 2;
+        alpha = (double)(vm_real)log_uniform(-4, 6);
+        half = (double)ateb_pi((vm_real)alpha) / 2;
         scan_ateb("first quarter", alpha, uniform48(0, half));
         scan_ateb("s < 3", alpha, uniform48(0, 3));
         scan_ateb("alpha < 10", uniform48(0, 10), uniform48(-30, 30));

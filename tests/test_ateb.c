@@ -197,7 +197,8 @@ static void test_quarter_period(void)
         int i;
         for (i = 0; i < steps; i++, z += h) { /* midpoint rule; its error is below 1e-6 */
             double fm = f - h / 2 * signed_power(g, a), gm = g + h / 2 * 2 / (a + 1) * f;
-            f -= h * signed_power(gm, a), g += h * 2 / (a + 1) * fm;
+            f -= h * signed_power(gm, a);
+            g += h * 2 / (a + 1) * fm;
             if (i % 500) continue;
             check_error("f(z)", "swapped index", "1e-6",
                         1e6 * fabs(f - (double)ateb_sa((vm_real)(half - z - h), (vm_real)a)), 3, z, a);
@@ -368,7 +369,9 @@ static void test_plan_domain(void)
     for (i = 0; i < 4; i++) CHECK(ateb_plan_init(&plan, bad_alpha[i]) == -1);
     CHECK(memcmp(&copy, &plan, sizeof plan) == 0);
     for (i = 0; i < 130; i++) s[i] = (vm_real)uniform(-1, 1) * (vm_real)pow(10, uniform(-3, 36));
-    s[0] = VM_NAN, s[70] = VM_INFINITY, s[129] = -VM_INFINITY;
+    s[0] = VM_NAN;
+    s[70] = VM_INFINITY;
+    s[129] = -VM_INFINITY;
     ateb_plan_saca_array(&plan, 130, s, sa, ca);
     for (i = 0; i < 130; i++) {
         ateb_plan_saca(&plan, s[i], &one_sa, &one_ca);
@@ -617,7 +620,10 @@ static void test_monotone(void)
             vm_real half = ateb_pi((vm_real)alphas[i]) / 2, s = (vm_real)uniform(0, 1) * (half < 3 ? half : 3), sa,
                     ca;
             vm_real next = s * (1 + VM_EPSILON), sa2, ca2;
-            if (j < 20) s = (vm_real)(0.55 * (1 + (double)VM_EPSILON * (j - 10))), next = s * (1 + VM_EPSILON);
+            if (j < 20) {
+                s = (vm_real)(0.55 * (1 + (double)VM_EPSILON * (j - 10)));
+                next = s * (1 + VM_EPSILON);
+            }
             if (next >= half) continue;
             ateb_saca(s, (vm_real)alphas[i], &sa, &ca);
             ateb_saca(next, (vm_real)alphas[i], &sa2, &ca2);

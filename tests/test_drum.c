@@ -72,19 +72,31 @@ static void test_lambert_edges(void)
     CHECK(vm_lambert_w0(0) == 0 && vm_lambert_wm1(0) == -VM_INFINITY);
     CHECK(vm_lambert_wm1(VM_MIN) != vm_lambert_wm1(VM_MIN) && vm_lambert_wm1(R(0.5)) != vm_lambert_wm1(R(0.5)));
     for (x = -1; x > -VM_MAX / 16; x *= 16) CHECK(vm_lambert_w0(x) != vm_lambert_w0(x) && !(vm_lambert_wm1(x) < 1));
-    x = vm_lambert_w0(-VM_MAX), CHECK(x != x);
-    x = vm_lambert_w0(VM_INFINITY), CHECK(x != x);
-    x = vm_lambert_w0(-VM_INFINITY), CHECK(x != x);
-    x = vm_lambert_wm1(-VM_INFINITY), CHECK(x != x);
-    x = vm_lambert_w0(VM_NAN), CHECK(x != x);
-    x = vm_lambert_wm1(VM_NAN), CHECK(x != x);
+    x = vm_lambert_w0(-VM_MAX);
+    CHECK(x != x);
+    x = vm_lambert_w0(VM_INFINITY);
+    CHECK(x != x);
+    x = vm_lambert_w0(-VM_INFINITY);
+    CHECK(x != x);
+    x = vm_lambert_wm1(-VM_INFINITY);
+    CHECK(x != x);
+    x = vm_lambert_w0(VM_NAN);
+    CHECK(x != x);
+    x = vm_lambert_wm1(VM_NAN);
+    CHECK(x != x);
     CHECK(vm_lambert_w0_mexp(-1) == -1 && vm_lambert_wm1_mexp(-1) == -1);
-    x = vm_lambert_w0_mexp(R(-0.999)), CHECK(x != x);
-    x = vm_lambert_wm1_mexp(R(-0.999)), CHECK(x != x);
-    x = vm_lambert_w0_exp(VM_INFINITY), CHECK(x != x);
-    x = vm_lambert_w0_exp(VM_NAN), CHECK(x != x);
-    x = vm_lambert_w0_mexp(-VM_INFINITY), CHECK(x != x);
-    x = vm_lambert_wm1_mexp(-VM_INFINITY), CHECK(x != x);
+    x = vm_lambert_w0_mexp(R(-0.999));
+    CHECK(x != x);
+    x = vm_lambert_wm1_mexp(R(-0.999));
+    CHECK(x != x);
+    x = vm_lambert_w0_exp(VM_INFINITY);
+    CHECK(x != x);
+    x = vm_lambert_w0_exp(VM_NAN);
+    CHECK(x != x);
+    x = vm_lambert_w0_mexp(-VM_INFINITY);
+    CHECK(x != x);
+    x = vm_lambert_wm1_mexp(-VM_INFINITY);
+    CHECK(x != x);
     CHECK(vm_lambert_w0_exp(-VM_MAX) == 0 && vm_lambert_w0_mexp(-VM_MAX) == 0);
     CHECK(vm_lambert_w0_exp(VM_MAX) == VM_MAX && vm_lambert_wm1_mexp(-VM_MAX) == -VM_MAX);
     CHECK(fabs((double)vm_lambert_w0_exp(0) - 0.56714329040978387) < eps); /* the omega constant */
@@ -118,8 +130,14 @@ static vm_drum drum_of(double radius, double mass, double inertia, double band, 
                        double stiffness, double omega)
 {
     vm_drum d;
-    d.radius = R(radius), d.mass = R(mass), d.inertia = R(inertia), d.band = R(band);
-    d.speed = R(speed), d.damping = R(damping), d.stiffness = R(stiffness), d.omega = R(omega);
+    d.radius = R(radius);
+    d.mass = R(mass);
+    d.inertia = R(inertia);
+    d.band = R(band);
+    d.speed = R(speed);
+    d.damping = R(damping);
+    d.stiffness = R(stiffness);
+    d.omega = R(omega);
     return d;
 }
 
@@ -150,9 +168,12 @@ static void test_geometry(void)
     for (k = 0; k < n; k++) {
         const double angle = (k + 0.5) * phi / n, m = mu * phi / n, rx = radius * cos(angle),
                      ry = radius * sin(angle);
-        x += m * rx, y += m * ry, own += m * (rx * rx + ry * ry);
+        x += m * rx;
+        y += m * ry;
+        own += m * (rx * rx + ry * ry);
     }
-    x /= 20.945, y /= 20.945;
+    x /= 20.945;
+    y /= 20.945;
     CHECK(fabs(hypot(x, y) - (double)g.offset) < 1e-8 && fabs(atan2(y, x) - phi / 2) < 1e-9);
     ERRATUM("(185)", printed_offset > 3.3 * hypot(x, y), check_holds("SS1 (185)"));
     CHECK(fabs(1.1 + own - (double)g.axle_inertia) < (is_float ? 1e-6 : 1e-12));
@@ -166,7 +187,8 @@ static void test_geometry_refusals(void)
 {
     const vm_drum d = drum_of(0.3, 20, 1.1, 0.45, 0.9, 0.05, 500, 3);
     vm_drum_geometry g, kept;
-    memset(&g, 7, sizeof g), memset(&kept, 7, sizeof kept);
+    memset(&g, 7, sizeof g);
+    memset(&kept, 7, sizeof kept);
 #define REFUSED(want, field, value)                                                   \
     do {                                                                              \
         vm_drum bad = d;                                                              \
@@ -230,12 +252,16 @@ static void momenta(const vm_drum *d, const vm_real *state, double *K)
     double y[6], M = (double)d->mass;
     int k;
     for (k = 0; k < 6; k++) y[k] = (double)state[k];
-    K[0] = M * y[3], K[1] = M * y[4], K[2] = (double)d->inertia * y[5] + M * (y[0] * y[4] - y[1] * y[3]);
+    K[0] = M * y[3];
+    K[1] = M * y[4];
+    K[2] = (double)d->inertia * y[5] + M * (y[0] * y[4] - y[1] * y[3]);
     for (k = 0; k < n; k++) {
         const double angle = (k + 0.5) * y[2] / n, m = (double)d->band * y[2] / n;
         const double rx = (double)d->radius * cos(angle), ry = (double)d->radius * sin(angle);
         const double vx = y[3] - y[5] * ry, vy = y[4] + y[5] * rx;
-        K[0] += m * vx, K[1] += m * vy, K[2] += m * ((y[0] + rx) * vy - (y[1] + ry) * vx);
+        K[0] += m * vx;
+        K[1] += m * vy;
+        K[2] += m * ((y[0] + rx) * vy - (y[1] + ry) * vx);
     }
 }
 
@@ -282,10 +308,14 @@ static int s1_rhs(vm_real t, const vm_real *state, vm_real *dydt, void *ctx)
     int k;
     (void)t;
     for (k = 0; k < 6; k++) y[k] = (double)state[k];
-    M = (double)p->d.mass + mu * y[2], flow = mu * y[5];
-    cx = mu * radius * sin(y[2]) / M, cy = mu * radius * (1 - cos(y[2])) / M;           /* S S1 */
-    cx1 = mu * (radius * cos(y[2]) - cx) / M, cy1 = mu * (radius * sin(y[2]) - cy) / M; /* its slope in phi */
-    dx = radius - cx, dy = -cy;                                                         /* S1 S2 */
+    M = (double)p->d.mass + mu * y[2];
+    flow = mu * y[5];
+    cx = mu * radius * sin(y[2]) / M;
+    cy = mu * radius * (1 - cos(y[2])) / M;           /* S S1 */
+    cx1 = mu * (radius * cos(y[2]) - cx) / M;
+    cy1 = mu * (radius * sin(y[2]) - cy) / M; /* its slope in phi */
+    dx = radius - cx;
+    dy = -cy;                                                         /* S1 S2 */
     offset = 2 * mu * radius * sin(y[2] / 2) / M;
     J1 = (double)p->d.inertia + mu * radius * radius * y[2] - M * offset * offset;
     J1_slope = mu * radius * radius - mu * offset * offset - 2 * M * (cx * cx1 + cy * cy1);
@@ -294,7 +324,10 @@ static int s1_rhs(vm_real t, const vm_real *state, vm_real *dydt, void *ctx)
     turn = -J1_slope * y[5] * y[5] - (double)p->d.damping * y[5] + torque;
     turn += flow * (((double)p->d.speed - y[4]) * dx + y[3] * dy); /* (178) */
     turn /= J1;
-    dydt[0] = state[3], dydt[1] = state[4], dydt[2] = state[5], dydt[5] = R(turn);
+    dydt[0] = state[3];
+    dydt[1] = state[4];
+    dydt[2] = state[5];
+    dydt[5] = R(turn);
     dydt[3] = R((-c * (y[0] - cx) - flow * y[3]) / M);
     dydt[4] = R((-c * (y[1] - cy) + flow * ((double)p->d.speed - y[4])) / M);
     if (p->drift_mended) {
@@ -311,14 +344,17 @@ static double s1_difference(const vm_drum *d, const vm_real *start, int torque_m
     const double mu_r = (double)(d->band * d->radius);
     double M, cx, cy;
     in_s1 p;
-    p.d = *d, p.torque_mended = torque_mended, p.drift_mended = drift_mended;
+    p.d = *d;
+    p.torque_mended = torque_mended;
+    p.drift_mended = drift_mended;
     memcpy(exact, start, sizeof exact);
     memcpy(y, start, sizeof y); /* at phi = 0 S1 is S; its velocity is v_S + phi' dc/dphi */
     y[3] += R((double)y[5] * mu_r / (double)d->mass);
     CHECK(integrate(vm_drum_rhs, (void *)&p.d, 6, 0, 2.5, exact) == 0);
     CHECK(integrate(s1_rhs, &p, 6, 0, 2.5, y) == 0);
     M = (double)d->mass + (double)(d->band * exact[2]);
-    cx = mu_r * sin((double)exact[2]) / M, cy = mu_r * (1 - cos((double)exact[2])) / M;
+    cx = mu_r * sin((double)exact[2]) / M;
+    cy = mu_r * (1 - cos((double)exact[2])) / M;
     return fmax(fabs((double)(exact[0] - y[0]) + cx), fabs((double)(exact[1] - y[1]) + cy));
 }
 
@@ -344,7 +380,8 @@ static void test_spring_torque(void)
     vm_drum_geometry g;
     double rx, ry, torque, printed;
     CHECK(vm_drum_at(R(2.1), &d, &g) == VM_OK);
-    rx = (double)g.offset * cos(1.05), ry = (double)g.offset * sin(1.05); /* S1 - S */
+    rx = (double)g.offset * cos(1.05);
+    ry = (double)g.offset * sin(1.05); /* S1 - S */
     torque = -rx * -c * (y - ry) + ry * -c * (x - rx);
     printed = c * (x * ry - y * rx);
     close_to("torque (191)", "F2", torque, want, fabs(want));
@@ -363,9 +400,13 @@ static void attach_pieces(const vm_drum *d, int n, double *difference)
     int k;
     memset(&drum, 0, sizeof drum);
     memset(&piece, 0, sizeof piece);
-    drum.mass = d->mass, drum.inertia.zz = d->inertia, drum.inertia.xx = drum.inertia.yy = d->inertia / 2;
-    drum.v = vmi_vec3(y[3], y[4], 0), drum.omega.z = y[5];
-    piece.mass = d->band * R(step), piece.v.y = d->speed;
+    drum.mass = d->mass;
+    drum.inertia.zz = d->inertia;
+    drum.inertia.xx = drum.inertia.yy = d->inertia / 2;
+    drum.v = vmi_vec3(y[3], y[4], 0);
+    drum.omega.z = y[5];
+    piece.mass = d->band * R(step);
+    piece.v.y = d->speed;
     for (k = 0; k < n; k++) {
         const vm_vec3 shaft = vmi_add(drum.r, to_shaft);
         const double lapse = step / (double)drum.omega.z, c = cos(step), s = sin(step);
@@ -380,9 +421,12 @@ static void attach_pieces(const vm_drum *d, int n, double *difference)
     }
     v = vmi_add(drum.v, vmi_cross(drum.omega, to_shaft));
     CHECK(integrate(vm_drum_rhs, (void *)(size_t)d, 6, 0, t, y) == 0);
-    difference[0] = (double)(y[0] - drum.r.x - to_shaft.x), difference[1] = (double)(y[1] - drum.r.y - to_shaft.y);
-    difference[2] = (double)y[2] - 2, difference[3] = (double)(y[3] - v.x);
-    difference[4] = (double)(y[4] - v.y), difference[5] = (double)(y[5] - drum.omega.z);
+    difference[0] = (double)(y[0] - drum.r.x - to_shaft.x);
+    difference[1] = (double)(y[1] - drum.r.y - to_shaft.y);
+    difference[2] = (double)y[2] - 2;
+    difference[3] = (double)(y[3] - v.x);
+    difference[4] = (double)(y[4] - v.y);
+    difference[5] = (double)(y[5] - drum.omega.z);
 }
 
 static void test_jump_limit(void)
@@ -552,8 +596,14 @@ static void test_rigid_round_trip(void)
                             pow(10, uniform(-3, 3)), 1, pow(10, uniform(-2, 2)));
         vm_real phi = R(pow(10, uniform(-4, 3))), stop, back, t;
         double x;
-        if (i % 3 == 1) d.damping = 0, d.speed = d.omega * d.radius * R(pow(10, uniform(-8, 8)));
-        if (i % 3 == 2) d.damping = 0, d.speed = d.omega * d.radius * R(1 + (i % 7 - 3) * 4 * eps);
+        if (i % 3 == 1) {
+            d.damping = 0;
+            d.speed = d.omega * d.radius * R(pow(10, uniform(-8, 8)));
+        }
+        if (i % 3 == 2) {
+            d.damping = 0;
+            d.speed = d.omega * d.radius * R(1 + (i % 7 - 3) * 4 * eps);
+        }
         stop = vm_drum_stop(&d);
         if (phi >= stop) phi = stop * R(uniform(0.001, 0.999));
         t = vm_drum_time(phi, &d);
@@ -575,9 +625,12 @@ static void test_lambert_route(void)
     int i;
     for (i = 0; i < 3; i++) {
         const double by[] = {1e-2, 1e-5, 1e-8};
-        d = f3_drum(0), d.damping = R(0.6 - by[i]);
+        d = f3_drum(0);
+        d.damping = R(0.6 - by[i]);
         off_e[i] = fabs((double)(vm_drum_angle_lambert(R(0.5), &d) / vm_drum_angle(R(0.5), &d)) - 1) / eps;
-        d = f3_drum(0.6), d.damping = R(0.6 * by[i]), d.band = R(0.2);
+        d = f3_drum(0.6);
+        d.damping = R(0.6 * by[i]);
+        d.band = R(0.2);
         off_k[i] = fabs((double)(vm_drum_angle_lambert(R(2), &d) / vm_drum_angle(R(2), &d)) - 1) / eps;
     }
     printf("Lambert W route, error in eps: e = 1e-2, 1e-5, 1e-8: %.2g %.2g %.2g; k1 = 1e-2, 1e-5, 1e-8: %.2g %.2g "
@@ -627,14 +680,19 @@ static void test_rigid_domain(void)
         vm_drum d = driven;
         d.inertia = bad_values[i];
         CHECK(isnan(vm_drum_angle(1, &d)) && isnan(vm_drum_stop(&d)));
-        d = driven, d.omega = bad_values[i];
+        d = driven;
+        d.omega = bad_values[i];
         CHECK(isnan(vm_drum_time(1, &d)) && isnan(vm_drum_rate(1, &d)));
-        d = driven, d.band = bad_values[i];
+        d = driven;
+        d.band = bad_values[i];
         if (i) CHECK(isnan(vm_drum_angle(1, &d)));
-        d = driven, d.speed = bad_values[i];
+        d = driven;
+        d.speed = bad_values[i];
         if (i > 1) CHECK(isnan(vm_drum_angle(1, &d)));
         if (i > 1) CHECK(isnan(vm_drum_angle_lambert(1, &d)));
-        d = driven, d.omega = bad_values[i], CHECK(isnan(vm_drum_angle_lambert(1, &d)));
+        d = driven;
+        d.omega = bad_values[i];
+        CHECK(isnan(vm_drum_angle_lambert(1, &d)));
     }
     { /* the stop exactly: 1 * 2/0.5 = 4 */
         const vm_drum d = drum_of(1, 1, 1, 0.25, 0, 0.5, 1, 2);
@@ -643,7 +701,8 @@ static void test_rigid_domain(void)
     }
     { /* no band: phi = Omega_b J0/D (1 - exp(-D t/J0)) */
         vm_drum d = good;
-        d.band = 0, d.damping = 0.5;
+        d.band = 0;
+        d.damping = 0.5;
         close_to("angle (198)-(207)", "mu = 0", (double)vm_drum_angle(2, &d), 6 * (1 - exp(-1.)), 3.8);
         d.damping = 0;
         CHECK(vm_drum_angle(2, &d) == 6 && vm_drum_time(6, &d) == 2);
@@ -659,7 +718,10 @@ static int time_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     const vm_real M = d->mass + d->band * y[2], flow = d->band * y[5];
     vm_real turn[2] = {y[2], y[5]}, slope[2];
     rigid_rhs(t, turn, slope, ctx);
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = slope[0], dydt[5] = slope[1];
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = slope[0];
+    dydt[5] = slope[1];
     dydt[3] = (-d->stiffness * y[0] - flow * y[3]) / M;
     dydt[4] = (-d->stiffness * y[1] + flow * (d->speed - y[4])) / M;
     return 0;
@@ -679,7 +741,8 @@ static void test_angle_equations(void)
     vm_real in_time[6] = {R(0.01), R(-0.005), 0, R(0.02), R(0.01), 3}, z[4] = {R(0.01), R(-0.005), 0, 0}, y[6],
             f[6];
     double phi = 5, J, turn;
-    z[2] = R(0.02 / rate), z[3] = R(0.01 / rate);
+    z[2] = R(0.02 / rate);
+    z[3] = R(0.01 / rate);
     CHECK(integrate(time_rhs, &d, 6, 0, (double)vm_drum_time(R(phi), &d), in_time) == 0);
     CHECK(integrate(vm_drum_rhs_angle, &d, 4, 0, phi, z) == 0);
     check_error("phi (208)-(211)", "by t, by phi", "", fabs((double)in_time[2] - phi), is_float ? 1.5e-5 : 6e-14, phi, 0);
@@ -690,7 +753,8 @@ static void test_angle_equations(void)
     /* (212) and its approximation (215), of (193), with dy/dphi = yS'/phi' */
     memcpy(y, in_time, sizeof y);
     CHECK(vm_drum_rhs_reduced(0, y, f, &d) == VM_OK);
-    J = 0.9 + 0.018 * phi, turn = (double)y[5];
+    J = 0.9 + 0.018 * phi;
+    turn = (double)y[5];
     turn = -(0.05 - 0.2 * 0.7 * 0.3) * turn - 0.018 * turn * turn - 0.2 * turn * turn * 0.3 * (double)(y[4] / y[5]);
     CHECK(fabs(turn / J - (double)f[5]) < 64 * eps * 0.2);
     turn += 0.2 * 0.3 * (double)(y[4] * y[5]) * (1 - J / 0.9);
@@ -711,9 +775,12 @@ static void test_coefficients(void)
         double drag, square, forcing;
         vm_drum_shaft s = {0, 0, 0, 0};
         CHECK(vm_drum_shaft_init(&d, &s) == VM_OK);
-        CHECK(vm_drum_rhs_angle(R(phi), moving, f, &d) == VM_OK), drag = -(double)f[2];
-        CHECK(vm_drum_rhs_angle(R(phi), deflected, f, &d) == VM_OK), square = -(double)f[2] / k2;
-        CHECK(vm_drum_rhs_angle(R(phi), at_rest, f, &d) == VM_OK), forcing = (double)f[3];
+        CHECK(vm_drum_rhs_angle(R(phi), moving, f, &d) == VM_OK);
+        drag = -(double)f[2];
+        CHECK(vm_drum_rhs_angle(R(phi), deflected, f, &d) == VM_OK);
+        square = -(double)f[2] / k2;
+        CHECK(vm_drum_rhs_angle(R(phi), at_rest, f, &d) == VM_OK);
+        forcing = (double)f[3];
         check_error("2 delta (213)", "second order", "", fabs(drag - 2 * (double)s.delta) / (scale * scale), 0.01,
                     scale, 0);
         check_error("A (213)", "second order", "", fabs(square - 1 + (double)s.A * phi) / (scale * scale), 0.06,
@@ -746,10 +813,13 @@ static void test_shaft_reference(void)
     CHECK(vm_drum_shaft_valid(&s));                                   /* (226) */
     {                                                                 /* (226) is omega^2(2 pi) > 0 */
         vm_drum_shaft limit = s;
-        limit.A = R(0.159), CHECK(vm_drum_shaft_valid(&limit) && 1 - limit.A * 2 * VM_PI > 0);
-        limit.A = R(0.16), CHECK(!vm_drum_shaft_valid(&limit) && 1 - limit.A * 2 * VM_PI < 0);
+        limit.A = R(0.159);
+        CHECK(vm_drum_shaft_valid(&limit) && 1 - limit.A * 2 * VM_PI > 0);
+        limit.A = R(0.16);
+        CHECK(!vm_drum_shaft_valid(&limit) && 1 - limit.A * 2 * VM_PI < 0);
         CHECK(vm_drum_deflection(R(6.28), &limit, 1, 0, 0) != vm_drum_deflection(R(6.28), &limit, 1, 0, 0));
-        limit.A = 0, limit.delta = 0; /* the phase is k phi then */
+        limit.A = 0;
+        limit.delta = 0; /* the phase is k phi then */
         close_to("x (225)", "A = 0", (double)vm_drum_deflection(2, &limit, 1, 0, 0), cos(20. / 3), 2);
         limit.A = R(is_float ? 1e-7 : 1e-15);
         close_to("x (225)", "A = 0", (double)vm_drum_deflection(2, &limit, 1, 0, 0), cos(20. / 3), 4);
@@ -766,7 +836,8 @@ static void test_averaging(void)
     vm_drum_shaft s;
     int i;
     CHECK(vm_drum_shaft_init(&d, &s) == VM_OK);
-    A = (double)s.A, delta = (double)s.delta;
+    A = (double)s.A;
+    delta = (double)s.delta;
     for (phi = 1; phi < 6; phi++) {
         const double slope = (double)(vm_drum_deflection(R(phi + h), &s, 0, 0, s.shift) -
                                       vm_drum_deflection(R(phi - h), &s, 0, 0, s.shift)) /
@@ -794,7 +865,8 @@ static void test_averaging(void)
           1e-5); /* (222): a' = -a omega'/(2 omega), so a goes with (1 - A phi)^(-1/4) */
     close_to("y (223), (224)", "phi = 0", (double)vm_drum_deflection(0, &s, R(0.01), R(0.3), s.shift),
              0.01 * cos(0.3) + 0.9 / 3 * 0.01 / (100. / 9), 0.01);
-    s.k = 0, s.delta = 0; /* the amplitude alone */
+    s.k = 0;
+    s.delta = 0; /* the amplitude alone */
     close_to("amplitude (222)", "", (double)vm_drum_deflection(5, &s, 1, 0, 0), pow(1 - A * 5, -0.25), 1);
 }
 
@@ -840,28 +912,49 @@ static void test_refusals(void)
     int i;
     memset(&s, 7, sizeof s);
     before = s;
-    bad = d, bad.stiffness = 0, CHECK(vm_drum_shaft_init(&bad, &s) == VM_SINGULAR);
-    bad = d, bad.omega = 0, CHECK(vm_drum_shaft_init(&bad, &s) == VM_SINGULAR);
+    bad = d;
+    bad.stiffness = 0;
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_SINGULAR);
+    bad = d;
+    bad.omega = 0;
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_SINGULAR);
     CHECK(isnan(vm_drum_rate(1, NULL)) && isnan(vm_drum_time(1, NULL)) && isnan(vm_drum_angle(1, NULL)));
     CHECK(isnan(vm_drum_stop(NULL)) && isnan(vm_drum_angle_lambert(1, NULL)));
     CHECK(isnan(vm_drum_deflection(1, NULL, 1, 0, 0)) && !vm_drum_shaft_valid(NULL));
-    bad = d, bad.mass = 0, CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_MASS);
-    bad = d, bad.band = -1, CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_MASS);
-    bad = d, bad.inertia = -1, CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_INERTIA);
-    bad = d, bad.speed = VM_NAN, CHECK(vm_drum_shaft_init(&bad, &s) == VM_NOT_FINITE);
-    bad = d, bad.stiffness = VM_INFINITY, CHECK(vm_drum_shaft_init(&bad, &s) == VM_NOT_FINITE);
+    bad = d;
+    bad.mass = 0;
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_MASS);
+    bad = d;
+    bad.band = -1;
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_MASS);
+    bad = d;
+    bad.inertia = -1;
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_BAD_INERTIA);
+    bad = d;
+    bad.speed = VM_NAN;
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_NOT_FINITE);
+    bad = d;
+    bad.stiffness = VM_INFINITY;
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_NOT_FINITE);
     CHECK(vm_drum_shaft_init(NULL, &s) == VM_BAD_ARGUMENT && vm_drum_shaft_init(&d, NULL) == VM_BAD_ARGUMENT);
     CHECK(memcmp(&s, &before, sizeof s) == 0);
     CHECK(isnan(vm_drum_deflection(1, NULL, 1, 0, 0)) && !vm_drum_shaft_valid(NULL));
-    bad = d, bad.omega = R(0.5), CHECK(vm_drum_shaft_init(&bad, &s) == VM_OK && s.k == 20);
+    bad = d;
+    bad.omega = R(0.5);
+    CHECK(vm_drum_shaft_init(&bad, &s) == VM_OK && s.k == 20);
     /* turned backwards until the mass is used up: the run stops, with the last state that had one */
     CHECK(rk4_solve(vm_drum_rhs, &d, 6, &t, 1, 1000, y, work) == ODE_RHS_STOPPED);
     CHECK(d.mass + d.band * y[2] > 0 && y[2] < R(-99.9) && t < R(0.1));
-    y[2] = -101, CHECK(vm_drum_rhs(0, y, f, &d) == VM_BAD_MASS && vm_drum_rhs_reduced(0, y, f, &d) == VM_BAD_MASS);
+    y[2] = -101;
+    CHECK(vm_drum_rhs(0, y, f, &d) == VM_BAD_MASS && vm_drum_rhs_reduced(0, y, f, &d) == VM_BAD_MASS);
     CHECK(vm_drum_rhs_angle(-101, y, f, &d) == VM_BAD_MASS);
-    y[2] = 0, d.inertia = 0, CHECK(vm_drum_rhs(0, y, f, &d) == VM_BAD_INERTIA);
-    d.inertia = VM_NAN, CHECK(vm_drum_rhs(0, y, f, &d) == VM_NOT_FINITE);
-    y[2] = VM_NAN, CHECK(vm_drum_rhs_reduced(0, y, f, &d) == VM_NOT_FINITE);
+    y[2] = 0;
+    d.inertia = 0;
+    CHECK(vm_drum_rhs(0, y, f, &d) == VM_BAD_INERTIA);
+    d.inertia = VM_NAN;
+    CHECK(vm_drum_rhs(0, y, f, &d) == VM_NOT_FINITE);
+    y[2] = VM_NAN;
+    CHECK(vm_drum_rhs_reduced(0, y, f, &d) == VM_NOT_FINITE);
     for (i = 0; i < 6; i++) CHECK(f[i] == 7);
 }
 

@@ -25,15 +25,19 @@ static double noise;    /* how much more rounding it has than rk45: in float tha
 /* y = (cos t, sin t) */
 static int circle(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = -y[1], dydt[1] = y[0];
+    (void)t;
+    (void)ctx;
+    dydt[0] = -y[1];
+    dydt[1] = y[0];
     return 0;
 }
 
 /* y = (t, ...): uniform motion, whose steps grow as they like */
 static int uniform_motion(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)y, (void)ctx;
+    (void)t;
+    (void)y;
+    (void)ctx;
     dydt[0] = 1;
     return 0;
 }
@@ -41,8 +45,10 @@ static int uniform_motion(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* a ball: y = (height, velocity), unit gravity */
 static int fall(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = y[1], dydt[1] = -1;
+    (void)t;
+    (void)ctx;
+    dydt[0] = y[1];
+    dydt[1] = -1;
     return 0;
 }
 
@@ -55,19 +61,22 @@ static vm_real level(vm_real t, const vm_real *y, void *ctx)
 
 static vm_real second(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return y[1];
 }
 
 static vm_real first(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return y[0];
 }
 
 static vm_real wave(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return VM_LIBM(sin)(y[0]);
 }
 
@@ -80,14 +89,16 @@ static vm_real clock_at(vm_real t, const vm_real *y, void *ctx)
 /* 1, then no number, then -1 */
 static vm_real not_a_number_between(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)y, (void)ctx;
+    (void)y;
+    (void)ctx;
     if (t < R(1.01)) return R(1.0);
     return t < R(1.02) ? VM_NAN : R(-1.0);
 }
 
 static vm_real not_a_number(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)y, (void)ctx;
+    (void)y;
+    (void)ctx;
     return t > 1 ? VM_NAN : R(1.0);
 }
 
@@ -95,7 +106,10 @@ static ode_event event(ode_event_function g, void *ctx, int direction, int actio
 {
     ode_event e;
     memset(&e, 0, sizeof e);
-    e.g = g, e.ctx = ctx, e.direction = direction, e.action = action;
+    e.g = g;
+    e.ctx = ctx;
+    e.direction = direction;
+    e.action = action;
     return e;
 }
 
@@ -104,7 +118,8 @@ static rk45_options with_events(double tol, ode_event *events, int n)
     rk45_options o = {0};
     o.rtol = o.atol = R(tol);
     if (is_float && tol < 1e-4) o.rtol = o.atol = R(m == methods ? 1e-5 : 1e-4);
-    o.events = events, o.n_events = n;
+    o.events = events;
+    o.n_events = n;
     return o;
 }
 
@@ -117,8 +132,13 @@ static void test_record(void)
     rk45_options o;
     rk45 s;
     int k;
-    e[0] = event(level, NULL, 0, ODE_RECORD), e[1] = event(second, NULL, 0, ODE_RECORD);
-    for (k = 0; k < 2; k++) e[k].room = 10, e[k].times = times[k], e[k].states = states[k];
+    e[0] = event(level, NULL, 0, ODE_RECORD);
+    e[1] = event(second, NULL, 0, ODE_RECORD);
+    for (k = 0; k < 2; k++) {
+        e[k].room = 10;
+        e[k].times = times[k];
+        e[k].states = states[k];
+    }
     e[1].room = 4; /* more happen than are kept */
     o = with_events(tol, e, 2);
     CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) == ODE_OK && m->solve(&s, 20) == ODE_OK);
@@ -131,7 +151,8 @@ static void test_record(void)
     }
     check_error("event time", m->name, "tol", fabs((double)e[1].t - 6 * pi) / tol, 30, 5, 1);
     /* directions: cos falls at pi/2, rises at 3 pi/2; backward it is the other way round */
-    e[0] = event(level, NULL, 1, ODE_RECORD), e[1] = event(level, NULL, -1, ODE_RECORD);
+    e[0] = event(level, NULL, 1, ODE_RECORD);
+    e[1] = event(level, NULL, -1, ODE_RECORD);
     CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) == ODE_OK && m->solve(&s, 6) == ODE_OK);
     CHECK(e[0].count == 1 && e[1].count == 1 && fabs((double)e[0].t - 1.5 * pi) < 0.001 &&
           fabs((double)e[1].t - 0.5 * pi) < 0.001);
@@ -148,24 +169,32 @@ static void test_many_in_a_step(void)
     rk45 s;
     int k;
     for (k = 0; k < 3; k++) e[k] = event(level, at + k, 0, ODE_STOP);
-    o = with_events(1e-6, e, 3), o.h0 = 10;
+    o = with_events(1e-6, e, 3);
+    o.h0 = 10;
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK);
     CHECK(m->solve(&s, 20) == ODE_EVENT && s.event == 1 && fabs((double)s.t - 2) < 400 * eps && s.steps == 1);
     CHECK(m->solve(&s, 20) == ODE_EVENT && s.event == 2 && fabs((double)s.t - 5) < 400 * eps);
     CHECK(m->solve(&s, 20) == ODE_EVENT && s.event == 0 && fabs((double)s.t - 7) < 400 * eps);
     CHECK(m->solve(&s, 20) == ODE_OK && s.t == 20 && e[0].count == 1 && e[1].count == 1 && e[2].count == 1);
     for (k = 0; k < 2; k++) { /* one function with three zeros in the step: seen if it is looked at often enough */
-        e[0] = event(wave, NULL, 0, ODE_RECORD), e[0].checks = k ? 9 : -1;
-        e[0].room = 10, e[0].times = times;
-        o = with_events(1e-6, e, 1), o.h0 = 10;
+        e[0] = event(wave, NULL, 0, ODE_RECORD);
+        e[0].checks = k ? 9 : -1;
+        e[0].room = 10;
+        e[0].times = times;
+        o = with_events(1e-6, e, 1);
+        o.h0 = 10;
         CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->step(&s) == ODE_OK);
         CHECK(s.steps == 1 && s.t == 10 && e[0].count == (k ? 3 : 1));
         if (k)
             CHECK(fabs((double)times[0] - pi) < 200 * eps && fabs((double)times[1] - 2 * pi) < 200 * eps &&
                   fabs((double)times[2] - 3 * pi) < 200 * eps);
     }
-    for (k = 0; k < 3; k++) at[k] = 3, e[k] = event(level, at + k, 0, k == 1 ? ODE_STOP : ODE_RECORD);
-    o = with_events(1e-6, e, 3), o.h0 = 10; /* at the same time: all happen */
+    for (k = 0; k < 3; k++) {
+        at[k] = 3;
+        e[k] = event(level, at + k, 0, k == 1 ? ODE_STOP : ODE_RECORD);
+    }
+    o = with_events(1e-6, e, 3);
+    o.h0 = 10; /* at the same time: all happen */
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 20) == ODE_EVENT);
     CHECK(s.event == 1 && e[0].count == 1 && e[1].count == 1 && e[2].count == 1);
     CHECK(m->solve(&s, 20) == ODE_OK && e[0].count == 1 && e[1].count == 1 && e[2].count == 1);
@@ -179,7 +208,8 @@ static void test_output_times(void)
     rk45_options o;
     rk45 s;
     int stops = 0;
-    e[0] = event(level, at, 0, ODE_STOP), e[1] = event(level, at + 1, 0, ODE_STOP);
+    e[0] = event(level, at, 0, ODE_STOP);
+    e[1] = event(level, at + 1, 0, ODE_STOP);
     o = with_events(1e-6, e, 2);
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK);
     for (t = R(0.25); t <= 1; t += R(0.25)) {
@@ -202,7 +232,8 @@ static void test_output_times(void)
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 1) == ODE_EVENT);
     CHECK(m->solve(&s, 1) == ODE_OK && e[0].count == 1 && m->solve(&s, 2) == ODE_OK && e[0].count == 1);
     /* restarted by hand at a root, unchanged: it is not found again */
-    at[0] = R(0.3), at[1] = 50;
+    at[0] = R(0.3);
+    at[1] = 50;
     e[0] = event(level, at, 0, ODE_STOP);
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 1) == ODE_EVENT);
     CHECK(m->restart(&s, s.t, s.y) == ODE_OK && m->solve(&s, 1) == ODE_OK && e[0].count == 1);
@@ -236,8 +267,10 @@ static void bounce(int direction, vm_real h_max)
                     fabs((double)s.t - hit) / (double)o.rtol, is_float ? 20 * noise : 0.05, k, direction);
         check_error(h_max > 0 ? "bounce: velocity" : "in one step: v", m->name, "tol",
                     fabs((double)s.y[1] + v) / (double)o.rtol, is_float ? 10 * noise : bound, k, direction);
-        v *= 0.8, hit += 2 * v;
-        y[0] = s.y[0], y[1] = R(-0.8) * s.y[1];
+        v *= 0.8;
+        hit += 2 * v;
+        y[0] = s.y[0];
+        y[1] = R(-0.8) * s.y[1];
         CHECK(m->restart(&s, s.t, y) == ODE_OK);
     }
     CHECK(e[0].count == 25);
@@ -258,7 +291,8 @@ static void test_zeno(void)
     for (k = 0; k < 1000 && status == ODE_EVENT && (double)s.t < 8.999; k++) {
         status = m->solve(&s, 10);
         CHECK(status == ODE_EVENT && s.y[0] <= 0 && (double)s.y[0] > -1e-4);
-        y[0] = 0, y[1] = R(-0.8) * s.y[1];
+        y[0] = 0;
+        y[1] = R(-0.8) * s.y[1];
         CHECK(m->restart(&s, s.t, y) == ODE_OK);
     }
     CHECK(k > 30 && k < 1000);
@@ -274,19 +308,22 @@ static int sign_force(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const spring *p = (const spring *)ctx;
     (void)t;
-    dydt[0] = y[1], dydt[1] = p->kept ? -p->sign : y[0] > 0 ? R(-1.0) : R(1.0);
+    dydt[0] = y[1];
+    dydt[1] = p->kept ? -p->sign : y[0] > 0 ? R(-1.0) : R(1.0);
     return 0;
 }
 
 static vm_real height(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return y[0];
 }
 
 static void change_sign(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     ((spring *)ctx)->sign *= -1;
 }
 
@@ -305,7 +342,8 @@ static void test_restart_at_a_jump(void)
         o = with_events(tol, e, p.kept);
         e[0].change = change_sign;
         CHECK(m->init(&s, sign_force, &p, 2, 0, y0, &o, work) == ODE_OK && m->solve(&s, 40) == ODE_OK);
-        evals[p.kept] = s.evals, error[p.kept] = fabs((double)s.y[0] - 0.5);
+        evals[p.kept] = s.evals;
+        error[p.kept] = fabs((double)s.y[0] - 0.5);
     }
     printf(
         "x'' = -sign(x), 10 periods, %s, tol %g: %ld evaluations, error %.1e; sign changed at events: %ld, %.1e\n",
@@ -331,9 +369,12 @@ static void test_bad_events(void)
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
     o.events = NULL;
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
-    o.events = e, o.n_events = -1;
+    o.events = e;
+    o.n_events = -1;
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
-    e[0] = event(level, NULL, 0, ODE_RECORD), e[0].room = -1, o.n_events = 1;
+    e[0] = event(level, NULL, 0, ODE_RECORD);
+    e[0].room = -1;
+    o.n_events = 1;
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
 }
 
@@ -355,17 +396,21 @@ static void test_corners(void)
     y0[0] = R(0.5);
     CHECK(m->restart(&s, s.t, y0) == ODE_OK && m->solve(&s, 5) == ODE_EVENT && e[0].count == 2);
     check_error(m->name, "event again", "eps", fabs((double)s.t - 1.5) / eps, 8, 0, 0);
-    y0[0] = 0, e[0] = event(clock_at, &two, 0, ODE_RECORD);
-    e[0].room = 2, e[0].states = states;
+    y0[0] = 0;
+    e[0] = event(clock_at, &two, 0, ODE_RECORD);
+    e[0].room = 2;
+    e[0].states = states;
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 2) == ODE_OK);
     CHECK(s.t == 2 && e[0].count == 1 && e[0].t == 2 && states[0] == s.y[0]);
-    e[0] = event(clock_at, &one, 0, ODE_RESTART), e[1] = event(clock_at, &one, 0, ODE_STOP);
+    e[0] = event(clock_at, &one, 0, ODE_RESTART);
+    e[1] = event(clock_at, &one, 0, ODE_STOP);
     o = with_events(1e-6, e, 2);
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 2) == ODE_EVENT);
     CHECK(s.event == 1 && e[0].count == 1 && e[1].count == 1 && fabs((double)s.t - 1) < 8 * eps);
     CHECK(fabs((double)(s.y[0] - s.t)) < 8 * eps);
     CHECK(m->solve(&s, 2) == ODE_OK && s.t == 2 && e[0].count == 1 && e[1].count == 1);
-    e[0] = event(not_a_number, NULL, 0, ODE_RECORD), e[1] = event(level, &two, 0, ODE_RECORD);
+    e[0] = event(not_a_number, NULL, 0, ODE_RECORD);
+    e[1] = event(level, &two, 0, ODE_RECORD);
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 5) == ODE_NOT_FINITE);
     CHECK(e[1].count == 0 && s.t <= 5);
     CHECK(m->init(NULL, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
@@ -407,7 +452,9 @@ static void test_one_failure(void)
             rk45_options o = with_events(1e-6, &e, 1);
             int status;
             rk45 s;
-            o.h0 = R(0.25), o.h_max = R(0.25), o.h_min = kind == 2 ? R(0.125) : 0;
+            o.h0 = R(0.25);
+            o.h_max = R(0.25);
+            o.h_min = kind == 2 ? R(0.125) : 0;
             CHECK(m->init(&s, fails_once, kind ? &kind : NULL, 2, 0, y0, &o, work) == ODE_OK);
             countdown = when;
             status = m->solve(&s, 2);
@@ -422,13 +469,15 @@ static void test_one_failure(void)
 
 static vm_real above_half(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return y[0] - R(0.5);
 }
 
 static vm_real cube_above_eighth(vm_real t, const vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return y[0] * y[0] * y[0] - R(0.125);
 }
 
@@ -441,7 +490,8 @@ static void test_same_zero(double tol)
     rk45_options o;
     rk45 s;
     int status;
-    e[0] = event(above_half, NULL, 0, ODE_STOP), e[1] = event(cube_above_eighth, NULL, 0, ODE_STOP);
+    e[0] = event(above_half, NULL, 0, ODE_STOP);
+    e[1] = event(cube_above_eighth, NULL, 0, ODE_STOP);
     o = with_events(tol, e, 2);
     CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) == ODE_OK);
     do status = m->solve(&s, R(62.8));
@@ -452,7 +502,8 @@ static void test_same_zero(double tol)
 static int two_rates(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const vm_real *rate = (const vm_real *)ctx;
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     dydt[0] = rate[0];
     dydt[1] = rate[1];
     return 0;
@@ -461,7 +512,8 @@ static int two_rates(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 static void turn_back(vm_real t, vm_real *y, void *ctx)
 {
     vm_real *rate = (vm_real *)ctx;
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     rate[0] = -rate[0];
     rate[1] = -rate[1];
 }
@@ -477,8 +529,10 @@ static void test_together_at_an_end(void)
         ode_event e[2];
         rk45_options o;
         rk45 s;
-        y0[0] = R(-(double)rate[0] * end), y0[1] = R(-(double)rate[1] * end);
-        e[0] = event(level, rate, 1, ODE_RESTART), e[1] = event(second, NULL, 1, ODE_RECORD);
+        y0[0] = R(-(double)rate[0] * end);
+        y0[1] = R(-(double)rate[1] * end);
+        e[0] = event(level, rate, 1, ODE_RESTART);
+        e[1] = event(second, NULL, 1, ODE_RECORD);
         e[0].g = first;
         e[0].change = turn_back;
         o = with_events(1e-6, e, 2);
@@ -499,7 +553,8 @@ static vm_real second_ball(vm_real t, const vm_real *y, void *ctx) { return leve
 
 static void bounce_first(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     y[1] = -y[1];
 }
 
@@ -513,8 +568,10 @@ static void test_two_changes(void)
     ode_event e[2];
     rk45_options o;
     rk45 s;
-    e[0] = event(level, NULL, -1, ODE_RESTART), e[1] = event(second_ball, NULL, -1, ODE_RESTART);
-    e[0].change = bounce_first, e[1].change = bounce_second;
+    e[0] = event(level, NULL, -1, ODE_RESTART);
+    e[1] = event(second_ball, NULL, -1, ODE_RESTART);
+    e[0].change = bounce_first;
+    e[1].change = bounce_second;
     o = with_events(1e-8, e, 2);
     CHECK(m->init(&s, two_balls, NULL, 4, 0, y0, &o, work) == ODE_OK && m->solve(&s, R(1.5)) == ODE_OK);
     CHECK(e[0].count == 1 && e[1].count == 1 && s.y[0] == s.y[2] && s.y[1] == s.y[3]);

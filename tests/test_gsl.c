@@ -43,7 +43,8 @@ static void test_beta(void)
                s = half * uniform(0.05, 0.8), w, x;
         vm_real sa, ca;
         ateb_saca(s, alpha, &sa, &ca);
-        w = sa * sa, x = pow(ca, alpha + 1);
+        w = sa * sa;
+        x = pow(ca, alpha + 1);
         check_error("Pi_alpha", "gsl_sf_beta", "ulp", ERROR_ULP(2 * half, gsl_sf_beta(q, 0.5), 0), 30, alpha, 0);
         if (w < 0.5)
             check_error("sa^2 -> s", "gsl_sf_beta_inc", "eps",

@@ -63,7 +63,8 @@ static void check_case(const hard_case *c)
         FAIL("tests/data/hard.h is not up to date: run tests/gen/hard_reference.py");
         return;
     }
-    error = error_of(c->ours(x), v), naive = error_of(c->naive(x), v);
+    error = error_of(c->ours(x), v);
+    naive = error_of(c->naive(x), v);
     printf(" |");
     print_error(error);
     print_error(c->bound);

@@ -13,8 +13,11 @@ static const int is_float = PRECISION[0] == 'f';
 
 static int linear_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* y = (cos t, sin t, exp(-t)) */
 {
-    (void)t, (void)ctx;
-    dydt[0] = -y[1], dydt[1] = y[0], dydt[2] = -y[2];
+    (void)t;
+    (void)ctx;
+    dydt[0] = -y[1];
+    dydt[1] = y[0];
+    dydt[2] = -y[2];
     return 0;
 }
 
@@ -36,7 +39,8 @@ static int oscillator_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 static int blow_up_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* y = 1/(1 - t) */
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     dydt[0] = y[0] * y[0];
     return 0;
 }
@@ -98,7 +102,8 @@ static double rk87_error(vm_real h, double *inside)
     rk87_options o = {0};
     rk87 s;
     double t;
-    o.atol = 1000, o.h0 = o.h_max = h;
+    o.atol = 1000;
+    o.h0 = o.h_max = h;
     CHECK(rk87_init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK);
     CHECK(rk87_solve(&s, 4) == ODE_OK && s.t == 4 && s.rejected == 0 && s.evals == 13 * s.steps + 1);
     t = ((double)s.t_old + (double)s.t) / 2;
@@ -115,7 +120,8 @@ static double error_of_time(vm_real h, int order)
     vm_real y0[1] = {1}, work[RK87_WORK(1)];
     rk45_options o = {0};
     rk45 s;
-    o.atol = 1000, o.h0 = o.h_max = h;
+    o.atol = 1000;
+    o.h0 = o.h_max = h;
     CHECK((order == 5 ? rk45_init : rk87_init)(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
     CHECK((order == 5 ? rk45_solve(&s, 1) : rk87_solve(&s, 1)) == ODE_OK);
     return fabs((double)s.y[0] - exp(1.));
@@ -133,11 +139,13 @@ static void test_orders(void)
     if (is_float) return; /* in float rounding hides them */
     check_order("rk4", log2(rk4_error(40) / rk4_error(80)), 4, 0.1);
     check_order("rk4, f of t", log2(rk4_error_of_time(40) / rk4_error_of_time(80)), 4, 0.2);
-    a = rk45_error(0.125, &inside_a), b = rk45_error(0.0625, &inside_b);
+    a = rk45_error(0.125, &inside_a);
+    b = rk45_error(0.0625, &inside_b);
     check_order("rk45", log2(a / b), 5, 0.3);
     check_order("rk45_interpolate (local error)", log2(inside_a / inside_b), 5, 0.5);
     check_order("rk45, f of t", log2(error_of_time(R(0.0625), 5) / error_of_time(R(0.03125), 5)), 5, 0.5);
-    a = rk87_error(1, &inside_a), b = rk87_error(0.5, &inside_b);
+    a = rk87_error(1, &inside_a);
+    b = rk87_error(0.5, &inside_b);
     check_order("rk87", log2(a / b), 8, 0.5);
     check_order("rk87_interpolate (local error)", log2(inside_a / inside_b), 9, 0.7);
     check_order("rk87, f of t", log2(error_of_time(R(0.25), 8) / error_of_time(R(0.125), 8)), 8.5, 0.8);
@@ -186,14 +194,16 @@ static void test_interpolation(void)
     double tol = is_float ? 1e-5 : 1e-9;
     rk45_options o = {0};
     rk45 s;
-    o.rtol = R(tol), o.atol = -1;
+    o.rtol = R(tol);
+    o.atol = -1;
     CHECK(rk45_init(&s, time_rhs, NULL, 1, -2, y0, &o, work) == ODE_OK);
     while (s.t < 1) {
         double x;
         CHECK(rk45_step(&s) == ODE_OK);
         for (x = 0; x <= 1; x += 0.125) {
             double t = (double)s.t_old + x * (double)(s.t - s.t_old), exact;
-            t = (double)(vm_real)t, exact = exp(t * t - 4);
+            t = (double)(vm_real)t;
+            exact = exp(t * t - 4);
             CHECK(rk45_interpolate(&s, (vm_real)t, &y) == ODE_OK);
             check_error("interpolate", "y = exp(t^2)", "tol", fabs((double)y / exact - 1) / tol, 30, t, tol);
         }
@@ -236,9 +246,12 @@ static int arenstorf_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const vm_real mu = R(0.012277471), mu1 = 1 - mu;
     vm_real r1 = (y[0] + mu) * (y[0] + mu) + y[1] * y[1], r2 = (y[0] - mu1) * (y[0] - mu1) + y[1] * y[1];
-    (void)t, (void)ctx;
-    r1 *= VM_SQRT(r1), r2 *= VM_SQRT(r2);
-    dydt[0] = y[2], dydt[1] = y[3];
+    (void)t;
+    (void)ctx;
+    r1 *= VM_SQRT(r1);
+    r2 *= VM_SQRT(r2);
+    dydt[0] = y[2];
+    dydt[1] = y[3];
     dydt[2] = y[0] + 2 * y[3] - mu1 * (y[0] + mu) / r1 - mu * (y[0] - mu1) / r2;
     dydt[3] = y[1] - 2 * y[2] - mu1 * y[1] / r1 - mu * y[1] / r2;
     return 0;
@@ -266,17 +279,21 @@ static void test_control(void)
               s.evals == 6 * (s.steps + s.rejected) + 2);
         check_error("after one period", "Arenstorf", "tol", fabs((double)(s.y[0] - y0[0])) / 1e-9, 5, 17, 0);
     }
-    y0[0] = 1, y0[1] = 0, y0[2] = 1;
+    y0[0] = 1;
+    y0[1] = 0;
+    y0[2] = 1;
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, 0, y0, NULL, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
     h = s.h; /* a step that was cut to meet t_end does not shorten the next one */
     CHECK(rk45_solve(&s, 1 + h / 100) == ODE_OK && s.h >= h && rk45_solve(&s, 1 + h / 50) == ODE_OK && s.h >= h);
-    o.h_max = R(0.01), o.rtol = o.atol = 0;
+    o.h_max = R(0.01);
+    o.rtol = o.atol = 0;
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
     CHECK(s.steps >= 100 && s.steps <= 102);
     /* times far from 0, steps near the resolution of t, intervals of a few ulps */
     CHECK(rk45_init(&s, stiff_rhs, &slow, 1, R(1e6) / VM_EPSILON, y0, NULL, work) == ODE_OK &&
           rk45_step(&s) == ODE_OK);
-    o.h_max = 0, o.h0 = VM_EPSILON * VM_EPSILON;
+    o.h_max = 0;
+    o.h0 = VM_EPSILON * VM_EPSILON;
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, 1, y0, &o, work) == ODE_OK && rk45_solve(&s, 2) == ODE_OK);
     CHECK(rk45_restart(&s, 1 / VM_EPSILON, s.y) == ODE_OK && rk45_solve(&s, 1 / VM_EPSILON + 2) != ODE_MAX_STEPS);
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, -VM_MAX, y0, NULL, work) == ODE_OK && rk45_solve(&s, VM_MAX) < 0);
@@ -284,14 +301,17 @@ static void test_control(void)
 
 static int refusing_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)y, (void)ctx;
+    (void)y;
+    (void)ctx;
     dydt[0] = 1;
     return t > 1 ? -3 : 0;
 }
 
 static int growing_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)y, (void)ctx;
+    (void)t;
+    (void)y;
+    (void)ctx;
     dydt[0] = VM_MAX / 100;
     return 0;
 }
@@ -317,10 +337,14 @@ static void test_unresolvable(void)
     CHECK(rk45_init(&s, refusing_rhs, NULL, 1, R(0.9999), y0, NULL, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
     CHECK(rk45_init(&s, growing_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK && rk45_solve(&s, 1000) < 0);
     CHECK(VM_IS_FINITE(s.y[0]) && s.t > 20 && s.t < 101); /* the state would be infinite, its derivative is not */
-    rate = R(1e6), o.max_steps = 7, o.h0 = 1;
+    rate = R(1e6);
+    o.max_steps = 7;
+    o.h0 = 1;
     CHECK(rk45_init(&s, stiff_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 10) == ODE_MAX_STEPS);
     CHECK(s.rejected > 0 && s.steps + s.rejected == 7);
-    o.h0 = R(1e-6), rate = R(1e-3), o.max_steps = 0; /* a step is at most ten times the one before */
+    o.h0 = R(1e-6);
+    rate = R(1e-3);
+    o.max_steps = 0; /* a step is at most ten times the one before */
     CHECK(rk45_init(&s, stiff_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_step(&s) == ODE_OK);
     CHECK(fabs((double)(s.h / o.h0) - 10) < 1e-5);
 }
@@ -343,7 +367,9 @@ static double clock_error(int order, double speed, double t0, double span, doubl
     const double end = (double)R(t0 + span);
     rk45_options o = {0};
     rk45 s;
-    o.rtol = o.atol = R(tol), o.h_max = R(h_max), o.max_steps = -1;
+    o.rtol = o.atol = R(tol);
+    o.h_max = R(h_max);
+    o.max_steps = -1;
     *worst = 0;
     CHECK((order == 5 ? rk45_init : rk87_init)(&s, turn_rhs, &rate, 2, R(t0), y0, &o, work) == ODE_OK);
     s.h = R(h_max);
@@ -441,7 +467,8 @@ static void check_jump(int order, jump j, vm_real t0, vm_real t_end, rk45_option
     ode_event event;
     rk45 s;
     memset(&event, 0, sizeof event);
-    event.g = time_of_jump, event.ctx = &j;
+    event.g = time_of_jump;
+    event.ctx = &j;
     o.events = &event;
     for (o.n_events = 0; o.n_events < 2; o.n_events++) {
         CHECK((order == 5 ? rk45_init : rk87_init)(&s, jump_rhs, &j, 1, t0, y0, &o, work) == ODE_OK);
@@ -472,7 +499,8 @@ static void test_unresolvable_jumps(void)
         fine.h_max = R(0.1);
         check_jump(order, at_1, 0, 2, fine, -1, 0.3);
         fine.h_max = 0;
-        at_1.slope = -1000, at_1.to = 100;
+        at_1.slope = -1000;
+        at_1.to = 100;
         check_jump(order, at_1, 0, 2, fine, 1, 1);
         at_1.slope = 1;
         check_jump(order, at_1, 0, 2, relative, 1, 1);
@@ -550,15 +578,20 @@ static void test_unresolvable_points(void)
 
 static int cubic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0];
+    (void)t;
+    (void)ctx;
+    dydt[0] = y[1];
+    dydt[1] = -y[0] * y[0] * y[0];
     return 0;
 }
 
 static int rigid_body_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* moments 1, 2, 3 */
 {
-    (void)t, (void)ctx;
-    dydt[0] = -y[1] * y[2], dydt[1] = y[2] * y[0], dydt[2] = -y[0] * y[1] / 3;
+    (void)t;
+    (void)ctx;
+    dydt[0] = -y[1] * y[2];
+    dydt[1] = y[2] * y[0];
+    dydt[2] = -y[0] * y[1] / 3;
     return 0;
 }
 
@@ -579,7 +612,8 @@ static double run(int order, ode_rhs f, void *ctx, int n, const vm_real *y0, dou
     double error = 0;
     rk45 s;
     int i;
-    o.rtol = o.atol = R(tol), o.max_steps = -1;
+    o.rtol = o.atol = R(tol);
+    o.max_steps = -1;
     CHECK((order == 5 ? rk45_init : rk87_init)(&s, f, ctx, n, 0, y0, &o, work) == ODE_OK);
     CHECK((order == 5 ? rk45_solve(&s, R(t_end)) : rk87_solve(&s, R(t_end))) == ODE_OK && s.t == R(t_end));
     for (i = 0; i < n; i++) error = fmax(error, fabs((double)s.y[i] - wanted[i]));
@@ -601,8 +635,10 @@ static void test_detest_ends(void)
         const double e = 0.2 * k - 0.1, side = sqrt(1 - e * e);
         double E = 20, wanted[4];
         for (i = 0; i < 50; i++) E -= (E - e * sin(E) - 20) / (1 - e * cos(E));
-        wanted[0] = cos(E) - e, wanted[1] = side * sin(E);
-        wanted[2] = -sin(E) / (1 - e * cos(E)), wanted[3] = side * cos(E) / (1 - e * cos(E));
+        wanted[0] = cos(E) - e;
+        wanted[1] = side * sin(E);
+        wanted[2] = -sin(E) / (1 - e * cos(E));
+        wanted[3] = side * cos(E) / (1 - e * cos(E));
         for (i = 0; i < 4; i++)
             check_error("DETEST, the ends", "D", "eps", fabs(orbit[i] - wanted[i]) / DBL_EPSILON, 250, e, i);
     }
@@ -675,7 +711,8 @@ static void test_detest_jumps(void)
 
 static int sign_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     dydt[0] = y[1];
     dydt[1] = R(y[0] > 0 ? -1 : y[0] < 0);
     return 0;
@@ -786,7 +823,8 @@ static int slow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx) /* an
 {
     const vm_real rate = *(const vm_real *)ctx;
     (void)t;
-    dydt[0] = rate * y[1], dydt[1] = -rate * y[0];
+    dydt[0] = rate * y[1];
+    dydt[1] = -rate * y[0];
     return 0;
 }
 
@@ -819,7 +857,8 @@ static void test_stiffness(void)
     CHECK(rk87_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk87_solve(&s, 5) == ODE_STIFF &&
           s.t == 5);
     CHECK(s.stiff && fabs((double)s.y[0] - cos(5.)) < 0.01 && rk87_solve(&s, 6) == ODE_OK);
-    rate = 1, o.max_steps = -1;
+    rate = 1;
+    o.max_steps = -1;
     CHECK(rk45_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 1000) == ODE_OK &&
           !s.stiff);
     CHECK(rk87_init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk87_solve(&s, 1000) == ODE_OK &&
@@ -846,7 +885,8 @@ static void test_refusals(void)
     rk45 s, before;
     memset(&s, 5, sizeof s);
     before = s;
-    bad[0] = 1, bad[1] = VM_NAN;
+    bad[0] = 1;
+    bad[1] = VM_NAN;
 #define REFUSED(call) CHECK((call) == ODE_BAD_ARGUMENT && memcmp(&s, &before, sizeof s) == 0)
     REFUSED(rk45_init(&s, linear_rhs, NULL, 0, 0, y0, NULL, work));
     REFUSED(rk45_init(&s, linear_rhs, NULL, -3, 0, y0, NULL, work));
@@ -857,24 +897,35 @@ static void test_refusals(void)
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, VM_INFINITY, y0, NULL, work));
     o.rtol = o.atol = -1;
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    o.rtol = o.atol = 0, o.h_max = -1;
+    o.rtol = o.atol = 0;
+    o.h_max = -1;
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    o.h_max = 0, o.h0 = VM_NAN;
+    o.h_max = 0;
+    o.h0 = VM_NAN;
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    o.h0 = 0, o.rtol = VM_NAN;
+    o.h0 = 0;
+    o.rtol = VM_NAN;
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    o.h0 = o.rtol = 0, o.h_min = R(-1e-3);
+    o.h0 = o.rtol = 0;
+    o.h_min = R(-1e-3);
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    o.h_min = 0, o.atol_each = bad; /* 1, NaN */
+    o.h_min = 0;
+    o.atol_each = bad; /* 1, NaN */
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
     bad[1] = -1;
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    bad[1] = 1, o.h_min = 1, o.h_max = R(0.5);
+    bad[1] = 1;
+    o.h_min = 1;
+    o.h_max = R(0.5);
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    o.h_min = o.h_max = 0, o.atol_each = NULL, o.atol = VM_INFINITY;
+    o.h_min = o.h_max = 0;
+    o.atol_each = NULL;
+    o.atol = VM_INFINITY;
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
-    o.atol = 0, o.atol_each = bad;
-    bad[1] = 0, o.rtol = -1; /* no tolerance for one component */
+    o.atol = 0;
+    o.atol_each = bad;
+    bad[1] = 0;
+    o.rtol = -1; /* no tolerance for one component */
     REFUSED(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, &o, work));
     CHECK(rk45_init(&s, linear_rhs, NULL, 2, 0, y0, NULL, work) == ODE_OK);
     CHECK(rk45_interpolate(&s, VM_EPSILON * VM_EPSILON, y) == ODE_BAD_ARGUMENT &&
@@ -909,7 +960,9 @@ static void test_atol_each(void)
     o.atol_each = tight;
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 30) == ODE_OK &&
           s.evals > 2 * evals);
-    loose[0] = R(1e-5), loose[1] = 1, loose[2] = 1;
+    loose[0] = R(1e-5);
+    loose[1] = 1;
+    loose[2] = 1;
     o.atol_each = loose;
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 30) == ODE_OK &&
           s.evals > 2 * evals);
@@ -935,7 +988,9 @@ static void test_tolerances(void)
     }
     CHECK(rk45_solve(&s, 2) == ODE_OK);
     check_error("rtol = eps", "y = exp(t^2)", "eps", fabs((double)s.y[0] / exp(4.) - 1) / eps, 110, 2, 0);
-    o.rtol = -1, o.atol = 0, o.atol_each = each;
+    o.rtol = -1;
+    o.atol = 0;
+    o.atol_each = each;
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
     check_error("atol_each", "y = exp(t^2)", "tol", fabs((double)s.y[0] - exp(1.)) / 1e-3, 5, 1, 0);
     test_atol_each();
@@ -956,7 +1011,8 @@ static void test_endings(void)
         check_error("y before the end", "f stops", "tol",
                     fabs((double)s.y[0] * exp((double)s.t) - 1) / (is_float ? 1e-4 : 1e-6), 0.3, (double)s.t, k);
         if (k) CHECK((double)s.t > 1 - 100 * eps); /* shortened up to the end of f */
-        at = 0, y[0] = 1;
+        at = 0;
+        y[0] = 1;
         CHECK(rk4_solve(wall_rhs, &w, 1, &at, 2, 20, y, work) == (k ? ODE_NOT_FINITE : ODE_RHS_STOPPED));
         check_error("y before the end", "f stops, rk4", "1e-6", 1e6 * fabs((double)y[0] * exp((double)at) - 1), 2,
                     (double)at, k);
@@ -983,7 +1039,8 @@ static void test_endings(void)
     CHECK(rk45_init(&s, blow_up_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK &&
           rk45_solve(&s, 2) == ODE_STEP_TOO_SMALL && s.t < 1);
 
-    o.h_min = 0, o.max_steps = 3; /* interrupted and continued: the same bits as in one go */
+    o.h_min = 0;
+    o.max_steps = 3; /* interrupted and continued: the same bits as in one go */
     CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
     for (k = 0; k < 1000 && rk45_solve(&s, 2) == ODE_MAX_STEPS; k++) continue;
     wanted = s.y[0];

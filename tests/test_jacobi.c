@@ -342,14 +342,17 @@ static void test_plans(void)
         double longest = k == 5 ? 1e-4 : k % 2 ? 1e3 : 10;
         CHECK(jacobi_plan_init(&plan, m) == 0);
         for (i = 0; i < N; i++) u[i] = (vm_real)uniform(-longest, longest);
-        u[0] = 0, u[1] = -(vm_real)0;
+        u[0] = 0;
+        u[1] = -(vm_real)0;
         jacobi_plan_sncndn_array(&plan, N, u, s, c, d);
         for (i = 0; i < N; i++) {
             jacobi_plan_sncndn(&plan, u[i], &sn, &cn, &dn);
             same = same && sn == s[i] && cn == c[i] && dn == d[i];
         }
         CHECK(s[0] == 0 && c[0] == 1 && d[0] == 1 && copysign(1, (double)s[1]) < 0);
-        u[3] = VM_MAX, u[4] = VM_NAN, u[5] = VM_INFINITY; /* one such argument makes the loop go the long way */
+        u[3] = VM_MAX;
+        u[4] = VM_NAN;
+        u[5] = VM_INFINITY; /* one such argument makes the loop go the long way */
         jacobi_plan_sncndn_array(&plan, N, u, s, c, d);
         CHECK(VM_FABS(s[3]) <= 1 && VM_FABS(c[3]) <= 1 && isnan(s[4]) && isnan(c[4]) && isnan(d[4]));
         CHECK(m == 1 ? s[5] == 1 && c[5] == 0 && d[5] == 0 : isnan(s[5]) && isnan(c[5]) && isnan(d[5]));
@@ -461,7 +464,8 @@ static void test_solver_table(void)
     for (i = 0; i < sizeof table / sizeof *table; i++) {
         vm_real m, m1;
         if (!representable(table[i].c) || fabs(table[i].m) > (double)VM_MAX) continue;
-        m = jacobi_solve_kpK((vm_real)table[i].c), m1 = jacobi_solve_kpK_m1((vm_real)table[i].c);
+        m = jacobi_solve_kpK((vm_real)table[i].c);
+        m1 = jacobi_solve_kpK_m1((vm_real)table[i].c);
         check_error("solve_kpK_m1", "table", "ulp", ERROR_ULP(m1, table[i].m1, table[i].m1_low), 4, table[i].c, 0);
         check_error("solve_kpK", "table", "ulp", /* next to m = 0 what one ulp of c moves it */
                     ERROR_EPS(m, table[i].m, table[i].m_low, 1) * (double)VM_EPSILON /

@@ -33,12 +33,16 @@ static void set_sizes(jump *x)
     const vm_body *b[3];
     double far = 0, trace = 0, w = 0;
     int i;
-    b[0] = &x->S, b[1] = &x->S1, b[2] = &x->S2;
-    x->K = size_of(x->j.linear), x->L = size_of(x->moment_O) + size_of(x->moment_S);
+    b[0] = &x->S;
+    b[1] = &x->S1;
+    b[2] = &x->S2;
+    x->K = size_of(x->j.linear);
+    x->L = size_of(x->moment_O) + size_of(x->moment_S);
     for (i = 0; i < 3; i++) {
         x->K += (double)b[i]->mass * (size_of(b[i]->v) + size_of(x->S.omega) * size_of(vmi_sub(b[i]->r, x->S.r)));
         trace += (double)vmi_trace(&b[i]->inertia);
-        w += size_of(b[i]->omega), far = fmax(far, size_of(b[i]->r));
+        w += size_of(b[i]->omega);
+        far = fmax(far, size_of(b[i]->r));
     }
     x->L += trace * w + far * x->K;
     x->T = trace * w * w + x->K * x->K / x->m;
@@ -51,18 +55,28 @@ static jump random_jump(int s, int with_impulse)
     int failed;
     memset(&x, 0, sizeof x);
     x.s = s;
-    x.S = random_body(uniform(2, 8), 1), x.S2 = random_body(uniform(0.5, 2), 1);
+    x.S = random_body(uniform(2, 8), 1);
+    x.S2 = random_body(uniform(0.5, 2), 1);
     x.S2.r = vmi_add(x.S.r, random_vector(1));
     failed = s > 0 && vm_attach(&x.S, &x.S2, NULL, &x.S); /* what leaves was in it */
-    x.S2.v = random_vector(5), x.S2.omega = random_vector(4);
+    x.S2.v = random_vector(5);
+    x.S2.omega = random_vector(4);
     if (with_impulse) x.j = random_impulse();
     failed = failed || (s > 0 ? vm_separate(&x.S, &x.S2, &x.j, &x.S1) : vm_attach(&x.S, &x.S2, &x.j, &x.S1));
     if (failed) FAIL("jump");
-    x.M = (double)x.S.mass, x.m = (double)x.S2.mass, x.M1 = (double)x.S1.mass;
-    x.SS1 = vmi_sub(x.S1.r, x.S.r), x.SS2 = vmi_sub(x.S2.r, x.S.r);
-    vm_to_relative(&x.S, &x.S2, &relative), x.vr = relative.v, x.Or = relative.omega;
-    vm_to_relative(&x.S, &x.S1, &relative), x.vr1 = relative.v, x.Or1 = relative.omega;
-    x.moment_S = vmi_impulse_moment(&x.j, x.S.r), x.moment_O = vmi_impulse_moment(&x.j, vector(0, 0, 0));
+    x.M = (double)x.S.mass;
+    x.m = (double)x.S2.mass;
+    x.M1 = (double)x.S1.mass;
+    x.SS1 = vmi_sub(x.S1.r, x.S.r);
+    x.SS2 = vmi_sub(x.S2.r, x.S.r);
+    vm_to_relative(&x.S, &x.S2, &relative);
+    x.vr = relative.v;
+    x.Or = relative.omega;
+    vm_to_relative(&x.S, &x.S1, &relative);
+    x.vr1 = relative.v;
+    x.Or1 = relative.omega;
+    x.moment_S = vmi_impulse_moment(&x.j, x.S.r);
+    x.moment_O = vmi_impulse_moment(&x.j, vector(0, 0, 0));
     set_sizes(&x);
     return x;
 }
@@ -337,11 +351,16 @@ static double cross(const double *a, const double *b) { return a[0] * b[1] - a[1
 /* A body with a part in it: places and inertias, no motion yet */
 static void random_pair(vm_body2 *whole, vm_body2 *part)
 {
-    memset(whole, 0, sizeof *whole), memset(part, 0, sizeof *part);
-    whole->mass = R(uniform(1, 5)), part->mass = R(uniform(0.3, 2));
-    whole->inertia = R(uniform(0.5, 2)), part->inertia = R(uniform(0.1, 1));
-    whole->x = R(uniform(-2, 2)), whole->y = R(uniform(-2, 2));
-    part->x = whole->x + R(uniform(0.3, 1)), part->y = whole->y + R(uniform(-1, -0.3));
+    memset(whole, 0, sizeof *whole);
+    memset(part, 0, sizeof *part);
+    whole->mass = R(uniform(1, 5));
+    part->mass = R(uniform(0.3, 2));
+    whole->inertia = R(uniform(0.5, 2));
+    part->inertia = R(uniform(0.1, 1));
+    whole->x = R(uniform(-2, 2));
+    whole->y = R(uniform(-2, 2));
+    part->x = whole->x + R(uniform(0.3, 1));
+    part->y = whole->y + R(uniform(-1, -0.3));
     if (vm_attach2(whole, part, NULL, whole)) FAIL("attach2");
 }
 
@@ -357,19 +376,36 @@ static plane separated(vm_body2 whole, vm_body2 part)
     plane p;
     vm_body2 relative;
     memset(&p, 0, sizeof p);
-    p.S = whole, p.S2 = part;
+    p.S = whole;
+    p.S2 = part;
     if (vm_separate2(&whole, &part, NULL, &p.S1)) FAIL("separate2");
-    p.M = (double)whole.mass, p.m = (double)part.mass, p.M1 = (double)p.S1.mass;
-    p.I = (double)whole.inertia, p.I1 = (double)p.S1.inertia, p.I2 = (double)part.inertia;
-    p.O = (double)whole.omega, p.O1 = (double)p.S1.omega, p.O2 = (double)part.omega;
-    p.SS1[0] = (double)(p.S1.x - whole.x), p.SS1[1] = (double)(p.S1.y - whole.y);
-    p.SS2[0] = (double)(part.x - whole.x), p.SS2[1] = (double)(part.y - whole.y);
-    p.v[0] = (double)whole.vx, p.v[1] = (double)whole.vy, p.v1[0] = (double)p.S1.vx, p.v1[1] = (double)p.S1.vy;
-    p.v2[0] = (double)part.vx, p.v2[1] = (double)part.vy;
+    p.M = (double)whole.mass;
+    p.m = (double)part.mass;
+    p.M1 = (double)p.S1.mass;
+    p.I = (double)whole.inertia;
+    p.I1 = (double)p.S1.inertia;
+    p.I2 = (double)part.inertia;
+    p.O = (double)whole.omega;
+    p.O1 = (double)p.S1.omega;
+    p.O2 = (double)part.omega;
+    p.SS1[0] = (double)(p.S1.x - whole.x);
+    p.SS1[1] = (double)(p.S1.y - whole.y);
+    p.SS2[0] = (double)(part.x - whole.x);
+    p.SS2[1] = (double)(part.y - whole.y);
+    p.v[0] = (double)whole.vx;
+    p.v[1] = (double)whole.vy;
+    p.v1[0] = (double)p.S1.vx;
+    p.v1[1] = (double)p.S1.vy;
+    p.v2[0] = (double)part.vx;
+    p.v2[1] = (double)part.vy;
     vm_to_relative2(&whole, &part, &relative);
-    p.vr[0] = (double)relative.vx, p.vr[1] = (double)relative.vy, p.Or = (double)relative.omega;
+    p.vr[0] = (double)relative.vx;
+    p.vr[1] = (double)relative.vy;
+    p.Or = (double)relative.omega;
     vm_to_relative2(&whole, &p.S1, &relative);
-    p.vr1[0] = (double)relative.vx, p.vr1[1] = (double)relative.vy, p.Or1 = (double)relative.omega;
+    p.vr1[0] = (double)relative.vx;
+    p.vr1[1] = (double)relative.vy;
+    p.Or1 = (double)relative.omega;
     p.u = (p.M * hypot(p.v[0], p.v[1]) + p.m * hypot(p.v2[0], p.v2[1]) + p.m * hypot(p.vr[0], p.vr[1])) / p.M1 +
           p.M / p.M1 * fabs(p.O) * hypot(p.SS2[0], p.SS2[1]) + hypot((double)whole.x, (double)whole.y) * fabs(p.O);
     p.w = p.I / p.I1 * (fabs(p.O) + fabs(p.O1) + fabs(p.Or1)) + p.I2 / p.I1 * (fabs(p.O2) + fabs(p.Or)) +
@@ -385,7 +421,8 @@ static void same(const char *name, const char *what, double left, double right, 
 /* The rest has this velocity and angular velocity */
 static void moves(const plane *p, const char *row, double vx, double vy, double omega)
 {
-    same(row, "v_S1", p->v1[0], vx, p->u), same(row, "v_S1", p->v1[1], vy, p->u);
+    same(row, "v_S1", p->v1[0], vx, p->u);
+    same(row, "v_S1", p->v1[1], vy, p->u);
     same(row, "Omega_1", p->O1, omega, p->w);
 }
 
@@ -399,10 +436,18 @@ static void test_planar_equations(void)
         double a[2], b[2], d2, I1_S, I2_S, wrong;
         int k;
         random_pair(&whole, &part);
-        whole.vx = R(any()), whole.vy = R(any()), whole.omega = R(any());
-        part.vx = R(any()), part.vy = R(any()), part.omega = R(any());
+        whole.vx = R(any());
+        whole.vy = R(any());
+        whole.omega = R(any());
+        part.vx = R(any());
+        part.vy = R(any());
+        part.omega = R(any());
         p = separated(whole, part);
-        for (k = 0; k < 2; k++) a[k] = p.v1[k] - p.v2[k], b[k] = p.vr[k] - p.vr1[k]; /* (43) */
+        for (k = 0; k < 2; k++) {
+            /* (43) */
+            a[k] = p.v1[k] - p.v2[k];
+            b[k] = p.vr[k] - p.vr1[k];
+        }
         same("(35)-(38)", "(37)", p.I1 * p.O1, p.I * p.O - p.I2 * p.O2 + p.m * cross(p.SS2, a), p.I1 * p.w);
         same("(39)", "", p.I * p.O,
              p.I1 * p.O1 + p.M1 * cross(p.SS1, p.v1) + p.I2 * p.O2 + p.m * cross(p.SS2, p.v2), p.I1 * p.w);
@@ -411,7 +456,8 @@ static void test_planar_equations(void)
         same("(44)", "", p.Or1, p.m / p.I1 * (p.SS2[1] * b[0] - p.SS2[0] * b[1]) - p.I2 / p.I1 * p.Or, p.w);
         /* (40) has the inertias about S, which add up to I_S; they are not those of (34), (42), (44) */
         d2 = p.SS2[0] * p.SS2[0] + p.SS2[1] * p.SS2[1];
-        I1_S = p.I1 + p.M1 * (p.SS1[0] * p.SS1[0] + p.SS1[1] * p.SS1[1]), I2_S = p.I2 + p.m * d2;
+        I1_S = p.I1 + p.M1 * (p.SS1[0] * p.SS1[0] + p.SS1[1] * p.SS1[1]);
+        I2_S = p.I2 + p.m * d2;
         same("(40)", "I_S", p.I, I1_S + I2_S, p.I);
         wrong = (-I2_S * p.Or - p.m * cross(p.SS2, b)) / I1_S;
         about_S = fmax(about_S, fabs(wrong - p.Or1));
@@ -421,13 +467,17 @@ static void test_planar_equations(void)
 
 /* ---- Tables 2-4 ---- */
 
-static void set_v(vm_body2 *b, double vx, double vy) { b->vx = R(vx), b->vy = R(vy); }
+static void set_v(vm_body2 *b, double vx, double vy) {
+b->vx = R(vx);
+b->vy = R(vy); }
 
 /* The part's velocity with which it has v_r relative to the whole */
 static void set_relative(const vm_body2 *whole, vm_body2 *part, double vrx, double vry, double Or)
 {
     vm_body2 relative = *part;
-    relative.vx = R(vrx), relative.vy = R(vry), relative.omega = R(Or);
+    relative.vx = R(vrx);
+    relative.vy = R(vry);
+    relative.omega = R(Or);
     vm_to_absolute2(whole, &relative, part);
 }
 
@@ -436,7 +486,10 @@ static void answers(const plane *p, const char *row, const double *v, double ome
 {
     vm_real wanted[2] = {0, 0}, turning = R(omega);
     vm_body2 found;
-    if (v) wanted[0] = R(v[0]), wanted[1] = R(v[1]);
+    if (v) {
+        wanted[0] = R(v[0]);
+        wanted[1] = R(v[1]);
+    }
     if (vm_separate_for2(&p->S, &p->S2, NULL, v ? wanted : NULL, &turning, &found)) {
         FAIL("separate_for2");
         return;
@@ -459,43 +512,61 @@ static void test_table2(void)
         random_pair(&whole, &part);
         set_v(&whole, any(), any());
 
-        set_v(&part, any(), any()), part.omega = R(any());
-        p = separated(whole, part), k = p.m / p.M1;
-        a[0] = p.v1[0] - p.v2[0], a[1] = p.v1[1] - p.v2[1];
+        set_v(&part, any(), any());
+        part.omega = R(any());
+        p = separated(whole, part);
+        k = p.m / p.M1;
+        a[0] = p.v1[0] - p.v2[0];
+        a[1] = p.v1[1] - p.v2[1];
         same("T2.1", "v_r1", p.vr1[0], -k * p.vr[0], p.u);
         moves(&p, "T2.1", p.v[0] - k * p.vr[0], p.v[1] - k * p.vr[1], (p.m * cross(p.SS2, a) - p.I2 * p.O2) / p.I1);
 
-        part.omega = 0, p = separated(whole, part);
-        a[0] = p.v1[0] - p.v2[0], a[1] = p.v1[1] - p.v2[1];
+        part.omega = 0;
+        p = separated(whole, part);
+        a[0] = p.v1[0] - p.v2[0];
+        a[1] = p.v1[1] - p.v2[1];
         moves(&p, "T2.2", p.v[0] - k * p.vr[0], p.v[1] - k * p.vr[1], p.m * cross(p.SS2, a) / p.I1);
 
-        part.omega = R(-p.m * p.M / (p.I2 * p.M1) * cross(p.SS2, p.vr)), p = separated(whole, part);
+        part.omega = R(-p.m * p.M / (p.I2 * p.M1) * cross(p.SS2, p.vr));
+        p = separated(whole, part);
         moves(&p, "T2.5", p.v[0] - k * p.vr[0], p.v[1] - k * p.vr[1], 0);
         answers(&p, "T2.5", NULL, 0);
-        part.omega = R(-p.m * p.M / (p.I2 * p.M1)), p = separated(whole, part); /* what is printed of row 5 */
+        part.omega = R(-p.m * p.M / (p.I2 * p.M1));
+        p = separated(whole, part); /* what is printed of row 5 */
         truncated5 = fmax(truncated5, fabs(p.O1));
 
-        set_v(&part, 0, 0), part.omega = R(any()), p = separated(whole, part);
-        d[0] = p.M / p.M1 * p.v[0], d[1] = p.M / p.M1 * p.v[1];
+        set_v(&part, 0, 0);
+        part.omega = R(any());
+        p = separated(whole, part);
+        d[0] = p.M / p.M1 * p.v[0];
+        d[1] = p.M / p.M1 * p.v[1];
         moves(&p, "T2.3", d[0], d[1], (p.m * p.M / p.M1 * cross(p.SS2, p.v) - p.I2 * p.O2) / p.I1);
 
-        part.omega = 0, p = separated(whole, part);
+        part.omega = 0;
+        p = separated(whole, part);
         moves(&p, "T2.4", d[0], d[1], p.m * p.M / p.M1 * cross(p.SS2, p.v) / p.I1);
         same("3.3.1 concl. 1", "T2.4 has v_r1", p.vr1[0], k * p.v[0], p.u); /* not 0, as conclusion 1 claims of it */
         least_v_r1 = fmin(least_v_r1, hypot(p.vr1[0], p.vr1[1]));
 
-        set_v(&part, p.M / p.m * p.v[0], p.M / p.m * p.v[1]), part.omega = R(any()), p = separated(whole, part);
+        set_v(&part, p.M / p.m * p.v[0], p.M / p.m * p.v[1]);
+        part.omega = R(any());
+        p = separated(whole, part);
         moves(&p, "T2.6", 0, 0, (-p.M * cross(p.SS2, p.v) - p.I2 * p.O2) / p.I1);
 
-        part.omega = R(p.M / p.I2 * cross(p.v, p.SS2)), p = separated(whole, part);
+        part.omega = R(p.M / p.I2 * cross(p.v, p.SS2));
+        p = separated(whole, part);
         moves(&p, "T2.7", 0, 0, 0);
         answers(&p, "T2.7", still, 0);
-        part.omega = R(p.M / p.I2), p = separated(whole, part); /* what is printed of row 7 */
+        part.omega = R(p.M / p.I2);
+        p = separated(whole, part); /* what is printed of row 7 */
         truncated7 = fmax(truncated7, fabs(p.O1));
 
-        set_v(&part, p.v[0], p.v[1]), part.omega = R(any()), p = separated(whole, part);
+        set_v(&part, p.v[0], p.v[1]);
+        part.omega = R(any());
+        p = separated(whole, part);
         moves(&p, "T2.8", p.v[0], p.v[1], -p.I2 * p.O2 / p.I1);
-        part.omega = 0, p = separated(whole, part);
+        part.omega = 0;
+        p = separated(whole, part);
         moves(&p, "3.3.1 concl. 1", p.v[0], p.v[1], 0);
     }
     ERRATUM("T2.5,7", truncated5 > 1 && truncated7 > 1, check_holds("T2.5") && check_holds("T2.7"));
@@ -515,33 +586,46 @@ static void test_table3(void)
         random_pair(&whole, &part);
         whole.omega = R(any());
 
-        set_relative(&whole, &part, any(), any(), any()), p = separated(whole, part), k = p.m / p.M1;
-        t[0] = -p.O * p.SS1[1], t[1] = p.O * p.SS1[0]; /* Omega x SS1 */
+        set_relative(&whole, &part, any(), any(), any());
+        p = separated(whole, part);
+        k = p.m / p.M1;
+        t[0] = -p.O * p.SS1[1];
+        t[1] = p.O * p.SS1[0]; /* Omega x SS1 */
         moves(&p, "T3.1", t[0] - k * p.vr[0], t[1] - k * p.vr[1],
               p.O + p.M / p.I1 * cross(p.SS1, p.vr) - p.I2 / p.I1 * p.Or);
 
-        set_relative(&whole, &part, 0, 0, any()), p = separated(whole, part);
+        set_relative(&whole, &part, 0, 0, any());
+        p = separated(whole, part);
         moves(&p, "T3.2", t[0], t[1], p.O - p.I2 / p.I1 * p.Or);
 
-        set_relative(&whole, &part, 0, 0, 0), p = separated(whole, part);
+        set_relative(&whole, &part, 0, 0, 0);
+        p = separated(whole, part);
         moves(&p, "T3.3", t[0], t[1], p.O);
 
-        c = any(), set_relative(&whole, &part, c * p.SS1[0], c * p.SS1[1], any()), p = separated(whole, part);
+        c = any();
+        set_relative(&whole, &part, c * p.SS1[0], c * p.SS1[1], any());
+        p = separated(whole, part);
         moves(&p, "T3.4", t[0] - k * p.vr[0], t[1] - k * p.vr[1], p.O - p.I2 / p.I1 * p.Or);
 
-        set_relative(&whole, &part, any(), any(), -p.O), p = separated(whole, part);
+        set_relative(&whole, &part, any(), any(), -p.O);
+        p = separated(whole, part);
         moves(&p, "T3.5", -k * p.v2[0], -k * p.v2[1], (p.I * p.O - p.m * p.M / p.M1 * cross(p.SS2, p.v2)) / p.I1);
 
-        stop[0] = p.M1 / p.m * t[0], stop[1] = p.M1 / p.m * t[1]; /* v_r with which the rest's mass centre stops */
+        stop[0] = p.M1 / p.m * t[0];
+        stop[1] = p.M1 / p.m * t[1]; /* v_r with which the rest's mass centre stops */
         turn = p.M * p.M1 / p.m * (p.SS1[0] * p.SS1[0] + p.SS1[1] * p.SS1[1]) * p.O;
-        set_relative(&whole, &part, stop[0], stop[1], any()), p = separated(whole, part);
+        set_relative(&whole, &part, stop[0], stop[1], any());
+        p = separated(whole, part);
         moves(&p, "T3.6", 0, 0, p.O + turn / p.I1 - p.I2 / p.I1 * p.Or);
         same("T3.6 printed", "off by 2 I2 Or", turn / p.I1 + p.I2 / p.I1 * p.Or - p.Or1, 2 * p.I2 / p.I1 * p.Or,
              p.w);
         ERRATUM("T3.6", fabs(turn / p.I1 + p.I2 / p.I1 * p.Or - p.Or1) > 0.01, check_holds("T3.6"));
 
-        kept[0] = any(), kept[1] = any(), c = p.M * cross(p.SS1, kept);
-        set_relative(&whole, &part, kept[0], kept[1], c / p.I2), p = separated(whole, part);
+        kept[0] = any();
+        kept[1] = any();
+        c = p.M * cross(p.SS1, kept);
+        set_relative(&whole, &part, kept[0], kept[1], c / p.I2);
+        p = separated(whole, part);
         moves(&p, "T3.7", t[0] - k * p.vr[0], t[1] - k * p.vr[1], p.O);
         answers(&p, "T3.7", NULL, p.O);
         if (vm_separate_for_spin2(&whole, &part, NULL, whole.omega, &found)) FAIL("separate_for_spin2");
@@ -550,17 +634,21 @@ static void test_table3(void)
             same("T3.7", "asked: v_r", p.M * cross(p.SS1, q.vr), c, p.I1 * (p.w + q.w));
             moves(&q, "T3.7", t[0] - k * q.vr[0], t[1] - k * q.vr[1], q.O);
         }
-        set_relative(&whole, &part, kept[0], kept[1], (c + p.I1 * p.O) / p.I2), p = separated(whole, part);
+        set_relative(&whole, &part, kept[0], kept[1], (c + p.I1 * p.O) / p.I2);
+        p = separated(whole, part);
         same("T3.7 printed", "Omega_1 = 0", p.O1, 0, p.w); /* Or1 = -Omega, where it says Or1 = 0 */
         ERRATUM("T3.7", fabs(p.Or1) > 0.2, check_holds("T3.7"));
 
-        set_relative(&whole, &part, stop[0], stop[1], turn / p.I2), p = separated(whole, part);
+        set_relative(&whole, &part, stop[0], stop[1], turn / p.I2);
+        p = separated(whole, part);
         moves(&p, "T3.8", 0, 0, p.O);
         answers(&p, "T3.8", still, p.O);
-        set_relative(&whole, &part, stop[0], stop[1], (p.I1 * p.O + turn) / p.I2), p = separated(whole, part);
+        set_relative(&whole, &part, stop[0], stop[1], (p.I1 * p.O + turn) / p.I2);
+        p = separated(whole, part);
         moves(&p, "T3.8 Omega_1 = 0", 0, 0, 0);
         answers(&p, "T3.8 Omega_1 = 0", still, 0);
-        set_relative(&whole, &part, stop[0], stop[1], (p.I1 * p.O - turn) / p.I2), p = separated(whole, part);
+        set_relative(&whole, &part, stop[0], stop[1], (p.I1 * p.O - turn) / p.I2);
+        p = separated(whole, part);
         same("T3.8 printed", "Or1", p.Or1, 2 * turn / p.I1 - p.O, p.w);
         row8 = fmax(row8, fabs(p.Or1)); /* where it says 0 */
     }
@@ -576,28 +664,35 @@ static void test_table4(void)
         plane p;
         double d2;
         random_pair(&whole, &part);
-        set_v(&whole, any(), any()), whole.omega = R(any());
+        set_v(&whole, any(), any());
+        whole.omega = R(any());
 
-        set_v(&part, (double)whole.vx, (double)whole.vy), part.omega = R(any()), p = separated(whole, part);
+        set_v(&part, (double)whole.vx, (double)whole.vy);
+        part.omega = R(any());
+        p = separated(whole, part);
         moves(&p, "T4.1", p.v[0], p.v[1], (p.I * p.O - p.I2 * p.O2) / p.I1);
         same("T4.1", "v_r = SS2 x Omega", p.vr[0], p.SS2[1] * p.O, p.u);
         same("T4.1", "v_r1 = SS1 x Omega", p.vr1[1], -p.SS1[0] * p.O, p.u);
 
-        part.omega = R(p.I / p.I2 * p.O), p = separated(whole, part);
+        part.omega = R(p.I / p.I2 * p.O);
+        p = separated(whole, part);
         moves(&p, "T4.2", p.v[0], p.v[1], 0);
         answers(&p, "T4.2", NULL, 0);
 
-        part.omega = 0, p = separated(whole, part);
+        part.omega = 0;
+        p = separated(whole, part);
         moves(&p, "T4.3", p.v[0], p.v[1], p.I / p.I1 * p.O);
 
-        part.omega = whole.omega, p = separated(whole, part);
+        part.omega = whole.omega;
+        p = separated(whole, part);
         d2 = p.SS2[0] * p.SS2[0] + p.SS2[1] * p.SS2[1];
         moves(&p, "T4.4", p.v[0], p.v[1], p.O * (1 + p.m * p.M * d2 / (p.M1 * p.I1)));
         moves(&p, "T4.4", p.v[0], p.v[1], (p.I - p.I2) * p.O / p.I1);
         same("T4.4 printed", "Or1 is not 0", p.Or1, p.O * p.m * p.M * d2 / (p.M1 * p.I1), p.w);
         ERRATUM("T4.4", fabs(p.Or1) > 1e-3, check_holds("T4.4"));
 
-        set_relative(&whole, &part, 0, 0, 0), p = separated(whole, part);
+        set_relative(&whole, &part, 0, 0, 0);
+        p = separated(whole, part);
         moves(&p, "T4.5", p.v[0] - p.O * p.SS1[1], p.v[1] + p.O * p.SS1[0], p.O);
     }
 }
@@ -614,9 +709,13 @@ static void case_bodies(vm_body *body, vm_body *other)
 {
     memset(body, 0, sizeof *body);
     memset(other, 0, sizeof *other);
-    body->mass = 5, other->mass = R(1.2);
-    body->v = vector(1, -0.5, 0.25), body->omega = vector(0.4, -0.7, 1.1);
-    other->r = vector(0.3, -0.2, 0.5), other->v = vector(1.6, 0.2, -0.3), other->omega = vector(-0.2, 0.9, 0.5);
+    body->mass = 5;
+    other->mass = R(1.2);
+    body->v = vector(1, -0.5, 0.25);
+    body->omega = vector(0.4, -0.7, 1.1);
+    other->r = vector(0.3, -0.2, 0.5);
+    other->v = vector(1.6, 0.2, -0.3);
+    other->omega = vector(-0.2, 0.9, 0.5);
     other->inertia = inertia(0.2, 0.01, 0.02, 0.15, -0.03, 0.12);
 }
 
@@ -671,9 +770,15 @@ static void check_rest(const char *name, const vm_body2 *rest, double vx, double
 static void test_reference_in_plane(void)
 {
     vm_body2 whole, part, rest, relative;
-    memset(&whole, 0, sizeof whole), memset(&part, 0, sizeof part);
-    whole.mass = 5, whole.inertia = R(3.0625), whole.omega = R(1.5);
-    part.mass = 1, part.inertia = R(0.5), part.x = R(0.6), part.y = R(-0.3);
+    memset(&whole, 0, sizeof whole);
+    memset(&part, 0, sizeof part);
+    whole.mass = 5;
+    whole.inertia = R(3.0625);
+    whole.omega = R(1.5);
+    part.mass = 1;
+    part.inertia = R(0.5);
+    part.x = R(0.6);
+    part.y = R(-0.3);
 
     set_relative(&whole, &part, 0.7, 0.2, 0.4);
     CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK);
@@ -687,14 +792,19 @@ static void test_reference_in_plane(void)
     check_rest("B4 row 6", &rest, 0, 0, 1.5 + 0.321875); /* printed: 0.521875 */
     CHECK(fabs((double)rest.omega - 1.5 - 0.521875) > 0.19);
 
-    whole.omega = 0, set_v(&whole, 1, 0.5), part.omega = R(0.8), set_v(&part, 0, 0);
+    whole.omega = 0;
+    set_v(&whole, 1, 0.5);
+    part.omega = R(0.8);
+    set_v(&part, 0, 0);
     CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK);
     check_rest("B2 row 3", &rest, 1.25, 0.625, 0.175);
     set_v(&part, 5, 2.5);
     CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK);
     check_rest("B2 row 6", &rest, 0, 0, -1.7);
 
-    whole.omega = R(1.5), set_v(&part, 1, 0.5), part.omega = R(0.8);
+    whole.omega = R(1.5);
+    set_v(&part, 1, 0.5);
+    part.omega = R(0.8);
     CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK);
     check_rest("B6 row 1", &rest, 1, 0.5, 2.096875);
     part.omega = R(9.1875);

@@ -27,7 +27,11 @@ static void draw_shot(shot *s, double rest_weight)
     double size = pow(10, uniform(-1, 1));
     vm_vec3 place = random_vector(2 * size),
             about = random_vector(5); /* near: at r a mass centre is right to eps r */
-    s->first[0] = 0, s->first[1] = 5, s->first[2] = 8, s->first[3] = 10, s->first[4] = PARTICLES;
+    s->first[0] = 0;
+    s->first[1] = 5;
+    s->first[2] = 8;
+    s->first[3] = 10;
+    s->first[4] = PARTICLES;
     for (i = 0; i < PARTICLES; i++) {
         s->p[i].m = uniform(0.3, 1) * (i < s->first[1] ? rest_weight : 1);
         s->p[i].r[0] = (double)place.x + uniform(-size, size);
@@ -35,13 +39,17 @@ static void draw_shot(shot *s, double rest_weight)
         s->p[i].r[2] = (double)place.z + uniform(-size, size);
     }
     s->whole = body_of(PARTICLES, s->p, random_attitude());
-    s->whole.v = random_vector(5), s->whole.omega = random_vector(3);
+    s->whole.v = random_vector(5);
+    s->whole.omega = random_vector(3);
     for (k = 0; k < PIECES; k++) {
         s->piece[k] = body_of(s->first[k + 1] - s->first[k], s->p + s->first[k], random_attitude());
-        s->piece[k].v = random_vector(5), s->piece[k].omega = random_vector(3);
+        s->piece[k].v = random_vector(5);
+        s->piece[k].omega = random_vector(3);
     }
     s->impulse = random_impulse();
-    s->about[0] = (double)about.x, s->about[1] = (double)about.y, s->about[2] = (double)about.z;
+    s->about[0] = (double)about.x;
+    s->about[1] = (double)about.y;
+    s->about[2] = (double)about.z;
 }
 
 static void add_piece(sums *sum, double sign, const shot *s, int piece, const vm_body *motion)
@@ -67,7 +75,8 @@ static void check_sums(const char *what, sums *s, const vm_impulse *j, const dou
             s->K[k] -= J[k];
             s->L[k] -= C[k] + arm[k1] * J[k2] - arm[k2] * J[k1];
         }
-        s->K_size += length3(J), s->L_size += length3(C) + length3(arm) * length3(J);
+        s->K_size += length3(J);
+        s->L_size += length3(C) + length3(arm) * length3(J);
     }
     check_error(what, "particles", "eps K", length3(s->K) / s->K_size / eps, particle_bound, index, 0);
     check_error(what, "particles", "eps L", length3(s->L) / s->L_size / eps, particle_bound, index, 0);
@@ -111,7 +120,8 @@ static void check_rest(const char *what, const shot *s, int k, const vm_body *re
     for (i = 0; i < PIECES; i++) add_piece(&sum, 1, s, i, i < PIECES - k ? rest : &s->piece[i]);
     add_whole(&sum, -1, s, &s->whole);
     add_whole(&with_rest, 1, s, rest);
-    sum.K_size += with_rest.K_size, sum.L_size += with_rest.L_size;
+    sum.K_size += with_rest.K_size;
+    sum.L_size += with_rest.L_size;
     check_sums(what, &sum, j, s->about, index);
 }
 
@@ -133,8 +143,10 @@ static void test_particles(int unequal)
         check_rest("separate_all", &s, PIECES - 1, &rest, j, i);
 
         CHECK(vm_attach(&s.piece[0], &s.piece[1], j, &whole) == VM_OK);
-        for (k = 0; k < 2; k++)
-            add_piece(&attached, 1, &s, k, &whole), add_piece(&attached, -1, &s, k, &s.piece[k]);
+        for (k = 0; k < 2; k++) {
+            add_piece(&attached, 1, &s, k, &whole);
+            add_piece(&attached, -1, &s, k, &s.piece[k]);
+        }
         check_sums("attach", &attached, j, s.about, i);
 
         CHECK(vm_attach_all(&s.piece[0], PIECES - 1, s.piece + 1, j, &whole) == VM_OK);
@@ -169,14 +181,16 @@ static defect parted(const vm_body *whole, const vm_body *rest, const vm_body *p
                      vm_vec3 about)
 {
     vm_body after[2];
-    after[0] = *rest, after[1] = *part;
+    after[0] = *rest;
+    after[1] = *part;
     return defect_of(1, whole, 2, after, j, about);
 }
 
 static defect joined(const vm_body *a, const vm_body *b, const vm_body *whole, const vm_impulse *j, vm_vec3 about)
 {
     vm_body before[2];
-    before[0] = *a, before[1] = *b;
+    before[0] = *a;
+    before[1] = *b;
     return defect_of(2, before, 1, whole, j, about);
 }
 
@@ -204,7 +218,8 @@ static void test_balance(int with_impulse)
         check_error("undone: v", region, "eps", size_of(vmi_sub(rest.v, a.v)) / eps, 60, i, 0);
 
         part = b;
-        part.omega = random_vector(3), part.v = random_vector(5);
+        part.omega = random_vector(3);
+        part.v = random_vector(5);
         if (vm_separate(&whole, &part, j, &rest)) FAIL("separate");
         check_defect("separate", region, parted(&whole, &rest, &part, j, about), i);
         check_error("rest: r", region, "eps", size_of(vmi_sub(rest.r, a.r)) / eps, 16, i, 0);
@@ -247,7 +262,10 @@ static void test_energy(int with_impulse)
         check_energy("loss (Carnot)", region, &whole, n + 1, pieces,
                      -defect_of(n + 1, pieces, 1, &whole, j, origin).energy,
                      (double)vm_energy_loss(pieces, n, pieces + 1, j, &whole), i);
-        for (k = 1; k <= n; k++) pieces[k].v = random_vector(5), pieces[k].omega = random_vector(3);
+        for (k = 1; k <= n; k++) {
+            pieces[k].v = random_vector(5);
+            pieces[k].omega = random_vector(3);
+        }
         if (vm_separate_all(&whole, n, pieces + 1, j, pieces)) FAIL("separate_all");
         check_energy("gain (118)", region, &whole, n + 1, pieces,
                      defect_of(1, &whole, n + 1, pieces, j, origin).energy,
@@ -269,7 +287,8 @@ static void test_unequal_bodies(void)
         if (i % 4 == 0) a.inertia = vmi_inertia_plus(rod(2, random_vector(1)).inertia, R(1e-4), a.inertia);
         done = done && vm_attach(&a, &b, NULL, &whole) >= 0;
         check_defect("attach", "unequal", joined(&a, &b, &whole, NULL, about), ratio);
-        b.omega = vmi_add(b.omega, random_vector(1)), b.v = vmi_add(b.v, random_vector(1));
+        b.omega = vmi_add(b.omega, random_vector(1));
+        b.v = vmi_add(b.v, random_vector(1));
         status = vm_separate(&whole, &b, NULL, &rest);
         done = done && status >= 0;
         if (status) continue; /* in float a rest of 1e-4 the mass and size is lost in the whole's rounding errors */
@@ -291,13 +310,16 @@ static void test_points_beside_bodies(void)
         vm_impulse impulse = random_impulse();
         const vm_impulse *j = i % 2 ? &impulse : NULL;
         vm_vec3 about;
-        a.r = random_vector(pow(10, uniform(-1, farthest))), b.r = vmi_add(a.r, random_vector(1));
-        a.v = random_vector(pow(10, uniform(-3, 6))), b.v = random_vector(pow(10, uniform(-3, 6)));
+        a.r = random_vector(pow(10, uniform(-1, farthest)));
+        b.r = vmi_add(a.r, random_vector(1));
+        a.v = random_vector(pow(10, uniform(-3, 6)));
+        b.v = random_vector(pow(10, uniform(-3, 6)));
         impulse.at = vmi_add(a.r, random_vector(1));
         if (vm_attach(&a, &b, j, &whole)) continue;
         about = i % 3 == 0 ? a.r : i % 3 == 1 ? b.r : vmi_add(whole.r, random_vector(pow(10, uniform(-6, 0))));
         check_defect("attach", "beside bodies", joined(&a, &b, &whole, j, about), i);
-        b.v = random_vector(pow(10, uniform(-3, 6))), b.omega = random_vector(3);
+        b.v = random_vector(pow(10, uniform(-3, 6)));
+        b.omega = random_vector(3);
         if (vm_separate(&whole, &b, j, &rest)) continue;
         check_defect("separate", "beside bodies", parted(&whole, &rest, &b, j, about), i);
         done++;
@@ -366,7 +388,10 @@ static void test_burst(void)
         CHECK(vm_attach_all(&core, N, parts, j, &whole) == VM_OK);
         for (k = 0; k < N; k++) CHECK(vm_attach(&one, &parts[k], k == struck ? j : NULL, &one) == VM_OK);
         check_error("attach_all", "one by one", "eps", apart(&whole, &one), 24, i, 0);
-        for (k = 0; k < N; k++) parts[k].v = random_vector(5), parts[k].omega = random_vector(3);
+        for (k = 0; k < N; k++) {
+            parts[k].v = random_vector(5);
+            parts[k].omega = random_vector(3);
+        }
         CHECK(vm_separate_all(&whole, N, parts, j, &at_once) == VM_OK);
         for (one = whole, k = 0; k < N; k++)
             CHECK(vm_separate(&one, &parts[k], k == struck ? j : NULL, &one) == VM_OK);
@@ -407,7 +432,9 @@ static void test_relative(void)
         CHECK(vm_attach_relative(&a, &relative, j, &rest) == VM_OK && vm_to_absolute(&a, &rest, &rest) == VM_OK);
         check_error("attach_relative", "space", "eps", apart(&rest, &whole), 12, i, 0);
 
-        part = b, part.v = random_vector(5), part.omega = random_vector(3);
+        part = b;
+        part.v = random_vector(5);
+        part.omega = random_vector(3);
         CHECK(vm_separate(&whole, &part, j, &rest) == VM_OK && vm_to_relative(&whole, &part, &relative) == VM_OK);
         CHECK(vm_separate_relative(&whole, &relative, j, &back) == VM_OK);
         CHECK(vm_to_absolute(&whole, &back, &back) == VM_OK);
@@ -447,7 +474,8 @@ static void test_inverse(void)
     { /* a point cannot be given the spin that would stop the rest, but for one that need not stop */
         vm_body whole = random_body(4, 1), point = rod(1, vector(1, 0, 0)), moving;
         vm_vec3 still = vector(0, 0, 0);
-        point.r = vmi_add(whole.r, vector(0.01, 0, 0)), point.v = whole.v;
+        point.r = vmi_add(whole.r, vector(0.01, 0, 0));
+        point.v = whole.v;
         CHECK(vm_separate_for(&whole, &point, NULL, NULL, &still, &moving) == VM_NULL_AXIS);
         point.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(point.r, whole.r)));
         CHECK(vm_separate_for(&whole, &point, NULL, NULL, &whole.omega, &moving) == VM_OK);
@@ -459,8 +487,13 @@ static void test_inverse(void)
 static vm_body2 random_body2(double mass)
 {
     vm_body2 b;
-    b.mass = R(mass), b.inertia = R(mass * uniform(0.05, 0.5)), b.angle = R(uniform(-3, 3));
-    b.x = R(uniform(-2, 2)), b.y = R(uniform(-2, 2)), b.vx = R(uniform(-3, 3)), b.vy = R(uniform(-3, 3));
+    b.mass = R(mass);
+    b.inertia = R(mass * uniform(0.05, 0.5));
+    b.angle = R(uniform(-3, 3));
+    b.x = R(uniform(-2, 2));
+    b.y = R(uniform(-2, 2));
+    b.vx = R(uniform(-3, 3));
+    b.vy = R(uniform(-3, 3));
     b.omega = R(uniform(-3, 3));
     return b;
 }
@@ -476,15 +509,19 @@ static double apart2(const vm_body2 *got, const vm_body *in_space)
 static vm_impulse2 random_impulse2(void)
 {
     vm_impulse2 j;
-    j.jx = R(uniform(-3, 3)), j.jy = R(uniform(-3, 3)), j.couple = R(uniform(-3, 3));
-    j.x = R(uniform(-3, 3)), j.y = R(uniform(-3, 3));
+    j.jx = R(uniform(-3, 3));
+    j.jy = R(uniform(-3, 3));
+    j.couple = R(uniform(-3, 3));
+    j.x = R(uniform(-3, 3));
+    j.y = R(uniform(-3, 3));
     return j;
 }
 
 static vm_impulse impulse_in_space(const vm_impulse2 *j)
 {
     vm_impulse blow;
-    blow.linear = vmi_vec3(j->jx, j->jy, 0), blow.couple = vmi_vec3(0, 0, j->couple);
+    blow.linear = vmi_vec3(j->jx, j->jy, 0);
+    blow.couple = vmi_vec3(0, 0, j->couple);
     blow.at = vmi_vec3(j->x, j->y, 0);
     return blow;
 }
@@ -511,7 +548,9 @@ static void test_plane(void)
         CHECK(vm_attach2(&a, &b, j, &whole) == VM_OK);
         check_error("attach2", "as in space", "eps", apart2(&whole, &joined_in_space), 12, i, 0);
 
-        b.vx = R(uniform(-3, 3)), b.vy = R(uniform(-3, 3)), b.omega = R(uniform(-3, 3));
+        b.vx = R(uniform(-3, 3));
+        b.vy = R(uniform(-3, 3));
+        b.omega = R(uniform(-3, 3));
         b_in_space = vm_in_space(&b);
         CHECK(vm_separate2(&whole, &b, j, &rest) == VM_OK && rest.angle == whole.angle);
         CHECK(vm_separate(&joined_in_space, &b_in_space, blow_or_null, &rest_in_space) == VM_OK);
@@ -530,12 +569,15 @@ static void test_plane_burst(void)
         vm_body in_space;
         vm_impulse2 impulse = random_impulse2();
         const vm_impulse2 *j = i % 2 ? &impulse : NULL;
-        parts[0] = random_body2(uniform(0.5, 3)), parts[1] = random_body2(uniform(1, 5));
+        parts[0] = random_body2(uniform(0.5, 3));
+        parts[1] = random_body2(uniform(1, 5));
         CHECK(vm_attach_all2(&body, 2, parts, j, &whole) == VM_OK);
         CHECK(vm_attach2(&body, &parts[0], j, &one) == VM_OK && vm_attach2(&one, &parts[1], NULL, &one) == VM_OK);
         in_space = vm_in_space(&one);
         check_error("attach_all2", "one by one", "eps", apart2(&whole, &in_space), 10, i, 0);
-        impulse.jx = -impulse.jx, impulse.jy = -impulse.jy, impulse.couple = -impulse.couple;
+        impulse.jx = -impulse.jx;
+        impulse.jy = -impulse.jy;
+        impulse.couple = -impulse.couple;
         CHECK(vm_separate_all2(&whole, 2, parts, j, &one) == VM_OK);
         in_space = vm_in_space(&body);
         check_error("separate_all2", "undoes it", "eps",
@@ -553,7 +595,8 @@ static void test_plane_inverse(void)
         const vm_impulse2 impulse = random_impulse2(), *j = i % 2 ? &impulse : NULL;
         vm_real v[2], omega = R(uniform(-2, 2));
         double fast;
-        v[0] = R(uniform(-2, 2)), v[1] = R(uniform(-2, 2));
+        v[0] = R(uniform(-2, 2));
+        v[1] = R(uniform(-2, 2));
         CHECK(vm_attach2(&a, &b, j, &whole) == VM_OK);
         CHECK(vm_separate_for2(&whole, &b, j, v, &omega, &moving) == VM_OK);
         CHECK(vm_separate2(&whole, &moving, j, &rest) == VM_OK);
@@ -593,13 +636,22 @@ static void test_plane_point_again(void)
         vm_body2 whole = random_body2(uniform(2, 5)), point = whole, rest, moving;
         vm_real v[2], omega;
         double fast;
-        whole.inertia = R(uniform(1, 3)), whole.omega = R(uniform(5, 50));
-        point.mass = R(pow(10, uniform(-6, -1))), point.inertia = 0;
-        point.x = whole.x + R(uniform(0.2, 0.5)), point.y = whole.y + R(uniform(0.2, 0.5));
-        point.vx -= whole.omega * (point.y - whole.y), point.vy += whole.omega * (point.x - whole.x);
-        if (i % 2) point.vx += R(uniform(-10, 10)), point.vy += R(uniform(-10, 10));
+        whole.inertia = R(uniform(1, 3));
+        whole.omega = R(uniform(5, 50));
+        point.mass = R(pow(10, uniform(-6, -1)));
+        point.inertia = 0;
+        point.x = whole.x + R(uniform(0.2, 0.5));
+        point.y = whole.y + R(uniform(0.2, 0.5));
+        point.vx -= whole.omega * (point.y - whole.y);
+        point.vy += whole.omega * (point.x - whole.x);
+        if (i % 2) {
+            point.vx += R(uniform(-10, 10));
+            point.vy += R(uniform(-10, 10));
+        }
         CHECK(vm_separate2(&whole, &point, NULL, &rest) == VM_OK);
-        v[0] = rest.vx, v[1] = rest.vy, omega = rest.omega;
+        v[0] = rest.vx;
+        v[1] = rest.vy;
+        omega = rest.omega;
         CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
         CHECK(vm_separate_for2(&whole, &point, NULL, v, &omega, &moving) == VM_OK);
         fast = 1 + hypot((double)point.vx, (double)point.vy) +
@@ -623,7 +675,9 @@ static void test_plane_nothing_left(void)
         CHECK(vm_to_absolute2(&whole, &part, &part) == VM_OK);
         CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK && rest.inertia == 0);
         kept += rest.omega == whole.omega;
-        part = whole, part.mass /= 2, part.inertia *= 1 + 8 * VM_EPSILON;
+        part = whole;
+        part.mass /= 2;
+        part.inertia *= 1 + 8 * VM_EPSILON;
         CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_OK && rest.inertia == 0);
         part.inertia = whole.inertia * (1 + 128 * VM_EPSILON);
         CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_BAD_INERTIA);
@@ -641,7 +695,8 @@ static void test_small_part(void)
         vm_body body = random_body(10, 1), part = random_body(m, 0.5), whole, rest;
         part.r = vmi_add(body.r, random_vector(0.5));
         CHECK(vm_attach(&body, &part, NULL, &whole) == VM_OK);
-        part.v = random_vector(5), part.omega = random_vector(3);
+        part.v = random_vector(5);
+        part.omega = random_vector(3);
         CHECK(vm_separate(&whole, &part, NULL, &rest) == VM_OK);
         check_defect("separate", "m to 0", parted(&whole, &rest, &part, NULL, random_vector(3)), m);
         check_error("rest - whole", "m to 0", "eps", apart(&rest, &whole) / (1 + m / 10 / eps), 12, m, 0);
@@ -658,9 +713,11 @@ static void test_small_rest(void)
         vm_body body = random_body(1, 1), left = random_body(f, 1), whole, rest;
         vm_vec3 about = random_vector(3);
         int status;
-        left.q = body.q, left.r = vmi_add(body.r, random_vector(0.3));
+        left.q = body.q;
+        left.r = vmi_add(body.r, random_vector(0.3));
         CHECK(vm_attach(&body, &left, NULL, &whole) == VM_OK);
-        body.omega = whole.omega, body.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(body.r, whole.r)));
+        body.omega = whole.omega;
+        body.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(body.r, whole.r)));
         CHECK(vm_separate(&whole, &body, NULL, &rest) >= 0);
         /* v of the part is rounded, and that rounding is the rest's kick, M/f and M/I times */
         check_error(
@@ -668,7 +725,8 @@ static void test_small_rest(void)
             f * size_of(vmi_sub(rest.v, vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(rest.r, whole.r))))) / eps,
             30, f, 0);
         check_error("carried: mass", "m to M", "eps/f", f * fabs((double)rest.mass / f - 1) / eps, 2, f, 0);
-        body.v = random_vector(5), body.omega = random_vector(3);
+        body.v = random_vector(5);
+        body.omega = random_vector(3);
         status = vm_separate(&whole, &body, NULL, &rest);
         CHECK(status >= 0);
         if (status == VM_OK) {
@@ -692,9 +750,14 @@ static void test_lost_inertia(void)
         vm_inertia ball = {0, 0, 0, 0, 0, 0};
         double printed;
         ball.xx = ball.yy = ball.zz = R(own);
-        heavy.r = vector(0, 0, 0), slow = heavy, slow.mass = 2, slow.inertia = ball;
+        heavy.r = vector(0, 0, 0);
+        slow = heavy;
+        slow.mass = 2;
+        slow.inertia = ball;
         CHECK(vm_attach(&heavy, &slow, NULL, &whole) == VM_OK);
-        part = heavy, part.omega = whole.omega, part.v = whole.v;
+        part = heavy;
+        part.omega = whole.omega;
+        part.v = whole.v;
         CHECK(vm_separate(&whole, &part, NULL, &rest) == VM_OK);
         check_error("omega kept", "I_S1 lost", "eps", size_of(vmi_sub(rest.omega, whole.omega)) / eps, 1, own, 0);
         check_error("I_S1", "I_S1 lost", "eps",
@@ -706,9 +769,12 @@ static void test_lost_inertia(void)
         worst_printed = fmax(worst_printed, printed);
         {
             vm_body2 large = random_body2(5), small = large, both, left;
-            small.mass = 2, small.inertia = R(own);
+            small.mass = 2;
+            small.inertia = R(own);
             CHECK(vm_attach2(&large, &small, NULL, &both) == VM_OK);
-            large.omega = both.omega, large.vx = both.vx, large.vy = both.vy;
+            large.omega = both.omega;
+            large.vx = both.vx;
+            large.vy = both.vy;
             CHECK(vm_separate2(&both, &large, NULL, &left) == VM_OK && left.omega == both.omega);
         }
     }
@@ -731,10 +797,17 @@ static void test_far_and_fast(void)
         part.r = vector(floor(uniform(-.2, .2) / grain) * grain, floor(uniform(-.2, .2) / grain) * grain, 0);
         part.v = vector(floor(uniform(-3, 3) / grain) * grain, 0, floor(uniform(-3, 3) / grain) * grain);
         impulse.at = vector(floor(uniform(-1, 1) / grain) * grain, 0, floor(uniform(-1, 1) / grain) * grain);
-        whole.inertia.xx += 1, whole.inertia.yy += 1, whole.inertia.zz += 1;
-        far_whole = whole, far_part = part, far_impulse = impulse;
-        far_whole.r = there, far_part.r = vmi_add(part.r, there), far_impulse.at = vmi_add(impulse.at, there);
-        far_whole.v = rush, far_part.v = vmi_add(part.v, rush);
+        whole.inertia.xx += 1;
+        whole.inertia.yy += 1;
+        whole.inertia.zz += 1;
+        far_whole = whole;
+        far_part = part;
+        far_impulse = impulse;
+        far_whole.r = there;
+        far_part.r = vmi_add(part.r, there);
+        far_impulse.at = vmi_add(impulse.at, there);
+        far_whole.v = rush;
+        far_part.v = vmi_add(part.v, rush);
         CHECK(vm_separate(&whole, &part, j, &rest) == VM_OK);
         CHECK(vm_separate(&far_whole, &far_part, j ? &far_impulse : NULL, &far_rest) == VM_OK);
         check_error("separate: omega", "far and fast", "eps", size_of(vmi_sub(far_rest.omega, rest.omega)) / eps, 1,
@@ -767,10 +840,13 @@ static void test_light_on_heavy(void)
     for (m = 1; m > (is_float ? 1e-20 : 1e-40); m /= 10) {
         vm_body light = random_body(1, 1), heavy = random_body(1, 1), whole;
         int i;
-        light.mass = R(m), light.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(m), ball);
-        heavy.mass = 1, heavy.inertia = ball;
+        light.mass = R(m);
+        light.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(m), ball);
+        heavy.mass = 1;
+        heavy.inertia = ball;
         light.r = heavy.r = heavy.v = heavy.omega = vector(0, 0, 0);
-        light.v = vector(1e4, 0, 0), light.omega = vector(0, 1e4, 0);
+        light.v = vector(1e4, 0, 0);
+        light.omega = vector(0, 1e4, 0);
         light.q = heavy.q = vmi_quat_times(light.q, heavy.q);
         for (i = 0; i < 2; i++) {
             double to = 1e4 * (double)light.mass / (1 + (double)light.mass);
@@ -795,7 +871,9 @@ static void test_nearly_equal_moments(void)
         b.r = i % 2 ? a.r : vmi_add(a.r, random_vector(off));
         CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK);
         check_defect("attach", "equal moments", joined(&a, &b, &whole, NULL, a.r), off);
-        part = b, part.omega = random_vector(3), part.v = random_vector(3);
+        part = b;
+        part.omega = random_vector(3);
+        part.v = random_vector(3);
         CHECK(vm_separate(&whole, &part, NULL, &rest) == VM_OK);
         check_defect("separate", "equal moments", parted(&whole, &rest, &part, NULL, a.r), off);
         check_error("rest: I", "equal moments", "eps",
@@ -813,9 +891,12 @@ static void test_null_axes(void)
     for (i = 0; i < 500; i++) {
         vm_body a = random_body(3, 1), point = rod(1, vector(1, 0, 0)), pair = point, whole, rest, again;
         vm_vec3 axis = random_vector(1), before;
-        point.r = vmi_add(a.r, axis), point.v = random_vector(2), point.omega = random_vector(2);
+        point.r = vmi_add(a.r, axis);
+        point.v = random_vector(2);
+        point.omega = random_vector(2);
         CHECK(vm_attach(&a, &point, NULL, &whole) == VM_OK);
-        a.omega = whole.omega, a.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(a.r, whole.r)));
+        a.omega = whole.omega;
+        a.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(a.r, whole.r)));
         CHECK(vm_separate(&whole, &a, NULL, &rest) == VM_OK); /* moving on as before: the point is left */
         CHECK(rest.inertia.xx == 0 && rest.inertia.yy == 0 && rest.inertia.zz == 0 && rest.inertia.xy == 0);
         check_error("point: spin kept", "null axes", "eps", size_of(vmi_sub(rest.omega, whole.omega)) / eps, 60, i,
@@ -824,10 +905,13 @@ static void test_null_axes(void)
         a.omega = random_vector(3); /* with another spin angular momentum is left that a point cannot have */
         CHECK(vm_separate(&whole, &a, NULL, &rest) == VM_NULL_AXIS && VM_NULL_AXIS > 0);
 
-        pair.q.x = R(0.6), pair.q.w = R(0.8), pair.omega = random_vector(2);
+        pair.q.x = R(0.6);
+        pair.q.w = R(0.8);
+        pair.omega = random_vector(2);
         CHECK(vm_attach(&pair, &point, NULL, &whole) == VM_OK); /* two points: a rod */
         check_defect("attach", "two points", joined(&pair, &point, &whole, NULL, vector(0, 0, 0)), i);
-        axis = vmi_sub(point.r, pair.r), before = pair.omega;
+        axis = vmi_sub(point.r, pair.r);
+        before = pair.omega;
         check_error("rod: spin kept", "null axes", "eps",
                     fabs((double)vmi_dot(axis, vmi_sub(whole.omega, before))) / size_of(axis) / eps, 20, i, 0);
         CHECK(vm_separate(&whole, &point, NULL, &rest) >= 0 && vm_attach(&whole, &a, NULL, &again) == VM_OK);
@@ -845,20 +929,27 @@ static void test_nothing_left(void)
         vm_impulse j = random_impulse();
         vm_body2 whole = random_body2(3), point, moving;
         vm_real omega;
-        stick.q = random_attitude(), stick.r = random_vector(i % 2 ? 1 : 100);
-        stick.v = random_vector(3), stick.omega = random_vector(3);
+        stick.q = random_attitude();
+        stick.r = random_vector(i % 2 ? 1 : 100);
+        stick.v = random_vector(3);
+        stick.omega = random_vector(3);
         {
             const vmi_mat3 turn = vmi_rotation(stick.q);
             e = vmi_times(&turn, e);
         }
-        j.couple = vector(0, 0, 0), j.at = vmi_add(stick.r, vmi_scale(R(uniform(-1, 1)), e));
+        j.couple = vector(0, 0, 0);
+        j.at = vmi_add(stick.r, vmi_scale(R(uniform(-1, 1)), e));
         CHECK(vm_attach_all(&stick, 0, NULL, &j, &struck) == VM_OK);
         j.couple = vmi_scale(R(1e4 * eps * (1 + size_of(j.linear)) * (1 + size_of(j.at)) / size_of(e)), e);
         CHECK(vm_attach_all(&stick, 0, NULL, &j, &struck) == VM_NULL_AXIS);
 
-        point = whole, point.mass = 1, point.inertia = 0;
-        point.x += R(uniform(-.1, .1)), point.y += R(uniform(-.1, .1));
-        point.vx -= whole.omega * (point.y - whole.y), point.vy += whole.omega * (point.x - whole.x);
+        point = whole;
+        point.mass = 1;
+        point.inertia = 0;
+        point.x += R(uniform(-.1, .1));
+        point.y += R(uniform(-.1, .1));
+        point.vx -= whole.omega * (point.y - whole.y);
+        point.vy += whole.omega * (point.x - whole.x);
         omega = whole.omega;
         CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
         omega += R(1e-3);
@@ -874,8 +965,10 @@ static void far_from_the_origin(void)
     for (R0 = 1; R0 < (is_float ? 1e5 : 1e12); R0 *= 10) {
         for (i = 0; i < 50; i++) {
             vm_body stick = rod(2, random_vector(0.5)), point = rod(1, vector(1, 0, 0)), whole, rest;
-            stick.r = vmi_scale(R(R0), vector(0.3, 0.7, -0.11)), stick.omega = random_vector(1);
-            point.r = vmi_add(stick.r, random_vector(0.5)), point.v = random_vector(1);
+            stick.r = vmi_scale(R(R0), vector(0.3, 0.7, -0.11));
+            stick.omega = random_vector(1);
+            point.r = vmi_add(stick.r, random_vector(0.5));
+            point.v = random_vector(1);
             int status = vm_attach(&stick, &point, NULL, &whole);
             CHECK(status >= 0 && vm_separate(&whole, &point, NULL, &rest) >= 0);
             if (status == VM_OK)
@@ -891,16 +984,24 @@ static void test_thin_bodies(void)
     vm_impulse twist;
     int i;
     memset(&a, 0, sizeof a);
-    a.mass = 1, a.inertia.xx = R(0.1) * VM_EPSILON, a.inertia.yy = a.inertia.zz = R(1. / 12); /* a needle along x */
-    b = a, b.omega.x = 100;
+    a.mass = 1;
+    a.inertia.xx = R(0.1) * VM_EPSILON;
+    a.inertia.yy = a.inertia.zz = R(1. / 12); /* a needle along x */
+    b = a;
+    b.omega.x = 100;
     CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK && fabs((double)whole.omega.x - 50) < 1e-4);
     a.inertia.xx = a.inertia.yy = a.inertia.zz =
         1; /* balls far apart: their own inertia is below an eps of the whole's */
-    b = a, a.omega.x = 1, b.omega.x = -3, b.r.x = 1 / VM_EPSILON;
+    b = a;
+    a.omega.x = 1;
+    b.omega.x = -3;
+    b.r.x = 1 / VM_EPSILON;
     CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK && whole.inertia.xx == 2 && whole.omega.x == -1);
     for (i = 0; i < 3; i++) { /* collinear rods along x, y, z and a couple along and across them */
         vm_vec3 e = vector(i == 0, i == 1, i == 2);
-        a = rod(2, e), b = a, b.r = vmi_scale(5, e);
+        a = rod(2, e);
+        b = a;
+        b.r = vmi_scale(5, e);
         memset(&twist, 0, sizeof twist);
         twist.couple = e;
         CHECK(vm_attach(&a, &b, &twist, &whole) == VM_NULL_AXIS && size_of(whole.omega) == 0);
@@ -912,7 +1013,9 @@ static void test_thin_bodies(void)
         vm_vec3 e = random_vector(1), f = random_vector(1);
         a = rod(2 + i % 3, e);
         if (i % 2) a.inertia = vmi_inertia_plus(a.inertia, 3, rod(2, f).inertia);
-        b = random_body(1, 1), a.q = b.q, a.omega = random_vector(2);
+        b = random_body(1, 1);
+        a.q = b.q;
+        a.omega = random_vector(2);
         CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK);
         check_defect("attach", "rods and plates", joined(&a, &b, &whole, NULL, vector(0, 0, 0)), i);
     }
@@ -930,7 +1033,9 @@ static void test_impossible(void)
             double moment[3] = {1, 2, 3};
             moment[k] = moment[(k + 1) % 3] + moment[(k + 2) % 3] + excess[i];
             bad.inertia = vmi_inertia_plus(rod(1, vector(1, 0, 0)).inertia, 0, bad.inertia);
-            bad.inertia.xx = R(moment[0]), bad.inertia.yy = R(moment[1]), bad.inertia.zz = R(moment[2]);
+            bad.inertia.xx = R(moment[0]);
+            bad.inertia.yy = R(moment[1]);
+            bad.inertia.zz = R(moment[2]);
             CHECK(vm_attach(&good, &bad, NULL, &whole) == VM_BAD_INERTIA);
             CHECK(vm_attach(&bad, &good, NULL, &whole) == VM_BAD_INERTIA);
         }
@@ -947,7 +1052,10 @@ static void test_quaternion_length(void)
     vm_vec3 L = vm_angular_momentum(&a, vector(0, 0, 0));
     for (scale = is_float ? 1e-36 : 1e-300; scale < (is_float ? 1e36 : 1e300); scale *= 1e6) {
         b = a;
-        b.q.w *= R(scale), b.q.x *= R(scale), b.q.y *= R(scale), b.q.z *= R(scale);
+        b.q.w *= R(scale);
+        b.q.x *= R(scale);
+        b.q.y *= R(scale);
+        b.q.z *= R(scale);
         check_error("L", "length of q", "eps",
                     size_of(vmi_sub(vm_angular_momentum(&b, vector(0, 0, 0)), L)) / size_of(L) / eps, 8, scale, 0);
     }
@@ -959,7 +1067,9 @@ static void test_quaternion_length(void)
 static vm_body whole_and_part(vm_body *part)
 {
     vm_body whole = random_body(5, 1);
-    whole.inertia.xx += 1, whole.inertia.yy += 1, whole.inertia.zz += 1;
+    whole.inertia.xx += 1;
+    whole.inertia.yy += 1;
+    whole.inertia.zz += 1;
     *part = whole;
     part->mass = 1;
     part->inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(0.01),
@@ -983,20 +1093,28 @@ static void test_jump_domain(void)
     REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
     x.mass = 0;
     REFUSED(VM_BAD_MASS, vm_attach(&whole, &x, NULL, &rest));
-    x = part, x.mass = VM_NAN;
+    x = part;
+    x.mass = VM_NAN;
     REFUSED(VM_NOT_FINITE, vm_attach(&whole, &x, NULL, &rest));
-    x = part, x.omega.y = VM_INFINITY;
+    x = part;
+    x.omega.y = VM_INFINITY;
     REFUSED(VM_NOT_FINITE, vm_attach(&x, &whole, NULL, &rest));
-    x = whole, x.v.z = VM_MAX, part.v.z = -VM_MAX; /* the momenta overflow */
+    x = whole;
+    x.v.z = VM_MAX;
+    part.v.z = -VM_MAX; /* the momenta overflow */
     REFUSED(VM_NOT_FINITE, vm_attach(&x, &part, NULL, &rest));
     part.v = whole.v;
-    x = part, x.inertia.xx = -1;
+    x = part;
+    x.inertia.xx = -1;
     REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
-    x = part, x.inertia.xx = 1; /* 1 > 0.02 + 0.02 */
+    x = part;
+    x.inertia.xx = 1; /* 1 > 0.02 + 0.02 */
     REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
-    x = part, x.inertia.xy = R(0.5); /* moments 0.02 +- 0.5 */
+    x = part;
+    x.inertia.xy = R(0.5); /* moments 0.02 +- 0.5 */
     REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &rest));
-    x = part, x.r = vmi_add(whole.r, vector(20, 0, 0)); /* never was inside */
+    x = part;
+    x.r = vmi_add(whole.r, vector(20, 0, 0)); /* never was inside */
     REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &rest));
     REFUSED(VM_BAD_ARGUMENT, vm_separate(NULL, &part, NULL, &rest));
     REFUSED(VM_BAD_ARGUMENT, vm_attach(&whole, NULL, NULL, &rest));
@@ -1010,11 +1128,13 @@ static void test_outputs_as_inputs(void)
     CHECK(vm_attach(&whole, &part, NULL, &rest) == VM_OK && vm_attach(&x, &part, NULL, &x) == VM_OK);
     CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_attach(&whole, &y, NULL, &y) == VM_OK);
     CHECK(memcmp(&y, &rest, sizeof y) == 0);
-    x = whole, y = part;
+    x = whole;
+    y = part;
     CHECK(vm_to_relative(&whole, &part, &rest) == VM_OK && vm_to_relative(&x, &y, &x) == VM_OK);
     CHECK(memcmp(&x, &rest, sizeof x) == 0 && vm_to_relative(&whole, &y, &y) == VM_OK);
     CHECK(memcmp(&y, &rest, sizeof y) == 0);
-    x = whole, y = part;
+    x = whole;
+    y = part;
     CHECK(vm_separate_for(&whole, &part, NULL, &part.v, &part.omega, &rest) >= 0);
     CHECK(vm_separate_for(&x, &part, NULL, &part.v, &part.omega, &x) >= 0 && memcmp(&x, &rest, sizeof x) == 0);
     CHECK(vm_separate_for(&whole, &y, NULL, &y.v, &y.omega, &y) >= 0 && memcmp(&y, &rest, sizeof y) == 0);
@@ -1029,9 +1149,11 @@ static void test_rod_to_point(void)
     stick.mass = 2;
     stick.inertia = vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), 2,
                                      vmi_inertia_of_point(vector(1, 0, 0)));
-    stick.omega = vector(3, 0.5, -0.25), stick.v = vector(1, 2, 3);
+    stick.omega = vector(3, 0.5, -0.25);
+    stick.v = vector(1, 2, 3);
     part = stick;
-    part.mass = 1, part.r = vector(1, 0, 0);
+    part.mass = 1;
+    part.r = vector(1, 0, 0);
     memset(&part.inertia, 0, sizeof part.inertia);
     part.v = vmi_add(stick.v, vmi_cross(stick.omega, part.r));
     CHECK(vm_separate(&stick, &part, NULL, &rest) == VM_OK);
@@ -1062,11 +1184,19 @@ static struct {
 static void prepare_refusals(void)
 {
     const vm_impulse2 j2 = {1, 2, 3, 4, 5};
-    in.a = random_body(3, 1), in.b = random_body(1, 1), in.a2 = random_body2(3), in.b2 = random_body2(1);
-    in.i = in.a.inertia, in.j = random_impulse(), in.j2 = j2;
-    in.b.r = in.a.r, in.b2.x = in.a2.x + R(0.1), in.b2.y = in.a2.y;
+    in.a = random_body(3, 1);
+    in.b = random_body(1, 1);
+    in.a2 = random_body2(3);
+    in.b2 = random_body2(1);
+    in.i = in.a.inertia;
+    in.j = random_impulse();
+    in.j2 = j2;
+    in.b.r = in.a.r;
+    in.b2.x = in.a2.x + R(0.1);
+    in.b2.y = in.a2.y;
     if (vm_attach(&in.a, &in.b, NULL, &in.a) || vm_attach2(&in.a2, &in.b2, NULL, &in.a2)) FAIL("attach");
-    memset(&out, 7, sizeof out), memset(&kept, 7, sizeof kept);
+    memset(&out, 7, sizeof out);
+    memset(&kept, 7, sizeof kept);
 }
 
 /* Any member: the structs are nothing but numbers */
@@ -1240,9 +1370,11 @@ static void test_inertia(void)
     CHECK(vm_inertia_possible(&bent));
     bent.zz = 3 + 24 * 16 * VM_EPSILON;
     CHECK(!vm_inertia_possible(&bent));
-    bent = plate, bent.xz = R(0.1); /* a plate's moments 1 and 3 cannot grow apart */
+    bent = plate;
+    bent.xz = R(0.1); /* a plate's moments 1 and 3 cannot grow apart */
     CHECK(!vm_inertia_possible(&bent));
-    bent = needle, bent.xx = R(-1e-3);
+    bent = needle;
+    bent.xx = R(-1e-3);
     CHECK(!vm_inertia_possible(&bent));
 }
 

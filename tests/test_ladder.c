@@ -18,7 +18,10 @@ static void test_tables(void)
     static const double alphas[] = {0.6, 2.3, 3, 6};
     vm_real times[N], values[N];
     int a, i, k;
-    for (i = 0; i < N; i++) times[i] = R(160 * (i - 5)), values[i] = R(1.2 + 0.2 * (i % 2) + 0.02 * (i - 5));
+    for (i = 0; i < N; i++) {
+        times[i] = R(160 * (i - 5));
+        values[i] = R(1.2 + 0.2 * (i % 2) + 0.02 * (i - 5));
+    }
     for (a = 0; a < 4 && !is_float; a++)
         for (i = -4; i < 4; i += i == -4 || i == 1 ? 2 : 1) /* the ends, and both sides of 0 */
             for (k = 0; k < 4; k++) {
@@ -27,7 +30,10 @@ static void test_tables(void)
                 vm_osc_problem o = problem(alphas[a], table, k % 2, 0);
                 vm_osc_motion truth, second;
                 double error;
-                if (k > 1) o.mass = vm_law_linear(1, 0), o.stiffness = table;
+                if (k > 1) {
+                    o.mass = vm_law_linear(1, 0);
+                    o.stiffness = table;
+                }
                 o.v = R(0.2 * k);
                 CHECK(vm_osc_by_rk87(&o, t, R(1e-8), &truth) >= 0);
                 CHECK(vm_osc_by_second(&o, t, &second) == VM_OK);
@@ -54,7 +60,8 @@ static void test_first_order(void)
                 double error;
                 vm_real sa, ca;
                 ateb_saca(pi * R(k - 12) / 12, alpha, &sa, &ca);
-                o.x = ca, o.v = R(-vmax) * sa;
+                o.x = ca;
+                o.v = R(-vmax) * sa;
                 CHECK(vm_osc_by_variation(&o, R(0.3 * i), R(1e-6), &truth) >= 0);
                 CHECK(vm_osc_by_ateb(&o, R(0.3 * i), &m) == VM_OK);
                 error = fmax(fabs((double)(m.x - truth.x)), fabs((double)(m.v - truth.v)) / vmax);
@@ -72,7 +79,8 @@ static int known_until(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     const double end = *(const double *)ctx;
     if ((double)t * end > end * end) return 1;
-    *f = R(exp(0.002 * (double)t)), *rate = R(0.002) * *f;
+    *f = R(exp(0.002 * (double)t));
+    *rate = R(0.002) * *f;
     return 0;
 }
 
@@ -108,7 +116,8 @@ static int localised_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
     const localised *l = (const localised *)ctx;
     const double z = ((double)t - l->at) / l->width, g = l->kink ? fmax(0, z) : exp(-z * z);
     const double g_rate = l->kink ? (z > 0) / l->width : -2 * z / l->width * g, value = 1 / (1 + l->height * g);
-    *f = R(value), *rate = R(-l->height * g_rate * value * value);
+    *f = R(value);
+    *rate = R(-l->height * g_rate * value * value);
     return 0;
 }
 
@@ -123,7 +132,8 @@ static void test_localised_integrals(void)
         vm_real integral = 0;
         double exact;
         const int narrow = i % 4 == 3;
-        l.kink = i % 4 == 2, l.height = uniform(0.1, 2);
+        l.kink = i % 4 == 2;
+        l.height = uniform(0.1, 2);
         l.width = narrow ? exp(uniform(log(0.01), log(0.3))) : l.kink ? 100 : exp(uniform(log(T / least), log(T / 20)));
         l.at = uniform(7 * fmin(l.width, 50), T - 7 * fmin(l.width, 50));
         if (narrow) law.change_time = R(l.width);
@@ -146,7 +156,10 @@ static void test_slow_vibration(void)
         localised l;
         vm_osc_motion strict, m;
         vm_osc_problem o;
-        l.height = -0.95, l.at = 333, l.width = widths[i], l.kink = 0;
+        l.height = -0.95;
+        l.at = 333;
+        l.width = widths[i];
+        l.kink = 0;
         o = problem(1, vm_law_user(localised_law, &l), 1, 0);
         o.stiffness = vm_law_linear(R(1e-3), 0);
         if (i == 2) o.mass.change_time = R(0.05);
@@ -221,7 +234,8 @@ static void test_calls(void)
     vm_real strength = R(0.1);
     vm_osc_problem o = problem(2.3, vm_law_linear(1, R(1e-3)), 1, 0);
     int route;
-    o.force = drag, o.ctx = &strength;
+    o.force = drag;
+    o.ctx = &strength;
     for (route = 0; route <= VM_ROUTE_ATEB; route++) {
         vm_osc_motion strict, m, exact;
         CHECK(vm_osc_by_rk45(&o, 30, is_float ? R(1e-4) : R(1e-9), &exact) >= 0);
@@ -275,8 +289,11 @@ static void test_averages(void)
             vm_osc_plan p;
             loading l;
             vm_real A_rate = 0, theta_rate = 0, psi_rate = 0;
-            l.kind = kind, l.size = size;
-            o.stiffness = vm_law_linear(k, 0), o.force = load_at, o.ctx = &l;
+            l.kind = kind;
+            l.size = size;
+            o.stiffness = vm_law_linear(k, 0);
+            o.force = load_at;
+            o.ctx = &l;
             CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
             CHECK(vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, A, &A_rate, &theta_rate, &psi_rate) == VM_OK);
             if (kind == SPRING) {

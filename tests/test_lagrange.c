@@ -48,8 +48,10 @@ static void free_coordinates(vm_vec3 from_S, vm_vec3 *dr, vm_vec3 *turn)
 {
     int i;
     for (i = 0; i < 3; i++) {
-        dr[i] = vector(i == 0, i == 1, i == 2), turn[i] = vector(0, 0, 0);
-        turn[i + 3] = dr[i], dr[i + 3] = vmi_cross(turn[i + 3], from_S);
+        dr[i] = vector(i == 0, i == 1, i == 2);
+        turn[i] = vector(0, 0, 0);
+        turn[i + 3] = dr[i];
+        dr[i + 3] = vmi_cross(turn[i + 3], from_S);
     }
 }
 
@@ -70,8 +72,12 @@ static void free_jump(int i, int attach)
     vm_lagrange_momentum(6, &part, dr, turn, p);
     free_coordinates(vmi_sub(rest.r, S), dr, turn);
     vm_lagrange_mass(6, &rest, dr, turn, after);
-    qdot[0] = whole.v.x, qdot[1] = whole.v.y, qdot[2] = whole.v.z;
-    qdot[3] = whole.omega.x, qdot[4] = whole.omega.y, qdot[5] = whole.omega.z;
+    qdot[0] = whole.v.x;
+    qdot[1] = whole.v.y;
+    qdot[2] = whole.v.z;
+    qdot[3] = whole.omega.x;
+    qdot[4] = whole.omega.y;
+    qdot[5] = whole.omega.z;
     CHECK((attach ? vm_lagrange_attach : vm_lagrange_separate)(6, before, after, qdot, p, Q, qdot, work) == VM_OK);
     v = vmi_add(vector((double)qdot[0], (double)qdot[1], (double)qdot[2]),
                 vmi_cross(vector((double)qdot[3], (double)qdot[4], (double)qdot[5]), vmi_sub(rest.r, S)));
@@ -95,7 +101,8 @@ static double energy_after(const vm_body *whole, const vm_body *rest, const vm_b
     vm_vec3 v = vector(qdot[0], qdot[1], qdot[2]), w = vector(qdot[3], qdot[4], qdot[5]);
     vm_vec3 dv = vmi_sub(v, whole->v), dw = vmi_sub(w, whole->omega);
     vm_body a = *rest, b = *part;
-    a.omega = vmi_add(a.omega, dw), b.omega = vmi_add(b.omega, dw);
+    a.omega = vmi_add(a.omega, dw);
+    b.omega = vmi_add(b.omega, dw);
     a.v = vmi_add(a.v, vmi_add(dv, vmi_cross(dw, vmi_sub(rest->r, whole->r))));
     b.v = vmi_add(b.v, vmi_add(dv, vmi_cross(dw, vmi_sub(part->r, whole->r))));
     return (double)(vm_kinetic_energy(&a) + vm_kinetic_energy(&b));
@@ -118,11 +125,16 @@ static void test_derivative_rule(void)
             double q[6], slope = 0;
             int side;
             for (side = -1; side < 2; side += 2) {
-                q[0] = (double)whole.v.x, q[1] = (double)whole.v.y, q[2] = (double)whole.v.z;
-                q[3] = (double)whole.omega.x, q[4] = (double)whole.omega.y, q[5] = (double)whole.omega.z;
+                q[0] = (double)whole.v.x;
+                q[1] = (double)whole.v.y;
+                q[2] = (double)whole.v.z;
+                q[3] = (double)whole.omega.x;
+                q[4] = (double)whole.omega.y;
+                q[5] = (double)whole.omega.z;
                 q[k] += side;
                 moved = whole;
-                moved.v = vector(q[0], q[1], q[2]), moved.omega = vector(q[3], q[4], q[5]);
+                moved.v = vector(q[0], q[1], q[2]);
+                moved.omega = vector(q[3], q[4], q[5]);
                 slope += side * (energy_after(&whole, &rest, &part, q) - (double)vm_kinetic_energy(&moved)) / 2;
             }
             check_case("(92)-(96)", "derivatives", Q[k], slope,
@@ -137,7 +149,8 @@ static vm_body rod_at(double mass, double length, double angle, vm_vec3 middle)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = R(mass), b.r = middle;
+    b.mass = R(mass);
+    b.r = middle;
     b.inertia = vmi_inertia_plus(b.inertia, R(mass * length * length / 12),
                                  vmi_inertia_of_point(vector(cos(angle), sin(angle), 0)));
     return b;
@@ -168,20 +181,34 @@ static void test_double_pendulum(void)
         vm_vec3 dr[4][2], turn[4][2];
         vm_real before[4] = {0}, after[4] = {0}, p[2] = {0}, qdot[2], qdot1[2], kick[2] = {0},
                 work[VM_LAGRANGE_WORK(2)];
-        turn[0][0] = z, turn[0][1] = O, turn[1][0] = O, turn[1][1] = z;
-        memcpy(turn[2], turn[1], sizeof turn[1]), memcpy(turn[3], turn[1], sizeof turn[1]);
-        dr[0][0] = vmi_scale(R(L1 / 2), f1), dr[0][1] = O;
+        turn[0][0] = z;
+        turn[0][1] = O;
+        turn[1][0] = O;
+        turn[1][1] = z;
+        memcpy(turn[2], turn[1], sizeof turn[1]);
+        memcpy(turn[3], turn[1], sizeof turn[1]);
+        dr[0][0] = vmi_scale(R(L1 / 2), f1);
+        dr[0][1] = O;
         dr[1][0] = dr[2][0] = dr[3][0] = vmi_scale(R(L1), f1);
-        dr[1][1] = vmi_scale(R(L2 / 2), f2), dr[2][1] = vmi_scale(R((L2 - l) / 2), f2);
+        dr[1][1] = vmi_scale(R(L2 / 2), f2);
+        dr[2][1] = vmi_scale(R((L2 - l) / 2), f2);
         dr[3][1] = vmi_scale(R(L2 - l / 2), f2);
-        qdot[0] = R(uniform(-2, 2)), qdot[1] = R(uniform(-2, 2));
-        move(&upper, dr[0], turn[0], qdot), move(&lower, dr[1], turn[1], qdot), move(&part, dr[3], turn[3], qdot);
-        part.v.x += R(uniform(-1, 1)), part.v.y += R(uniform(-1, 1)), part.omega.z += R(uniform(-1, 1));
-        vm_lagrange_mass(2, &upper, dr[0], turn[0], before), vm_lagrange_mass(2, &lower, dr[1], turn[1], before);
-        vm_lagrange_mass(2, &upper, dr[0], turn[0], after), vm_lagrange_mass(2, &rest, dr[2], turn[2], after);
+        qdot[0] = R(uniform(-2, 2));
+        qdot[1] = R(uniform(-2, 2));
+        move(&upper, dr[0], turn[0], qdot);
+        move(&lower, dr[1], turn[1], qdot);
+        move(&part, dr[3], turn[3], qdot);
+        part.v.x += R(uniform(-1, 1));
+        part.v.y += R(uniform(-1, 1));
+        part.omega.z += R(uniform(-1, 1));
+        vm_lagrange_mass(2, &upper, dr[0], turn[0], before);
+        vm_lagrange_mass(2, &lower, dr[1], turn[1], before);
+        vm_lagrange_mass(2, &upper, dr[0], turn[0], after);
+        vm_lagrange_mass(2, &rest, dr[2], turn[2], after);
         vm_lagrange_momentum(2, &part, dr[3], turn[3], p);
         CHECK(vm_lagrange_separate(2, before, after, qdot, p, NULL, qdot1, work) == VM_OK);
-        move(&upper1, dr[0], turn[0], qdot1), move(&rest, dr[2], turn[2], qdot1);
+        move(&upper1, dr[0], turn[0], qdot1);
+        move(&rest, dr[2], turn[2], qdot1);
         size = 1 + M2 * 20 +
                fabs((double)qdot1[1]) * 10; /* the pivot's impulse has no moment about O, nor the hinge's: */
         check_case("L about O", "double pendulum", about(&upper, O) + about(&lower, O),
@@ -192,7 +219,8 @@ static void test_double_pendulum(void)
             vm_body relative = part; /* the same by the momentum of the relative motion */
             vm_real again[2];
             move(&relative, dr[3], turn[3], qdot);
-            relative.v = vmi_sub(relative.v, part.v), relative.omega = vmi_sub(relative.omega, part.omega);
+            relative.v = vmi_sub(relative.v, part.v);
+            relative.omega = vmi_sub(relative.omega, part.omega);
             vm_lagrange_momentum(2, &relative, dr[3], turn[3], kick);
             CHECK(vm_lagrange_hit(2, after, qdot, kick, again, work) == VM_OK);
             size = (1 + fabs((double)qdot1[0]) + fabs((double)qdot1[1])) * pow(L2 / (L2 - l), 3);
@@ -217,7 +245,8 @@ static void test_units(void)
             for (i = 0; i < n; i++) unit[i] = pow(10, uniform(-1, 1) * (is_float ? 4 : 10));
             for (i = 0; i < n * n; i++) root[i] = uniform(-1, 1);
             for (i = 0; i < n; i++) {
-                x[i] = uniform(-1, 1) / unit[i], qdot[i] = R(uniform(-1, 1) / unit[i]);
+                x[i] = uniform(-1, 1) / unit[i];
+                qdot[i] = R(uniform(-1, 1) / unit[i]);
                 for (j = 0; j < n; j++) {
                     double sum = i == j ? 1 : 0;
                     for (k = 0; k < n; k++) sum += root[i * n + k] * root[j * n + k];
@@ -251,11 +280,13 @@ static void test_light_part(void)
     for (m = 1e-3; m > (is_float ? 1e-30 : 1e-300); m *= 1e-3) {
         vm_real before[4] = {3, 1, 1, 2}, after[4] = {3, 1, 1, 2}, qdot[2] = {0, 0}, part[2], got[2],
                 work[VM_LAGRANGE_WORK(2)];
-        part[0] = R(m), part[1] = R(2 * m); /* after^-1 (1, 2) = (0, 1) */
+        part[0] = R(m);
+        part[1] = R(2 * m); /* after^-1 (1, 2) = (0, 1) */
         CHECK(vm_lagrange_separate(2, before, after, qdot, part, NULL, got, work) == VM_OK);
         check_error("qdot", "light part", "eps", fabs((double)got[0]) / m / eps, 4, m, 0);
         check_error("qdot", "light part", "eps", fabs((double)got[1] / m + 1) / eps, 4, m, 1);
-        qdot[0] = 1, qdot[1] = 2;
+        qdot[0] = 1;
+        qdot[1] = 2;
         CHECK(vm_lagrange_separate(2, before, after, qdot, NULL, NULL, got, work) == VM_OK);
         CHECK(got[0] == 1 && got[1] == 2);
     }
@@ -270,10 +301,14 @@ static void test_singular(void)
     vm_vec3 dr[3], turn[3];
     vm_real matrix[9] = {0};
     int i;
-    for (i = 0; i < 3; i++) dr[i] = vector(0, 0, 0), turn[i] = vector(i == 0, i == 1, i == 2);
+    for (i = 0; i < 3; i++) {
+        dr[i] = vector(0, 0, 0);
+        turn[i] = vector(i == 0, i == 1, i == 2);
+    }
     vm_lagrange_mass(3, &rod, dr, turn, matrix); /* no inertia about its axis, which is none of the coordinates' */
     CHECK(vm_lagrange_separate(3, before, matrix, qdot, part, NULL, got, work) == VM_SINGULAR);
-    memcpy(bad, before, sizeof bad), bad[4] = 0;
+    memcpy(bad, before, sizeof bad);
+    bad[4] = 0;
     CHECK(vm_lagrange_separate(3, before, bad, qdot, part, NULL, got, work) == VM_SINGULAR);
     bad[4] = -1;
     CHECK(vm_lagrange_separate(3, before, bad, qdot, part, NULL, got, work) == VM_SINGULAR);
@@ -302,8 +337,13 @@ typedef struct {
 static pendulum_numbers numbers_D2(int axes)
 {
     pendulum_numbers n = {3, 2, 0.5, 1.3, 0.6, 0.4, -0.25, 0.75, 1.75, 0, 0, 1};
-    n.x = n.rho * cos(0.7), n.y = n.rho * sin(0.7);
-    if (axes == VM_AXES_SIN_COS) n.x = n.rho * sin(0.7), n.y = n.rho * cos(0.7), n.s = -1;
+    n.x = n.rho * cos(0.7);
+    n.y = n.rho * sin(0.7);
+    if (axes == VM_AXES_SIN_COS) {
+        n.x = n.rho * sin(0.7);
+        n.y = n.rho * cos(0.7);
+        n.s = -1;
+    }
     return n;
 }
 
@@ -402,15 +442,20 @@ static void test_pendulum_vector_form(void)
         vm_body whole, part, rest;
         vm_impulse j;
         vm_real before, after, momentum = 0, rate, work[VM_LAGRANGE_WORK(1)];
-        memset(&c, 0, sizeof c), memset(&rest, 0, sizeof rest);
-        p.angle = R(uniform(-3, 3)), p.rate = R(uniform(-2, 2)), p.axes = i % 2;
+        memset(&c, 0, sizeof c);
+        memset(&rest, 0, sizeof rest);
+        p.angle = R(uniform(-3, 3));
+        p.rate = R(uniform(-2, 2));
+        p.axes = i % 2;
         CHECK(vm_pendulum_separate(&p, R(l), R(Om), R(ux), R(uy), &c) == VM_OK);
         l = (double)R(l);
         sense = p.axes == VM_AXES_COS_SIN ? 1 : -1;
         angle = sense > 0 ? (double)p.angle : 2 * atan(1.) - (double)p.angle;
-        e = vector(cos(angle), sin(angle), 0), f = vector(-sin(angle), cos(angle), 0);
+        e = vector(cos(angle), sin(angle), 0);
+        f = vector(-sin(angle), cos(angle), 0);
         whole = rod_at(3, 2, angle, e);
-        whole.omega.z = R(sense) * p.rate, whole.v = vmi_scale(whole.omega.z, f);
+        whole.omega.z = R(sense) * p.rate;
+        whole.v = vmi_scale(whole.omega.z, f);
         part = rod_at(3 * l / 2, l, angle, vmi_scale(R(2 - l / 2), e));
         part.omega.z = R(sense) * (p.rate + R(Om));
         part.v = vmi_add(vmi_scale(whole.omega.z * R(2 - l / 2), f), vector(ux, uy, 0));
@@ -426,15 +471,20 @@ static void test_pendulum_vector_form(void)
             }
             CHECK(vm_separate(&whole, &part, &j, &rest) >= 0);
             at_O = vmi_add(rest.v, vmi_cross(rest.omega, vmi_sub(O, rest.r)));
-            if (k < 3) v[k][0] = (double)at_O.x, v[k][1] = (double)at_O.y;
+            if (k < 3) {
+                v[k][0] = (double)at_O.x;
+                v[k][1] = (double)at_O.y;
+            }
         }
         size = (1 + fabs((double)c.rest.rate)) * pow(2 / (2 - l), 3);
         check_case("phi1'", "vm_separate", R(sense) * rest.omega.z, (double)c.rest.rate, size, 10);
         check_case("pivot's impulse", "vm_separate", j.linear.x, (double)c.pivot_x, size * 3, 3);
         check_case("pivot's impulse", "vm_separate", j.linear.y, (double)c.pivot_y, size * 3, 3);
         /* and by (96) with n = 1 */
-        before = 4, after = c.rest.mass * c.rest.length * c.rest.length / 3;
-        f = vmi_scale(R(sense * (2 - l / 2)), f), e = vector(0, 0, sense);
+        before = 4;
+        after = c.rest.mass * c.rest.length * c.rest.length / 3;
+        f = vmi_scale(R(sense * (2 - l / 2)), f);
+        e = vector(0, 0, sense);
         vm_lagrange_momentum(1, &part, &f, &e, &momentum);
         CHECK(vm_lagrange_separate(1, &before, &after, &p.rate, &momentum, NULL, &rate, work) == VM_OK);
         check_case("L_2 = dT_S2/dphi'", "(96)", momentum, (double)c.L2, 10, 4);
@@ -479,7 +529,8 @@ static void test_pendulum_bad_input(void)
     const vm_pendulum good = {3, 2, R(0.7), R(1.3), 0};
     vm_pendulum_cut c, kept;
     int i;
-    memset(&c, 1, sizeof c), kept = c;
+    memset(&c, 1, sizeof c);
+    kept = c;
     for (i = 0; i < 7; i++) {
         vm_pendulum p = good;
         int status = VM_NOT_FINITE;
@@ -487,9 +538,18 @@ static void test_pendulum_bad_input(void)
         if (i == 1) p.length = VM_INFINITY;
         if (i == 2) p.angle = VM_INFINITY;
         if (i == 3) p.rate = VM_NAN;
-        if (i == 4) p.mass = 0, status = VM_BAD_MASS;
-        if (i == 5) p.length = R(0.5), status = VM_DOMAIN;
-        if (i == 6) p.axes = 2, status = VM_DOMAIN;
+        if (i == 4) {
+            p.mass = 0;
+            status = VM_BAD_MASS;
+        }
+        if (i == 5) {
+            p.length = R(0.5);
+            status = VM_DOMAIN;
+        }
+        if (i == 6) {
+            p.axes = 2;
+            status = VM_DOMAIN;
+        }
         CHECK(vm_pendulum_separate(&p, R(0.5), 0, 0, 0, &c) == status);
     }
     CHECK(vm_pendulum_separate(NULL, 1, 0, 0, 0, &c) == VM_BAD_ARGUMENT);

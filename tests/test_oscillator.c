@@ -32,7 +32,8 @@ static void saca(double s, double alpha, double *sa, double *ca)
 {
     vm_real a, c;
     ateb_saca(R(s), R(alpha), &a, &c);
-    *sa = (double)a, *ca = (double)c;
+    *sa = (double)a;
+    *ca = (double)c;
 }
 
 /* ---- Trajectories of the equation of motion, with their turning points and passages through x = 0 ---- */
@@ -65,12 +66,23 @@ static void start(trajectory *j, const vm_osc_problem *o)
     vm_real y[2];
     int i;
     memset(j, 0, sizeof *j);
-    j->o = *o, y[0] = o->x, y[1] = o->v;
-    for (i = 0; i < 2; i++) j->events[i].room = ROOM, j->events[i].action = ODE_RECORD;
-    j->events[0].g = zero_v, j->events[0].times = j->turn_t, j->events[0].states = j->turn;
-    j->events[1].g = zero_x, j->events[1].times = j->cross_t, j->events[1].states = j->cross;
+    j->o = *o;
+    y[0] = o->x;
+    y[1] = o->v;
+    for (i = 0; i < 2; i++) {
+        j->events[i].room = ROOM;
+        j->events[i].action = ODE_RECORD;
+    }
+    j->events[0].g = zero_v;
+    j->events[0].times = j->turn_t;
+    j->events[0].states = j->turn;
+    j->events[1].g = zero_x;
+    j->events[1].times = j->cross_t;
+    j->events[1].states = j->cross;
     options.rtol = options.atol = is_float ? R(3e-6) : R(1e-11);
-    options.events = j->events, options.n_events = 2, options.max_steps = -1;
+    options.events = j->events;
+    options.n_events = 2;
+    options.max_steps = -1;
     CHECK(rk45_init(&j->s, motion_rhs, &j->o, 2, 0, y, &options, j->work) >= 0);
 }
 
@@ -279,7 +291,8 @@ static void test_exact_solution(void)
     double sa, ca, v, z, B, t = 0.4, P = (double)ateb_pi(R(a)), up, down, h = is_float ? 1e-2 : 1e-5, c2;
     vm_real x, xdot, n_sa, n_ca;
     vm_osc_exact(R(t), 1, 1, R(a), &x, &xdot);
-    z = pow((double)x, a + 1), B = P * (double)ateb_beta_inc(R(z), R(q), R(0.5));
+    z = pow((double)x, a + 1);
+    B = P * (double)ateb_beta_inc(R(z), R(q), R(0.5));
     /* (269)-(273): L = K t, and |x| 2F1 = x0/(a+1) B_z; (272)'s series with the (-1)^n that its first form lost */
     near("(272)", "2F1", (a + 1) * (double)x * hypergeometric(q, 0.5, 1 + q, z, 1), B, 1e-11);
     ERRATUM("(272)", fabs((a + 1) * (double)x * hypergeometric(q, 0.5, 1 + q, z, -1) - B) > 0.1, /* alternating */
@@ -292,7 +305,8 @@ static void test_exact_solution(void)
     /* (275): signs of u beyond a quarter */
     for (t = 0.3; t < 9; t += 0.9) {
         saca(t, a, &sa, &ca);
-        saca(t + h, a, &v, &up), saca(t - h, a, &z, &down);
+        saca(t + h, a, &v, &up);
+        saca(t - h, a, &z, &down);
         near("(275)", "u'", (up - down) / (2 * h), -2 / (a + 1) * sa, is_float ? 1e-3 : 1e-6);
         near("(275)", "v'", (v - z) / (2 * h), signed_power(ca, a), is_float ? 1e-3 : 1e-6);
         near("(279)", "", sa * sa + pow(fabs(ca), a + 1), 1, 1e-14);
@@ -308,11 +322,15 @@ static void test_exact_solution(void)
             check_holds("(276), (277)"));
     near("(277)", "Pi", P, (double)ateb_beta(R(q), R(0.5)), 1e-13);
     /* (278), (280): rows that hold, and those that need the swapped pair */
-    saca(-s, a, &v, &c2), near("(278), (280)", "row 1", fabs(v + sa) + fabs(c2 - ca), 0, 1e-14);
-    saca(2 * P - s, a, &v, &c2), near("(278), (280)", "row 4", fabs(v + sa) + fabs(c2 - ca), 0, 1e-13);
-    saca(P + s, a, &v, &c2), near("(278), (280)", "Pi + s", fabs(v + sa) + fabs(c2 + ca), 0, 1e-13);
+    saca(-s, a, &v, &c2);
+    near("(278), (280)", "row 1", fabs(v + sa) + fabs(c2 - ca), 0, 1e-14);
+    saca(2 * P - s, a, &v, &c2);
+    near("(278), (280)", "row 4", fabs(v + sa) + fabs(c2 - ca), 0, 1e-13);
+    saca(P + s, a, &v, &c2);
+    near("(278), (280)", "Pi + s", fabs(v + sa) + fabs(c2 + ca), 0, 1e-13);
     up = v;
-    saca(P - s, a, &v, &c2), near("(278)", "Pi - s", v, sa, 1e-13);
+    saca(P - s, a, &v, &c2);
+    near("(278)", "Pi - s", v, sa, 1e-13);
     ERRATUM("(278) row 3", misses("(278) row 3", up, sa, 2 * 0.635289),
             check_holds("(278)") && check_holds("(278), (280)"));
     ateb_saca_nm(R(s), R(a), 1, &n_sa, &n_ca); /* odd and even too, but not the functions of the solution */
@@ -416,9 +434,12 @@ static void test_approximations(void)
                                : 1,
                     table[i][0], 0);
     }
-    c = vm_osc_compare(3), CHECK((double)c.jacobi_x < 8 * eps && (double)c.jacobi_v < 8 * eps);
-    c = vm_osc_compare(1), CHECK((double)c.trig_x < 8 * eps && (double)c.jacobi_v < 8 * eps);
-    c = vm_osc_compare(R(-0.5)), CHECK(isnan(c.trig_x) && isnan(c.jacobi_vmax));
+    c = vm_osc_compare(3);
+    CHECK((double)c.jacobi_x < 8 * eps && (double)c.jacobi_v < 8 * eps);
+    c = vm_osc_compare(1);
+    CHECK((double)c.trig_x < 8 * eps && (double)c.jacobi_v < 8 * eps);
+    c = vm_osc_compare(R(-0.5));
+    CHECK(isnan(c.trig_x) && isnan(c.jacobi_vmax));
     for (i = 0; i < 5; i++)
         near("(296)", "by (267)", (double)vm_osc_compare(R(ratio[i][0])).trig_vmax, ratio[i][1], 1e-6);
     near("(296)", "alpha -> 0", (double)vm_osc_compare(R(1e-7)).trig_vmax, pi / 4, 1e-6);
@@ -433,9 +454,10 @@ static void test_approximations(void)
             vm_osc_jacobi(R(t / 8000 * T), 1, 1, R(largest[i][0]), &x, &v);
             seen = fmax(seen, fabs((double)v));
         }
-        vm_osc_jacobi(R(T / 4), 1, 1, R(largest[i][0]), &x, &v), v0 = fabs((double)v);
-        near("(303)-(306)", "at x = 0", v0 / vmax, 1, 1e-12),
-            near("(306)", "k' Omega_1", O * sqrt(1 - m), vmax, 1e-13);
+        vm_osc_jacobi(R(T / 4), 1, 1, R(largest[i][0]), &x, &v);
+        v0 = fabs((double)v);
+        near("(303)-(306)", "at x = 0", v0 / vmax, 1, 1e-12);
+        near("(306)", "k' Omega_1", O * sqrt(1 - m), vmax, 1e-13);
         near("(306)", "k^2 > 1/2", seen / vmax, largest[i][1], 1e-4);
         near("(306)", "Omega_1/(2k)", (double)vm_osc_compare(R(largest[i][0])).jacobi_vmax,
              O / (2 * sqrt(m)) / vmax, 1e-12);
@@ -446,12 +468,12 @@ static void test_approximations(void)
                      O1 = (double)vm_osc_omega_jacobi(R(a)) * w * pow(1.4, 0.25);
         vm_real x, v, sn, cn, dn;
         vm_osc_trig(R(t), R(x0), R(w), R(a), &x, &v);
-        near("(291), (292)", "", (double)x, x0 * cos(O * t), 1e-12),
-            near("(295)", "", (double)v, -x0 * O * sin(O * t), 1e-12);
+        near("(291), (292)", "", (double)x, x0 * cos(O * t), 1e-12);
+        near("(295)", "", (double)v, -x0 * O * sin(O * t), 1e-12);
         vm_osc_jacobi(R(t), R(x0), R(w), R(a), &x, &v);
         jacobi_sncndn(R(O1 * t), vm_osc_m_jacobi(R(a)), &sn, &cn, &dn);
-        near("(297), (299)", "", (double)x, x0 * (double)cn, 1e-12),
-            near("(302)", "", (double)v, -x0 * O1 * (double)(sn * dn), 1e-12);
+        near("(297), (299)", "", (double)x, x0 * (double)cn, 1e-12);
+        near("(302)", "", (double)v, -x0 * O1 * (double)(sn * dn), 1e-12);
         near("(298)", "", O1 / O, 2 * (double)jacobi_K(vm_osc_m_jacobi(R(a))) / pi, 1e-13);
     }
     for (t = 0, balanced = 1; t < 7; t += 0.9) { /* (294): the restoring term is of power alpha, and has x's sign */
@@ -500,7 +522,8 @@ static double simpson_inverse(const vm_law *law, double t)
 static int sine_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     const double w = (double)*(vm_real *)ctx;
-    *f = R(1 + 0.5 * sin(w * (double)t)), *rate = R(0.5 * w * cos(w * (double)t));
+    *f = R(1 + 0.5 * sin(w * (double)t));
+    *rate = R(0.5 * w * cos(w * (double)t));
     return 0;
 }
 
@@ -509,14 +532,22 @@ static void test_laws(void)
     vm_real times[9], values[9], w = R(0.4), f = 1, rate = 0, I = 0;
     vm_law laws[12];
     int i, n = 0, k;
-    for (i = 0; i < 9; i++) times[i] = R(0.5 * i), values[i] = R(1 + 0.5 * i * 0.2 + (i > 4 ? 0.3 : 0));
-    laws[n++] = vm_law_linear(2, R(0.3)), laws[n++] = vm_law_linear(2, R(-0.4)), laws[n++] = vm_law_linear(2, 0);
-    laws[n++] = vm_law_quadratic(1, R(0.3), R(0.2)),
+    for (i = 0; i < 9; i++) {
+        times[i] = R(0.5 * i);
+        values[i] = R(1 + 0.5 * i * 0.2 + (i > 4 ? 0.3 : 0));
+    }
+    laws[n++] = vm_law_linear(2, R(0.3));
+    laws[n++] = vm_law_linear(2, R(-0.4));
+    laws[n++] = vm_law_linear(2, 0);
+    laws[n++] = vm_law_quadratic(1, R(0.3), R(0.2));
     laws[n++] = vm_law_quadratic(1, R(-0.8), R(0.2)); /* roots none */
-    laws[n++] = vm_law_quadratic(1, R(0.6), R(0.01)), laws[n++] = vm_law_quadratic(1, R(0.2), R(0.01));
-    laws[n++] = vm_law_exponential(R(1.5), R(-0.3)), laws[n++] = vm_law_power(1, R(0.3), R(-1.7)),
+    laws[n++] = vm_law_quadratic(1, R(0.6), R(0.01));
+    laws[n++] = vm_law_quadratic(1, R(0.2), R(0.01));
+    laws[n++] = vm_law_exponential(R(1.5), R(-0.3));
+    laws[n++] = vm_law_power(1, R(0.3), R(-1.7));
     laws[n++] = vm_law_power(1, R(0.3), 1);
-    laws[n++] = vm_law_table(9, times, values), laws[n++] = vm_law_user(sine_law, &w);
+    laws[n++] = vm_law_table(9, times, values);
+    laws[n++] = vm_law_user(sine_law, &w);
     for (k = 0; k < n; k++) {
         double t, h = is_float ? 1e-2 : 1e-5;
         for (t = 0.3; t < 3.9; t += 0.4) {
@@ -531,7 +562,8 @@ static void test_laws(void)
     }
     for (i = 1; i < 800; i++) { /* the table is met, and what lies between is monotone */
         vm_real before = 0;
-        vm_law_at(laws + 10, R(0.005 * (i - 1)), &before, &rate), vm_law_at(laws + 10, R(0.005 * i), &f, &rate);
+        vm_law_at(laws + 10, R(0.005 * (i - 1)), &before, &rate);
+        vm_law_at(laws + 10, R(0.005 * i), &f, &rate);
         CHECK(f >= before && rate >= 0);
     }
     for (i = 0; i < 9; i++)
@@ -546,12 +578,15 @@ static void test_laws(void)
             vm_law a = vm_law_linear(1, R(c)), b = vm_law_power(1, R(0.3), R(1 + c)),
                    d = vm_law_quadratic(1, R(0.2), R(0.01 * (1 + c))), e = vm_law_exponential(1, R(c));
             c = (double)R(c);
-            vm_law_inverse_integral(&a, 3, &I), near("int dt/m", "m1 -> 0", (double)I, log1p(3 * c) / c, 1e-14);
-            vm_law_inverse_integral(&e, 3, &I), near("int dt/m", "rate -> 0", (double)I, -expm1(-3 * c) / c, 1e-14);
+            vm_law_inverse_integral(&a, 3, &I);
+            near("int dt/m", "m1 -> 0", (double)I, log1p(3 * c) / c, 1e-14);
+            vm_law_inverse_integral(&e, 3, &I);
+            near("int dt/m", "rate -> 0", (double)I, -expm1(-3 * c) / c, 1e-14);
             exact = log1p(0.9) / 0.3;
-            vm_law_inverse_integral(&b, 3, &I),
-                near("int dt/m", "exponent -> 1", (double)I, exact * (1 - c * log1p(0.9) / 2), 2e-14 + c * c);
-            vm_law_inverse_integral(&d, 3, &I), near("int dt/m", "D -> 0", (double)I, 3 / 1.3, 2e-14 + 0.2 * c);
+            vm_law_inverse_integral(&b, 3, &I);
+            near("int dt/m", "exponent -> 1", (double)I, exact * (1 - c * log1p(0.9) / 2), 2e-14 + c * c);
+            vm_law_inverse_integral(&d, 3, &I);
+            near("int dt/m", "D -> 0", (double)I, 3 / 1.3, 2e-14 + 0.2 * c);
         }
     }
 }
@@ -567,7 +602,8 @@ static closed closed_form(const vm_osc_problem *o, double t)
     vmi_osc_mean mean;
     closed c = {0, 0};
     CHECK(vm_osc_plan_init(&p, o) == VM_OK && vmi_osc_mean_at(&p, R(t), &mean) == VM_OK);
-    c.A = (double)p.A * exp((double)mean.ln_A), c.psi = pi / (double)p.pi * (double)(p.psi + p.Om * mean.y[1]);
+    c.A = (double)p.A * exp((double)mean.ln_A);
+    c.psi = pi / (double)p.pi * (double)(p.psi + p.Om * mean.y[1]);
     return c;
 }
 
@@ -585,9 +621,13 @@ static closed averaged_solution(const vm_osc_problem *o, double t)
     rk45 s;
     closed c;
     CHECK(vm_osc_plan_init(&p, o) == VM_OK);
-    y[0] = p.A, y[1] = R(pi) / p.pi * p.psi, options.rtol = is_float ? R(1e-5) : R(1e-13), options.max_steps = -1;
+    y[0] = p.A;
+    y[1] = R(pi) / p.pi * p.psi;
+    options.rtol = is_float ? R(1e-5) : R(1e-13);
+    options.max_steps = -1;
     CHECK(rk45_init(&s, averaged_rhs, &p, 2, 0, y, &options, work) >= 0 && rk45_solve(&s, R(t)) >= 0);
-    c.A = (double)s.y[0], c.psi = (double)s.y[1];
+    c.A = (double)s.y[0];
+    c.psi = (double)s.y[1];
     return c;
 }
 
@@ -605,12 +645,14 @@ static void test_closed_forms(void)
                 double psi = O * sqrt(k * m0) * pow(A0, (a - 1) / 2) / m1 * (pow(ratio, 0.5 - n) - 1) / (0.5 - n);
                 vm_osc_problem o = problem(a, vm_law_linear(R(m0), R(m1)), r, b);
                 closed c, q;
-                o.stiffness = vm_law_linear(R(k), 0), o.x = R(A0);
-                c = closed_form(&o, t), q = averaged_solution(&o, t);
+                o.stiffness = vm_law_linear(R(k), 0);
+                o.x = R(A0);
+                c = closed_form(&o, t);
+                q = averaged_solution(&o, t);
                 near(r ? "(352), (344)" : "(367)", "A", c.A, A0 * pow(ratio, -P), 1e-12);
                 if (fabs(0.5 - n) > 1e-3) near(r ? "(353), (345)" : "(368)", "psi", c.psi / psi, 1, 1e-12);
-                near(r ? "(337)" : "(365)", "A", q.A / c.A, 1, 1e-10),
-                    near(r ? "(339)" : "(366)", "psi", q.psi / c.psi, 1, 1e-9);
+                near(r ? "(337)" : "(365)", "A", q.A / c.A, 1, 1e-10);
+                near(r ? "(339)" : "(366)", "psi", q.psi / c.psi, 1, 1e-9);
                 near("(347)", "A", q.A / A0, pow(ratio, -P), 1e-10);
                 if (a == 1) near("(358)", "psi", c.psi, 2 * sqrt(k) / m1 * (sqrt(m) - sqrt(m0)), 1e-11 * 100);
                 if (a == 1 && r) near("(357), (362)", "A", c.A, A0 * pow(m0 / m, 0.25 * (1 + 2 * b / m1)), 1e-13);
@@ -633,12 +675,14 @@ static void test_closed_forms(void)
         double a = alphas[i], b = 0.005, O = (double)vm_osc_omega_trig(R(a)) * sqrt(k / m0) * pow(A0, (a - 1) / 2),
                T, T_true;
         vm_osc_problem o = problem(a, vm_law_linear(R(m0), R(-2 * b)), 1, b);
-        o.stiffness = vm_law_linear(R(k), 0), o.x = R(A0);
+        o.stiffness = vm_law_linear(R(k), 0);
+        o.x = R(A0);
         near("(348)", "A", closed_form(&o, t).A, A0, 1e-14);
         near("(349)", "psi", closed_form(&o, t).psi,
              2 / (-2 * b) * O * sqrt(m0) * (sqrt(m0 - 2 * b * t) - sqrt(m0)), 1e-10);
         near("(350)", "psi", closed_form(&o, 1e-3).psi / (O * 1e-3), 1, 1e-5);
-        T = 2 * pi / O, T_true = (double)vm_osc_period(R(A0), R(sqrt(k / m0)), R(a));
+        T = 2 * pi / O;
+        T_true = (double)vm_osc_period(R(A0), R(sqrt(k / m0)), R(a));
         near("(351)", "T", T / T_true, 1, 1e-13);
         ERRATUM("(350),(351)",
                 misses("(351)", T / 2, T, T / 2) && fabs(closed_form(&o, 1e-3).psi / (2 * O * 1e-3) - 1) > 0.4,
@@ -656,13 +700,14 @@ static void test_closed_forms(void)
     }
     { /* other laws, and both: closed forms against integration of the averaged equations */
         vm_osc_problem o[6];
-        o[0] = problem(3, vm_law_exponential(1, R(0.01)), 1, 0),
+        o[0] = problem(3, vm_law_exponential(1, R(0.01)), 1, 0);
         o[1] = problem(0.5, vm_law_power(2, R(0.01), R(1.6)), 0, 0);
-        o[2] = problem(3, vm_law_quadratic(1, R(0.02), R(0.0001)), 1, 0),
+        o[2] = problem(3, vm_law_quadratic(1, R(0.02), R(0.0001)), 1, 0);
         o[3] = problem(2, vm_law_linear(1, 0), 1, 0.01);
-        o[4] = problem(1.5, vm_law_linear(1, R(0.02)), 1, 0.01),
+        o[4] = problem(1.5, vm_law_linear(1, R(0.02)), 1, 0.01);
         o[4].stiffness = vm_law_power(1, R(0.02), R(-0.5));
-        o[5] = problem(4, vm_law_exponential(1, R(-0.02)), 0, 0), o[5].stiffness = vm_law_exponential(2, R(0.01));
+        o[5] = problem(4, vm_law_exponential(1, R(-0.02)), 0, 0);
+        o[5].stiffness = vm_law_exponential(2, R(0.01));
         for (i = 0; i < 6; i++) {
             closed c = closed_form(o + i, 80), q = averaged_solution(o + i, 80);
             vm_osc_plan p;
@@ -690,7 +735,8 @@ static void exact_rates(double a, double w, double w_rate, double A, double psi,
     double sa, ca, x, v, value[2][2];
     int i;
     saca(psi, a, &sa, &ca);
-    x = A * ca, v = -sqrt(2 / (a + 1)) * w * pow(A, (a + 1) / 2) * sa;
+    x = A * ca;
+    v = -sqrt(2 / (a + 1)) * w * pow(A, (a + 1) / 2) * sa;
     for (i = 0; i < 2;
          i++) { /* x'' = -w^2 x|x|^(a-1) + f, second order in h of either sign is odd in what remains */
         double s = i ? h : -h, acc = -w * w * signed_power(x, a) + f,
@@ -698,9 +744,11 @@ static void exact_rates(double a, double w, double w_rate, double A, double psi,
         vm_real An, psin;
         vm_osc_amplitude_phase(R(x + s * v + s * s / 2 * acc), R(v + s * acc + s * s / 2 * jerk), R(w + s * w_rate),
                                R(a), &An, &psin);
-        value[i][0] = (double)An, value[i][1] = (double)psin;
+        value[i][0] = (double)An;
+        value[i][1] = (double)psin;
     }
-    *A_rate = (value[1][0] - value[0][0]) / (2 * h), *psi_rate = (value[1][1] - value[0][1]) / (2 * h);
+    *A_rate = (value[1][0] - value[0][0]) / (2 * h);
+    *psi_rate = (value[1][1] - value[0][1]) / (2 * h);
 }
 
 static void test_variation(void)
@@ -713,7 +761,7 @@ static void test_variation(void)
                                tolerance = is_float ? 2e-2 : 1e-5;
         saca(psi, a, &sa, &ca);
         exact_rates(a, w, wr, A, psi, f, &Ar, &pr);
-        A314 = -sqrt(2 / (a + 1)) * pow(A, (1 - a) / 2) / w * f * sa,
+        A314 = -sqrt(2 / (a + 1)) * pow(A, (1 - a) / 2) / w * f * sa;
         th315 = -sqrt((a + 1) / 2) * pow(A, (1 - a) / 2) / w * f * ca / A;
         near("(314)", "with the term of w'", A314 - 2 * A / (a + 1) * wr / w * sa * sa, Ar, tolerance);
         near("(315)", "with the term of w'", rate + th315 - wr / w * sa * ca, pr, tolerance * (1 + rate));
@@ -743,12 +791,16 @@ static void test_variation(void)
             double wrong = O - dO * s * s, right_A = -A * O / w * wr * s * s - f * s,
                    right_th = -A * O / w * wr * s * c - f * c, A_true;
             vm_real lhs[4], rhs[2];
-            lhs[0] = R(c), lhs[1] = R(-A * s), rhs[0] = 0;                                           /* (333) */
-            lhs[2] = R(-O * s - dO * s), lhs[3] = R(-A * O * c), rhs[1] = R(f + A * O / w * wr * s); /* (334) */
+            lhs[0] = R(c);
+            lhs[1] = R(-A * s);
+            rhs[0] = 0;                                           /* (333) */
+            lhs[2] = R(-O * s - dO * s);
+            lhs[3] = R(-A * O * c);
+            rhs[1] = R(f + A * O / w * wr * s); /* (334) */
             CHECK(vmi_solve_linear(2, lhs, rhs) == VM_OK);
             A_true = (double)rhs[0];
-            near("(335)", "+", right_A / bracket, A_true, 1e-12),
-                near("(336)", "+", right_th / bracket / A, (double)rhs[1], 1e-12);
+            near("(335)", "+", right_A / bracket, A_true, 1e-12);
+            near("(336)", "+", right_th / bracket / A, (double)rhs[1], 1e-12);
             ERRATUM("(335),(336)",
                     misses("(335)", right_A / wrong, A_true, fabs(right_A) * 2 * dO * s * s / fabs(bracket * wrong)) &&
                         misses("(336)", right_th / wrong / A, (double)rhs[1],
@@ -761,10 +813,13 @@ static void test_variation(void)
                    F = f, g, bracket;
             vm_real sn, cn, dn, lhs[4], rhs[2];
             jacobi_sncndn(R(psi), R(m), &sn, &cn, &dn);
-            g = (double)cn * (1 - 2 * m + 2 * m * (double)(cn * cn)),
+            g = (double)cn * (1 - 2 * m + 2 * m * (double)(cn * cn));
             bracket = pow((double)(sn * dn), 2) + (double)cn * g;
-            lhs[0] = cn, lhs[1] = R(-A) * sn * dn, rhs[0] = 0;
-            lhs[2] = R(-O) * sn * dn, lhs[3] = R(-A * O * g),
+            lhs[0] = cn;
+            lhs[1] = R(-A) * sn * dn;
+            rhs[0] = 0;
+            lhs[2] = R(-O) * sn * dn;
+            lhs[3] = R(-A * O * g);
             rhs[1] = R(F + (mr + Or / O) * A * O * (double)(sn * dn));
             CHECK(vmi_solve_linear(2, lhs, rhs) == VM_OK);
             Ar = (-F * (double)(sn * dn) - (mr * O + Or) * A * pow((double)(sn * dn), 2)) / (O * bracket);
@@ -839,9 +894,11 @@ static void test_averages(void)
         near("(321), (323)", "P", P, 1 / (a + 3), 1e-14);
         ERRATUM("(319)-(321)", misses("(321)", 2 / (a + 1) * S, 1 / (a + 3), 1 / (a + 3)), /* exponent 2/(a+3) */
                 check_holds("(321), (323)"));
-        o.force = cubic_force, o.ctx = force;
+        o.force = cubic_force;
+        o.ctx = force;
         CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
-        Om = sqrt((a + 1) / 2) * w * pow(A, (a - 1) / 2), V = 2 * A * Om / (a + 1);
+        Om = sqrt((a + 1) / 2) * w * pow(A, (a - 1) / 2);
+        V = 2 * A * Om / (a + 1);
         CHECK(vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, R(A), &Ar, &th, &pr) == VM_OK);
         near("(314), (316)", "averaged", (double)Ar,
              -A * mr / (a + 3) -
@@ -855,7 +912,7 @@ static void test_averages(void)
         near("psi'", "Ateb", (double)pr, Om + (double)th, 1e-14);
         { /* trigonometric: (337), (338) with alpha + 3 and 4; <sin^4> = 3/8 */
             double O = (double)vm_osc_omega_trig(R(a)) * w * pow(A, (a - 1) / 2), f_sin, f_cos, w_rate = -mr / 2;
-            f_sin = force[0] * pow(A * O, 3) * 3 / 8 + (force[2] + mr) * A * O / 2,
+            f_sin = force[0] * pow(A * O, 3) * 3 / 8 + (force[2] + mr) * A * O / 2;
             f_cos = force[1] * pow(A, 3) * 3 / 8;
             CHECK(vm_osc_averaged(&p, VM_ROUTE_TRIG, 0, R(A), &Ar, &th, &pr) == VM_OK);
             near("(337)", "a + 3", (double)Ar, -2 * A * w_rate / (a + 3) - 4 / ((a + 3) * O) * f_sin, 1e-12);
@@ -882,7 +939,9 @@ static void test_averages(void)
                 double F;
                 jacobi_sncndn(R(4 * K * j / 64), R(k2), &sn, &cn, &dn);
                 F = (double)cubic_force(0, R(A) * cn, R(-A * O) * sn * dn, force);
-                Fs += F * (double)(sn * dn) / 64, Fc += F * (double)cn / 64, S2 += pow((double)(sn * dn), 2) / 64;
+                Fs += F * (double)(sn * dn) / 64;
+                Fc += F * (double)cn / 64;
+                S2 += pow((double)(sn * dn), 2) / 64;
             }
             jacobi_cn_means(R(k2), &C2, &C4, &C6);
             near("(381)", "<sn^2 dn^2>", (1 - k2) - (1 - 2 * k2) * (double)C2 - k2 * (double)C4, S2, 1e-13);
@@ -907,12 +966,14 @@ static void test_averages(void)
         jacobi_cn_means(R(s), &C2, &C4, &C6);
         for (j = 0; j < 64; j++) {
             jacobi_sncndn(R(4 * K * j / 64), R(s), &sn, &cn, &dn);
-            mean2 += pow((double)cn, 2) / 64, mean4 += pow((double)cn, 4) / 64;
+            mean2 += pow((double)cn, 2) / 64;
+            mean4 += pow((double)cn, 4) / 64;
         }
-        near("(383)", "exact", (double)C2, mean2, 1e-13), near("(384)", "exact", (double)C4, mean4, 1e-13);
+        near("(383)", "exact", (double)C2, mean2, 1e-13);
+        near("(384)", "exact", (double)C4, mean4, 1e-13);
         near("(383)", "(E/K - 1 + k^2)/k^2", ((double)jacobi_E(R(s)) / K - 1 + s) / s, mean2, 1e-12);
-        near("(383)", "series", 0.5 - s / 16 - s * s / 32, mean2, 0.05 * s * s * s + 1e-13),
-            near("(384)", "series", 3. / 8 - s / 16 - 29 * s * s / 1024, mean4, 0.05 * s * s * s + 1e-13);
+        near("(383)", "series", 0.5 - s / 16 - s * s / 32, mean2, 0.05 * s * s * s + 1e-13);
+        near("(384)", "series", 3. / 8 - s / 16 - 29 * s * s / 1024, mean4, 0.05 * s * s * s + 1e-13);
         if (!is_float || s > 0.01) {
             check_error("(383) series", "printed", "1/8", fabs((0.5 + s / 16 - mean2) / (s / 8) - 1), 0.2, s, 0);
             check_error("(384) series", "printed", "3/32", fabs((3. / 8 + s / 32 - mean4) / (3 * s / 32) - 1), 0.2,
@@ -948,7 +1009,9 @@ static void test_measured_exponents(void)
     for (i = 0; i < 5; i++) {
         double a = alphas[i], x, tolerance = is_float ? 2e-2 : 1e-4;
         vm_osc_problem o = problem(a, vm_law_linear(1, R(0.02)), 1, 0);
-        start(&j, &o), follow(&j, 200), x = measured_exponent(&j);
+        start(&j, &o);
+        follow(&j, 200);
+        x = measured_exponent(&j);
         near("(325)", "measured", x, -1 / (a + 3), tolerance);
         near("(325)", "vm_osc_amplitude_law", log((double)vm_osc_amplitude_law(5, 0, 1, R(a))) / log(5),
              -1 / (a + 3), 1e-13);
@@ -961,8 +1024,8 @@ static void test_measured_exponents(void)
             ERRATUM("(360),(361)", misses("(360)", -1 / (5 - a), x, fabs(1 / (5 - a) - 1 / (a + 3))),
                     check_holds("(325)"));
         if (a == 3) { /* (328); and what is printed in (363), (364), (396), (397) for the cubic oscillator */
-            near("(328)", "1/6", x, -1. / 6, tolerance),
-                near("(328)", "5/6", measured_velocity_exponent(&j), -5. / 6, tolerance);
+            near("(328)", "1/6", x, -1. / 6, tolerance);
+            near("(328)", "5/6", measured_velocity_exponent(&j), -5. / 6, tolerance);
             ERRATUM("(363)", misses("(363)", -0.5, x, 0.5 - 1. / 6), check_holds("(328)"));
             ERRATUM("(364)", misses("(364)", -3. / 2, measured_velocity_exponent(&j), 1.5 - 5. / 6),
                     check_holds("(328)"));
@@ -975,7 +1038,9 @@ static void test_measured_exponents(void)
         if (i > 0) ERRATUM("text after (363)", fabs(x) < last, check_holds("(325)")); /* slower for higher order */
         last = fabs(x);
         o.reactive = 0;
-        start(&j, &o), follow(&j, 200), x = measured_exponent(&j);
+        start(&j, &o);
+        follow(&j, 200);
+        x = measured_exponent(&j);
         near("(367)", "measured", x, 1 / (a + 3), tolerance);
         near("(386)", "s = 1/2", log((double)vm_osc_amplitude_law(5, 0, 0, R(a))) / log(5), 1 / (a + 3), 1e-13);
         if (a != 1)
@@ -996,10 +1061,12 @@ static void test_measured_exponents(void)
             double a = rates[i][0], measured;
             long n;
             vm_osc_problem o = problem(a, vm_law_linear(1, 0), 1, 0.01);
-            start(&j, &o), follow(&j, 300), n = j.events[0].count - 1;
+            start(&j, &o);
+            follow(&j, 300);
+            n = j.events[0].count - 1;
             measured = log(fabs((double)j.turn[2 * n] / (double)j.turn[0])) / (double)(j.turn_t[n] - j.turn_t[0]);
-            near("(342)", "measured", measured, rates[i][1], is_float ? 5e-4 : 1e-6),
-                near("(342)", "-2b/(a+3)", -0.02 / (a + 3), measured, is_float ? 5e-4 : 1e-6);
+            near("(342)", "measured", measured, rates[i][1], is_float ? 5e-4 : 1e-6);
+            near("(342)", "-2b/(a+3)", -0.02 / (a + 3), measured, is_float ? 5e-4 : 1e-6);
             ERRATUM("(342),(347)", misses("(342)", -0.02 / (5 - a), measured, fabs(rates[i][2] - rates[i][1])),
                     check_holds("(342)") && check_holds("(347)"));
         }
@@ -1012,8 +1079,8 @@ static void test_measured_exponents(void)
         s = ((1 - k) - (1 - 2 * k) * (double)C2 - k * (double)C4) / ((1 - k) + k * (double)C4);
         near("(390)", "s = 1/2", s, 0.5, 1e-12 * (1 + fabs(k)));
         exponent = s * (a - 1) / (2 * (2 + (a - 1) * s)) + 0.5;
-        near("(389)", "", s / (2 + (a - 1) * s), 1 / (a + 3), 1e-12),
-            near("(392)", "", exponent, (a + 1) / (a + 3), 1e-12);
+        near("(389)", "", s / (2 + (a - 1) * s), 1 / (a + 3), 1e-12);
+        near("(392)", "", exponent, (a + 1) / (a + 3), 1e-12);
         near("(395)", "P", (s * a + 1) / (2 + (a - 1) * s), (a + 2) / (a + 3), 1e-12);
         { /* (391): the frequency is q times the first */
             vm_osc_problem o = problem(a, vm_law_linear(1, R(0.02)), 1, 0);
@@ -1061,10 +1128,14 @@ static void test_linear_mass(void)
         vm_osc_problem o;
         errors e;
         b = 0.5 * i;
-        o = problem(4. / 3, vm_law_linear(1, R(-0.01)), 1, 0.01 * b), o.x = R(0.1);
-        start(&j, &o), follow(&j, 90);
-        e = envelope(&j, 90, 0.1, 3. / 13 * (1 - 2 * b), 1, 0), corrected = e.amplitude;
-        e = envelope(&j, 90, 0.1, 0.27273 * (1 - 2 * b), 1, 0), printed = e.amplitude;
+        o = problem(4. / 3, vm_law_linear(1, R(-0.01)), 1, 0.01 * b);
+        o.x = R(0.1);
+        start(&j, &o);
+        follow(&j, 90);
+        e = envelope(&j, 90, 0.1, 3. / 13 * (1 - 2 * b), 1, 0);
+        corrected = e.amplitude;
+        e = envelope(&j, 90, 0.1, 0.27273 * (1 - 2 * b), 1, 0);
+        printed = e.amplitude;
         if (!is_float) check_error("(356)", "envelope", "1e-5", 1e5 * corrected, 6, b, 90);
         if (i != 1) {
             near("(356)", "printed envelope", printed, i == 0 ? 9.6e-2 : 8.8e-2, is_float ? 1e-2 : 1e-3);
@@ -1078,16 +1149,22 @@ static void test_linear_mass(void)
     { /* (350), (351): the first period */
         vm_osc_problem o = problem(4. / 3, vm_law_linear(1, R(-0.001)), 1, 0.0005);
         double T = (double)vm_osc_period(1, 1, R(4. / 3));
-        start(&j, &o), follow(&j, 8);
-        near("(351)", "measured", (double)j.turn_t[1], 6.467, 1e-2), near("(351)", "corrected", T, 6.483, 1e-3);
+        start(&j, &o);
+        follow(&j, 8);
+        near("(351)", "measured", (double)j.turn_t[1], 6.467, 1e-2);
+        near("(351)", "corrected", T, 6.483, 1e-3);
         ERRATUM("(350),(351)", misses("(351)", T / 2, (double)j.turn_t[1], 6.467 - 3.242), check_holds("(351)"));
     }
     { /* (355): its right side lacks the division by m; then at b = 1/2 the amplitude is not constant */
         vm_osc_problem o = problem(4. / 3, vm_law_linear(1, R(-0.01)), 1, 0.005);
-        o.x = R(0.1), start(&j, &o), follow(&j, 90);
+        o.x = R(0.1);
+        start(&j, &o);
+        follow(&j, 90);
         near("(355)", "b = 1/2", fabs((double)j.turn[2 * (j.events[0].count - 1)]), 0.1, is_float ? 1e-3 : 1e-5);
-        o.reactive = o.damping = 0, o.force = printed_force; /* x'' + x|x|^(1/3)/m = 0.005 x' */
-        start(&j, &o), follow(&j, 90);
+        o.reactive = o.damping = 0;
+        o.force = printed_force; /* x'' + x|x|^(1/3)/m = 0.005 x' */
+        start(&j, &o);
+        follow(&j, 90);
         near("(355)", "printed", fabs((double)j.turn[2 * (j.events[0].count - 1)]), 0.0731, 1e-3);
         ERRATUM("(355)", fabs((double)j.turn[2 * (j.events[0].count - 1)]) < 0.08, check_holds("(355)"));
     }
@@ -1099,7 +1176,8 @@ static void test_linear_mass(void)
         CHECK(!vm_law_at(&o.mass, 5, &m, &rate) && !vm_osc_plan_init(&p, &o) && !vmi_osc_rates_at(&p, 5, 1, 1, &r));
         near("(346)", "", (double)m, 2.5, 1e-15);
         near("(341)", "q = 2 (m' + b)/m + 2 w'/w", (double)r.q, 2 * 0.13 / 2.5 - 0.1 / 2.5, 1e-15);
-        o.damping = 0, o.reactive = 0; /* (385): no reactive force, the relative velocity is zero */
+        o.damping = 0;
+        o.reactive = 0; /* (385): no reactive force, the relative velocity is zero */
         CHECK(!vm_osc_plan_init(&p, &o) && !vmi_osc_rates_at(&p, 5, 1, 1, &r));
         near("(385)", "q = 2 w'/w", (double)r.q, -0.1 / 2.5, 1e-15);
         o.reactive = 1; /* the absolute velocity is zero, as (385) says of this case */
@@ -1144,7 +1222,8 @@ static void test_accuracy_table(void)
     vm_osc_problem o = problem(3, vm_law_linear(1, R(0.1)), 1, 0);
     errors e, cubic;
     int i, k;
-    start(&j, &o), follow(&j, 200);
+    start(&j, &o);
+    follow(&j, 200);
     for (i = 0; i < 4; i++) {
         for (k = 0; k < 2; k++) {
             e = envelope(&j, k ? 200 : 50, 1, one[i].a, one[i].c, one[i].v);
@@ -1155,7 +1234,8 @@ static void test_accuracy_table(void)
         }
     }
     o = problem(1.5, vm_law_power(1, R(0.1), 2), 1, 0); /* (402), where the text says cubic */
-    start(&j, &o), follow(&j, 200);
+    start(&j, &o);
+    follow(&j, 200);
     for (i = 0; i < 4; i++) {
         for (k = 0; k < 2; k++) {
             e = envelope(&j, k ? 200 : 50, 1, two[i].a, two[i].c, two[i].v);
@@ -1174,10 +1254,11 @@ static void test_accuracy_table(void)
     for (i = 0; i < 10; i++) { /* m = 1 + 0.01 t to t = 300 */
         double a = slow[i][0], vmax = sqrt(2 / (a + 1)), trig = (double)vm_osc_omega_trig(R(a));
         o = problem(a, vm_law_linear(1, R(0.01)), 1, 0);
-        start(&j, &o), follow(&j, 300);
+        start(&j, &o);
+        follow(&j, 300);
         e = envelope(&j, 300, 1, 1 / (a + 3), vmax, (a + 2) / (a + 3));
-        stated("m = 1 + 0.01 t", "Ateb", e.amplitude, slow[i][1]),
-            stated("m = 1 + 0.01 t", "Ateb, velocity", e.velocity, slow[i][2]);
+        stated("m = 1 + 0.01 t", "Ateb", e.amplitude, slow[i][1]);
+        stated("m = 1 + 0.01 t", "Ateb, velocity", e.velocity, slow[i][2]);
         e = envelope(&j, 300, 1, 1 / (5 - a), vmax, 1);
         if (a != 5 && a != 1) stated("(360)", "printed", e.amplitude, slow[i][3]);
         if (a == 5) CHECK(isinf(1 / (5 - a))); /* the printed law is singular, the true one is as good as ever */
@@ -1200,7 +1281,8 @@ static void test_waveforms(void)
         double a = wanted[i][0], worst[3] = {0, 0, 0};
         vm_osc_problem o = problem(a, vm_law_linear(1, R(0.01)), 1, 0);
         vm_osc_plan p;
-        start(&j, &o), CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+        start(&j, &o);
+        CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
         for (k = 1; k <= 4000; k++) {
             follow(&j, 0.025 * k);
             for (route = 0; route <= 2; route++) {
@@ -1238,12 +1320,15 @@ static void test_hard_cases(void)
             vm_osc_exact_from(R(0.3 * T), R(x0), 0, 1, R(a), &x, &v);
             vm_osc_amplitude_phase(x, v, 1, R(a), &A, &psi);
             near("x0 = 1e-150, 1e150", "A kept", (double)A / x0, 1, 1e-12);
-            o = problem(a, vm_law_linear(1, R(1e-3 / T)), 1, 0), o.x = R(x0); /* scale by scale, the same motion */
+            o = problem(a, vm_law_linear(1, R(1e-3 / T)), 1, 0);
+            o.x = R(x0); /* scale by scale, the same motion */
             CHECK(vm_osc_by_second(&o, R(20.3 * T), &m) == VM_OK);
-            o.x = 1, o.mass = vm_law_linear(1, R(1e-3 / (double)vm_osc_period(1, 1, R(a))));
+            o.x = 1;
+            o.mass = vm_law_linear(1, R(1e-3 / (double)vm_osc_period(1, 1, R(a))));
             CHECK(vm_osc_by_second(&o, R(20.3 * (double)vm_osc_period(1, 1, R(a))), &n) == VM_OK);
             near("x0 = 1e-150, 1e150", "second order", (double)m.x / x0, (double)n.x, is_float ? 1e-3 : 1e-10);
-            o = problem(a, vm_law_linear(1, R(1e-3 / T)), 1, 0), o.x = R(x0);
+            o = problem(a, vm_law_linear(1, R(1e-3 / T)), 1, 0);
+            o.x = R(x0);
             CHECK(vm_osc_by_rk45(&o, R(2.3 * T), is_float ? R(1e-2) : R(1e-3), &m) >= 0 &&
                   vm_osc_by_second(&o, R(2.3 * T), &n) == VM_OK);
             near("x0 = 1e-150, 1e150", "rk45", (double)m.x / x0, (double)n.x / x0, is_float ? 1e-2 : 2e-3);
@@ -1270,32 +1355,37 @@ static void test_hard_cases(void)
         t = 6.2831853e7;
         o = problem(1, vm_law_power(1, R(e), 2), 1, 0);
         CHECK(vm_osc_by_second(&o, R(t), &m) == VM_OK);
-        nu = sqrt(1 / (e * e) - 0.25), L = log1p(e * t),
+        nu = sqrt(1 / (e * e) - 0.25);
+        L = log1p(e * t);
         exact = (cos(nu * L) + sin(nu * L) / (2 * nu)) / sqrt(1 + e * t);
-        near("1e7 periods", "closed solution", (double)m.x, exact, 1e-7),
-            CHECK((double)m.error < 1e-6 && (double)m.error > fabs((double)m.x - exact) / 3);
+        near("1e7 periods", "closed solution", (double)m.x, exact, 1e-7);
+        CHECK((double)m.error < 1e-6 && (double)m.error > fabs((double)m.x - exact) / 3);
     }
     /* alpha = 0, and 1000 */
     o = problem(0, vm_law_linear(1, R(1e-3)), 1, 0);
     CHECK(vm_osc_by_second(&o, 500, &m) == VM_OK && vm_osc_by_variation(&o, 500, R(1e-3), &n) >= 0);
     near("alpha = 0", "", (double)m.x, (double)n.x, is_float ? 2e-2 : 3e-3);
-    o.alpha = 1000, o.x = R(1.001);
+    o.alpha = 1000;
+    o.x = R(1.001);
     CHECK(vm_osc_by_second(&o, 300, &m) == VM_OK && vm_osc_by_variation(&o, 300, R(1e-3), &n) >= 0);
     near("alpha = 1000", "", (double)m.x, (double)n.x, is_float ? 1e-2 : 1e-3);
     /* eps = 0.3: the estimate says that averaging is off */
-    o = problem(3, vm_law_linear(1, R(0.3)), 0, 0), o.v = R(0.3);
+    o = problem(3, vm_law_linear(1, R(0.3)), 0, 0);
+    o.v = R(0.3);
     CHECK(vm_osc_by_second(&o, 10, &m) == VM_OK && m.error > R(1e-2));
     CHECK(vm_osc_at(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_VARIATION);
     check_error("eps = 0.3", "|x - true| by estimate", "3",
                 fabs((double)(m.x - n.x) / (double)n.amplitude) / (double)m.error, 3, 0, 0);
     /* nothing changes: exact to roundings, and said to be */
-    o = problem(4, vm_law_linear(2, 0), 1, 0), o.x = R(-0.7), o.v = R(0.4);
+    o = problem(4, vm_law_linear(2, 0), 1, 0);
+    o.x = R(-0.7);
+    o.v = R(0.4);
     {
         vm_real x, v;
         CHECK(vm_osc_by_ateb(&o, 77, &m) == VM_OK && m.error < 2000 * VM_EPSILON);
         vm_osc_exact_from(77, R(-0.7), R(0.4), VM_SQRT(R(0.5)), 4, &x, &v);
-        near("constant mass", "x", (double)m.x, (double)x, 1e-13),
-            near("constant mass", "x'", (double)m.v, (double)v, 1e-13);
+        near("constant mass", "x", (double)m.x, (double)x, 1e-13);
+        near("constant mass", "x'", (double)m.v, (double)v, 1e-13);
     }
     o.x = o.v = 0; /* at rest */
     CHECK(vm_osc_at(&o, 5, 0, &m) == VM_OK && m.x == 0 && m.v == 0);
@@ -1313,7 +1403,8 @@ static void refuses(vm_osc_problem o, double t, int wanted)
 {
     vm_osc_motion m, before;
     int route;
-    memset(&m, 7, sizeof m), before = m;
+    memset(&m, 7, sizeof m);
+    before = m;
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++) {
         CHECK(vm_osc_by(&o, route, R(t), 0, &m) == wanted);
         CHECK(memcmp(&m, &before, sizeof m) == 0);
@@ -1327,25 +1418,58 @@ static void test_bad_input(void)
     vm_real times[3] = {0, 1, 2}, values[3] = {1, 2, 3}, x, v, A, psi;
     vm_osc_motion m;
     vm_osc_plan p;
-    o.alpha = R(-0.1), refuses(o, 1, VM_BAD_ARGUMENT), o.alpha = VM_NAN, refuses(o, 1, VM_BAD_ARGUMENT), o = good;
-    o.stiffness = vm_law_linear(0, 0), refuses(o, 1, VM_BAD_MASS), o.stiffness = vm_law_linear(-1, 0),
-    refuses(o, 1, VM_BAD_MASS), o = good;
-    o.mass = vm_law_linear(1, R(-0.5)), refuses(o, 2, VM_BAD_MASS), refuses(o, 3, VM_BAD_MASS);
-    o.mass = vm_law_linear(0, 1), refuses(o, 3, VM_BAD_MASS);
-    o.mass = vm_law_quadratic(1, -2, R(0.9)), refuses(o, 3, VM_BAD_MASS); /* positive at 0 and at 3, not between */
-    o.mass = vm_law_power(1, R(-0.5), 2), refuses(o, 3, VM_BAD_MASS), o.mass = vm_law_exponential(-1, 0),
-    refuses(o, 3, VM_BAD_MASS);
-    o.mass = vm_law_table(3, times, values), refuses(o, 2.5, VM_BAD_ARGUMENT);
-    values[1] = -1, refuses(o, 1.5, VM_BAD_MASS), values[1] = VM_NAN, refuses(o, 1.5, VM_NOT_FINITE), values[1] = 2;
-    times[1] = 2, refuses(o, 1.5, VM_BAD_ARGUMENT), o.mass = vm_law_table(1, times, values),
-    refuses(o, 0, VM_BAD_ARGUMENT);
-    o.mass = vm_law_user(NULL, NULL), refuses(o, 1, VM_BAD_ARGUMENT), o.mass = vm_law_user(failing, NULL),
-    refuses(o, 5, VM_BAD_MASS), refuses(o, 7, VM_BAD_ARGUMENT);
-    o.mass.kind = 17, refuses(o, 1, VM_BAD_ARGUMENT), o = good;
-    o.x = VM_INFINITY, refuses(o, 1, VM_NOT_FINITE), o = good, o.damping = VM_NAN, refuses(o, 1, VM_NOT_FINITE),
+    o.alpha = R(-0.1);
+    refuses(o, 1, VM_BAD_ARGUMENT);
+    o.alpha = VM_NAN;
+    refuses(o, 1, VM_BAD_ARGUMENT);
     o = good;
-    o.reactive = VM_NAN, refuses(o, 1, VM_NOT_FINITE), o = good, refuses(o, (double)VM_NAN, VM_NOT_FINITE),
-    o.mass = vm_law_linear(VM_INFINITY, 0), refuses(o, 1, VM_NOT_FINITE);
+    o.stiffness = vm_law_linear(0, 0);
+    refuses(o, 1, VM_BAD_MASS);
+    o.stiffness = vm_law_linear(-1, 0);
+    refuses(o, 1, VM_BAD_MASS);
+    o = good;
+    o.mass = vm_law_linear(1, R(-0.5));
+    refuses(o, 2, VM_BAD_MASS);
+    refuses(o, 3, VM_BAD_MASS);
+    o.mass = vm_law_linear(0, 1);
+    refuses(o, 3, VM_BAD_MASS);
+    o.mass = vm_law_quadratic(1, -2, R(0.9));
+    refuses(o, 3, VM_BAD_MASS); /* positive at 0 and at 3, not between */
+    o.mass = vm_law_power(1, R(-0.5), 2);
+    refuses(o, 3, VM_BAD_MASS);
+    o.mass = vm_law_exponential(-1, 0);
+    refuses(o, 3, VM_BAD_MASS);
+    o.mass = vm_law_table(3, times, values);
+    refuses(o, 2.5, VM_BAD_ARGUMENT);
+    values[1] = -1;
+    refuses(o, 1.5, VM_BAD_MASS);
+    values[1] = VM_NAN;
+    refuses(o, 1.5, VM_NOT_FINITE);
+    values[1] = 2;
+    times[1] = 2;
+    refuses(o, 1.5, VM_BAD_ARGUMENT);
+    o.mass = vm_law_table(1, times, values);
+    refuses(o, 0, VM_BAD_ARGUMENT);
+    o.mass = vm_law_user(NULL, NULL);
+    refuses(o, 1, VM_BAD_ARGUMENT);
+    o.mass = vm_law_user(failing, NULL);
+    refuses(o, 5, VM_BAD_MASS);
+    refuses(o, 7, VM_BAD_ARGUMENT);
+    o.mass.kind = 17;
+    refuses(o, 1, VM_BAD_ARGUMENT);
+    o = good;
+    o.x = VM_INFINITY;
+    refuses(o, 1, VM_NOT_FINITE);
+    o = good;
+    o.damping = VM_NAN;
+    refuses(o, 1, VM_NOT_FINITE);
+    o = good;
+    o.reactive = VM_NAN;
+    refuses(o, 1, VM_NOT_FINITE);
+    o = good;
+    refuses(o, (double)VM_NAN, VM_NOT_FINITE);
+    o.mass = vm_law_linear(VM_INFINITY, 0);
+    refuses(o, 1, VM_NOT_FINITE);
     o = good;
     CHECK(vm_osc_by(&o, 7, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_by(&o, -1, 1, 0, &m) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_at(&o, 1, -1, &m) == VM_BAD_ARGUMENT && vm_osc_at(NULL, 1, 0, &m) == VM_BAD_ARGUMENT &&
@@ -1357,11 +1481,16 @@ static void test_bad_input(void)
           vm_law_inverse_integral(&o.mass, 1, NULL) == VM_BAD_ARGUMENT);
     CHECK(isnan(vm_osc_energy(1, 1, 1, -1)));
     CHECK(isnan(vm_osc_energy(VM_INFINITY, 1, 1, 1)) && isnan(vm_osc_energy(1, 1, VM_INFINITY, 1)));
-    vm_osc_amplitude_phase(1, 1, 1, -1, &A, &psi), CHECK(isnan(A) && isnan(psi));
-    vm_osc_amplitude_phase(1, 1, 0, 1, &A, &psi), CHECK(isnan(A));
-    vm_osc_exact_from(1, VM_NAN, 0, 1, 1, &x, &v), CHECK(isnan(x) && isnan(v));
-    vm_osc_trig(1, 1, 1, -1, &x, &v), CHECK(isnan(x) && isnan(v)), vm_osc_jacobi(VM_INFINITY, 1, 1, 2, &x, &v),
-        CHECK(isnan(x) && isnan(v));
+    vm_osc_amplitude_phase(1, 1, 1, -1, &A, &psi);
+    CHECK(isnan(A) && isnan(psi));
+    vm_osc_amplitude_phase(1, 1, 0, 1, &A, &psi);
+    CHECK(isnan(A));
+    vm_osc_exact_from(1, VM_NAN, 0, 1, 1, &x, &v);
+    CHECK(isnan(x) && isnan(v));
+    vm_osc_trig(1, 1, 1, -1, &x, &v);
+    CHECK(isnan(x) && isnan(v));
+    vm_osc_jacobi(VM_INFINITY, 1, 1, 2, &x, &v);
+    CHECK(isnan(x) && isnan(v));
     CHECK(strcmp(vm_osc_route_name(VM_ROUTE_SECOND), "second-order law") == 0 &&
           strcmp(vm_osc_route_name(99), "unknown route") == 0);
     CHECK(strcmp(vm_strerror(VM_NO_LAW), vm_strerror(VM_NOT_INTEGRATED)) != 0 &&

@@ -64,7 +64,8 @@ static void refuses(const char *name, int (*call)(trial *), const vm_real *good,
             memset(&a, 0, sizeof a);
             memcpy(a.x, good, (size_t)numbers * sizeof *good);
             memcpy(a.output, before, sizeof before);
-            a.null = -1, a.x[i] = far[k];
+            a.null = -1;
+            a.x[i] = far[k];
             worked = call(&a) >= 0 || memcmp(a.output, before, sizeof before) == 0;
             if (!worked) printf("%s: number %d, %g\n", name, i, (double)far[k]);
             CHECK(worked);
@@ -214,7 +215,9 @@ static int any_jump(trial *a, jump function, size_t what_matters)
     vm_body whole, part;
     vm_impulse blow;
     memset(&whole, 0, sizeof whole);
-    take(a, &whole, what_matters), take(a, &part, sizeof part), take(a, &blow, sizeof blow);
+    take(a, &whole, what_matters);
+    take(a, &part, sizeof part);
+    take(a, &blow, sizeof blow);
     return function(POINTER(0, &whole), POINTER(1, &part), &blow, OUT(2, vm_body, 0));
 }
 static int any_jump2(trial *a, jump2 function, size_t what_matters)
@@ -222,7 +225,9 @@ static int any_jump2(trial *a, jump2 function, size_t what_matters)
     vm_body2 whole, part;
     vm_impulse2 blow;
     memset(&whole, 0, sizeof whole);
-    take(a, &whole, what_matters), take(a, &part, sizeof part), take(a, &blow, sizeof blow);
+    take(a, &whole, what_matters);
+    take(a, &part, sizeof part);
+    take(a, &blow, sizeof blow);
     return function(POINTER(0, &whole), POINTER(1, &part), &blow, OUT(2, vm_body2, 0));
 }
 static int separate(trial *a) { return any_jump(a, vm_separate, sizeof(vm_body)); }
@@ -239,8 +244,11 @@ static int separate_for(trial *a)
     vm_body whole, part;
     vm_impulse blow;
     vm_vec3 v, omega;
-    take(a, &whole, sizeof whole), take(a, &part, offsetof(vm_body, v)), take(a, &blow, sizeof blow);
-    take(a, &v, sizeof v), take(a, &omega, sizeof omega);
+    take(a, &whole, sizeof whole);
+    take(a, &part, offsetof(vm_body, v));
+    take(a, &blow, sizeof blow);
+    take(a, &v, sizeof v);
+    take(a, &omega, sizeof omega);
     part.v = part.omega = vmi_vec3(0, 0, 0); /* they are what is asked for */
     return vm_separate_for(POINTER(0, &whole), POINTER(1, &part), &blow, &v, &omega, OUT(2, vm_body, 0));
 }
@@ -249,16 +257,22 @@ static int separate_for2(trial *a)
     vm_body2 whole, part;
     vm_impulse2 blow;
     vm_real v[2], omega;
-    take(a, &whole, sizeof whole), take(a, &part, sizeof part), take(a, &blow, sizeof blow);
-    take(a, v, sizeof v), omega = next(a);
+    take(a, &whole, sizeof whole);
+    take(a, &part, sizeof part);
+    take(a, &blow, sizeof blow);
+    take(a, v, sizeof v);
+    omega = next(a);
     return vm_separate_for2(POINTER(0, &whole), POINTER(1, &part), &blow, v, &omega, OUT(2, vm_body2, 0));
 }
 static int separate_for_spin2(trial *a)
 {
     vm_body2 whole, part;
     vm_impulse2 blow;
-    take(a, &whole, sizeof whole), take(a, &part, offsetof(vm_body2, vx)), take(a, &blow, sizeof blow);
-    part.vx = part.vy = VM_NAN, part.omega = next(a); /* the velocity is what is asked for */
+    take(a, &whole, sizeof whole);
+    take(a, &part, offsetof(vm_body2, vx));
+    take(a, &blow, sizeof blow);
+    part.vx = part.vy = VM_NAN;
+    part.omega = next(a); /* the velocity is what is asked for */
     return vm_separate_for_spin2(POINTER(0, &whole), POINTER(1, &part), &blow, next(a), OUT(2, vm_body2, 0));
 }
 static int relative(trial *a)
@@ -286,7 +300,9 @@ static int balance(trial *a)
     vm_body before, after;
     vm_impulse blow;
     vm_vec3 about;
-    take(a, &before, sizeof before), take(a, &after, sizeof after), take(a, &blow, sizeof blow);
+    take(a, &before, sizeof before);
+    take(a, &after, sizeof after);
+    take(a, &blow, sizeof blow);
     take(a, &about, sizeof about);
     return vm_balance_between(1, POINTER(0, &before), 1, POINTER(1, &after), &blow, about, OUT(2, vm_balance, 0));
 }
@@ -295,7 +311,9 @@ static int combine(trial *a)
     vm_inertia first, second;
     vm_vec3 d;
     const vm_real m = next(a), n = next(a);
-    take(a, &first, sizeof first), take(a, &second, sizeof second), take(a, &d, sizeof d);
+    take(a, &first, sizeof first);
+    take(a, &second, sizeof second);
+    take(a, &d, sizeof d);
     return vm_combine_inertia(m, POINTER(0, &first), n, POINTER(1, &second), d, OUT(2, vm_inertia, 0),
                               OUT(3, vm_vec3, 10));
 }
@@ -306,7 +324,8 @@ static void test_jumps(void)
     vm_body huge, point, whole;
     vm_body2 flat, other;
     int i;
-    memset(&huge, 0, sizeof huge), memset(&flat, 0, sizeof flat);
+    memset(&huge, 0, sizeof huge);
+    memset(&flat, 0, sizeof flat);
     REFUSES(separate, 3, BODY, PART, BLOW);
     REFUSES(attach, 3, BODY, PART, BLOW);
     REFUSES(separate_relative, 3, RESTING, PART, BLOW);
@@ -316,7 +335,10 @@ static void test_jumps(void)
     REFUSES(separate_relative2, 3, RESTING2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2);
     REFUSES(attach_relative2, 3, RESTING2(3, 2, 0.1), BODY2(1, 0.1, 0.3), BLOW2);
     REFUSES(balance, 3, BODY, PART, BLOW, R(0.1), R(0.2), R(0.3));
-    REFUSES_NULL(relative, 3), REFUSES_NULL(absolute, 3), REFUSES_NULL(relative2, 3), REFUSES_NULL(absolute2, 3);
+    REFUSES_NULL(relative, 3);
+    REFUSES_NULL(absolute, 3);
+    REFUSES_NULL(relative2, 3);
+    REFUSES_NULL(absolute2, 3);
     for (i = 0; i < 6; i++) { /* an inertia of nothing but one number; a point's */
         vm_inertia one = {0, 0, 0, 0, 0, 0};
         CHECK(vm_inertia_possible(&one));
@@ -328,13 +350,20 @@ static void test_jumps(void)
                   : &one.yz)[0] = 1;
         CHECK(!vm_inertia_possible(&one));
     }
-    huge.mass = VM_MAX, huge.v.x = 4; /* finite numbers whose products are not */
+    huge.mass = VM_MAX;
+    huge.v.x = 4; /* finite numbers whose products are not */
     CHECK(vm_balance_between(0, NULL, 1, &huge, NULL, vmi_vec3(0, 0, 0), &left) == VM_NOT_FINITE);
-    huge.mass = VM_MAX / 2, huge.v.x = 1, huge.r.y = 64;
+    huge.mass = VM_MAX / 2;
+    huge.v.x = 1;
+    huge.r.y = 64;
     CHECK(vm_balance_between(0, NULL, 1, &huge, NULL, vmi_vec3(0, 0, 0), &left) == VM_NOT_FINITE);
-    huge.r.y = 0, point = huge, point.r.x = 64;
+    huge.r.y = 0;
+    point = huge;
+    point.r.x = 64;
     CHECK(vm_attach(&huge, &point, NULL, &whole) == VM_NOT_FINITE);
-    flat.mass = VM_MAX / 2, other = flat, other.x = 64;
+    flat.mass = VM_MAX / 2;
+    other = flat;
+    other.x = 64;
     CHECK(vm_attach2(&flat, &other, NULL, &flat) == VM_NOT_FINITE);
     CHECK(vm_balance_between(-1, NULL, 0, NULL, NULL, vmi_vec3(0, 0, 0), &left) == VM_BAD_ARGUMENT);
     CHECK(vm_balance_between(0, NULL, -1, NULL, NULL, vmi_vec3(0, 0, 0), &left) == VM_BAD_ARGUMENT);
@@ -353,9 +382,15 @@ static void test_lists_of_bodies(void)
     vm_inertia i = {1, -1, 0, 0, 0, 0};
     vm_balance left;
     int k, j;
-    memset(list, 0, sizeof list), memset(flat, 0, sizeof flat), memset(&left, 0, sizeof left);
-    for (k = 0; k < 3; k++) list[k].mass = 1, list[k].v.x = (vm_real)k;
-    whole = list[2], flat[0].mass = flat[1].mass = 1;
+    memset(list, 0, sizeof list);
+    memset(flat, 0, sizeof flat);
+    memset(&left, 0, sizeof left);
+    for (k = 0; k < 3; k++) {
+        list[k].mass = 1;
+        list[k].v.x = (vm_real)k;
+    }
+    whole = list[2];
+    flat[0].mass = flat[1].mass = 1;
     for (k = 0; k < 3; k++) { /* each of them in turn without a mass; all of the largest mass */
         for (j = 0; j < 3; j++) list[j].mass = j == k ? -1 : 1;
         result.mass = 7;
@@ -364,41 +399,69 @@ static void test_lists_of_bodies(void)
         CHECK(vm_attach_all(&whole, k + 1, list, NULL, &result) == (k ? VM_NOT_FINITE : VM_OK));
         CHECK(result.mass == (k ? 7 : VM_MAX / 4 * 3));
     }
-    flat[0].mass = -1, moving.mass = 7;
+    flat[0].mass = -1;
+    moving.mass = 7;
     CHECK(vm_attach_all2(&flat[1], 2, flat, NULL, &moving) == VM_BAD_MASS && moving.mass == 7);
     for (k = 0; k < 3; k++) { /* turns by pi: q.w is the whole's, y is not, z is not, x is not */
         vm_body part;
-        memset(&part, 0, sizeof part), memset(&whole, 0, sizeof whole);
-        whole.mass = 3, whole.inertia.xx = 2, whole.inertia.yy = 2, whole.inertia.zz = 3, whole.omega.y = 1;
-        part.mass = 1, part.inertia.xx = R(0.1), part.inertia.yy = R(0.2), part.inertia.zz = R(0.3);
-        whole.q.x = 1, part.q.x = (k != 2), part.q.y = (k == 0), part.q.z = (k != 0);
-        part.r.x = R(0.25), part.v.z = 2, part.omega.y = 2;
+        memset(&part, 0, sizeof part);
+        memset(&whole, 0, sizeof whole);
+        whole.mass = 3;
+        whole.inertia.xx = 2;
+        whole.inertia.yy = 2;
+        whole.inertia.zz = 3;
+        whole.omega.y = 1;
+        part.mass = 1;
+        part.inertia.xx = R(0.1);
+        part.inertia.yy = R(0.2);
+        part.inertia.zz = R(0.3);
+        whole.q.x = 1;
+        part.q.x = (k != 2);
+        part.q.y = (k == 0);
+        part.q.z = (k != 0);
+        part.r.x = R(0.25);
+        part.v.z = 2;
+        part.omega.y = 2;
         CHECK(vm_attach(&whole, &part, NULL, &result) == VM_OK);
-        list[0] = whole, list[1] = part;
+        list[0] = whole;
+        list[1] = part;
         CHECK(vm_balance_between(2, list, 1, &result, NULL, vmi_vec3(1, 2, 3), &left) == VM_OK);
         check_error("attach", "attitudes", "eps",
                     (double)(vmi_size(left.momentum) + vmi_size(left.angular_momentum)) / (double)VM_EPSILON, 64, k,
                     0);
     }
-    CHECK(!vm_inertia_possible(&i)), i.xx = VM_MIN * VM_EPSILON, i.yy = -i.xx; /* whose slack is 0 */
-    CHECK(!vm_inertia_possible(&i)), i.zz = i.yy, i.yy = i.xx, i.xx = 0, CHECK(!vm_inertia_possible(&i));
-    flat[0].mass = 2, flat[0].inertia = 3, flat[1].inertia = 1; /* a part above the mass centre; one at it */
+    CHECK(!vm_inertia_possible(&i));
+    i.xx = VM_MIN * VM_EPSILON;
+    i.yy = -i.xx; /* whose slack is 0 */
+    CHECK(!vm_inertia_possible(&i));
+    i.zz = i.yy;
+    i.yy = i.xx;
+    i.xx = 0;
+    CHECK(!vm_inertia_possible(&i));
+    flat[0].mass = 2;
+    flat[0].inertia = 3;
+    flat[1].inertia = 1; /* a part above the mass centre; one at it */
     for (k = 0; k < 2; k++) {
-        flat[1].y = k ? 0 : R(0.5), moving.mass = 7;
+        flat[1].y = k ? 0 : R(0.5);
+        moving.mass = 7;
         CHECK(vm_separate_for_spin2(&flat[0], &flat[1], NULL, omega, &moving) == (k ? VM_SINGULAR : VM_OK));
         if (k) CHECK(moving.mass == 7);
         else CHECK(vm_separate2(&flat[0], &moving, NULL, &moving) == VM_OK && moving.omega == omega);
     }
     {
         const vm_real v[2] = {1, 2};
-        flat[1].y = R(0.5), flat[1].omega = 3;
+        flat[1].y = R(0.5);
+        flat[1].omega = 3;
         CHECK(vm_separate_for2(&flat[0], &flat[1], NULL, v, NULL, &moving) == VM_OK && moving.omega == 3);
         CHECK(vm_separate2(&flat[0], &moving, NULL, &moving) == VM_OK);
         check_error("separate for", "v alone", "eps",
                     hypot((double)moving.vx - 1, (double)moving.vy - 2) / (double)VM_EPSILON, 16, 0, 0);
     }
-    flat[0].x = flat[1].x = VM_MAX, flat[0].vx = VM_MAX / 2, flat[1].vx = -VM_MAX; /* the end of numbers */
-    flat[0].mass = 2, flat[1].mass = 1;
+    flat[0].x = flat[1].x = VM_MAX;
+    flat[0].vx = VM_MAX / 2;
+    flat[1].vx = -VM_MAX; /* the end of numbers */
+    flat[0].mass = 2;
+    flat[1].mass = 1;
     CHECK(vm_separate2(&flat[0], &flat[1], NULL, &moving) == VM_NOT_FINITE);
 }
 
@@ -442,7 +505,8 @@ static int rotor_free(trial *a)
     vm_rotor r;
     vm_real y[6];
     const vm_real t = next(a);
-    take(a, &r, offsetof(vm_rotor, s)), take(a, y, sizeof y);
+    take(a, &r, offsetof(vm_rotor, s));
+    take(a, y, sizeof y);
     r.s = 0;
     return vm_rotor_free(t, POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
 }
@@ -451,7 +515,9 @@ static int orbit(trial *a)
     vm_rotor r;
     vm_real y[6] = {0};
     memset(&r, 0, sizeof r);
-    take(a, &r, sizeof r), y[0] = next(a), y[3] = next(a);
+    take(a, &r, sizeof r);
+    y[0] = next(a);
+    y[3] = next(a);
     return vm_rotor_orbit(POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
 }
 static int break_off(trial *a)
@@ -459,7 +525,9 @@ static int break_off(trial *a)
     vm_rotor r;
     vm_rotor_piece piece;
     vm_real y[6];
-    take(a, &r, sizeof r), take(a, y, sizeof y), take(a, &piece, sizeof piece);
+    take(a, &r, sizeof r);
+    take(a, y, sizeof y);
+    take(a, &piece, sizeof piece);
     a->is_value = 1; /* energies may overflow where motions do not */
     return vm_rotor_break_off(POINTER(0, &r), POINTER(1, y), POINTER(2, &piece), OUT(3, vm_rotor_break, 0));
 }
@@ -481,7 +549,10 @@ static int pendulum(trial *a)
     const vm_real part = next(a), Omega = next(a), ux = next(a), uy = next(a);
     memset(&p, 0, sizeof p); /* its padding too, which all_finite reads in what becomes of it */
     p.axes = VM_AXES_COS_SIN;
-    p.mass = next(a), p.length = next(a), p.angle = next(a), p.rate = next(a);
+    p.mass = next(a);
+    p.length = next(a);
+    p.angle = next(a);
+    p.rate = next(a);
     return vm_pendulum_separate(POINTER(0, &p), part, Omega, ux, uy, OUT(1, vm_pendulum_cut, 0));
 }
 
@@ -505,7 +576,9 @@ static void test_rotor(void)
     CHECK(!vm_rotor_stable(&rotor, VM_NAN) && !vm_rotor_stable(&rotor, 25));
     swing.rate = VM_MAX / 4; /* finite, but its energy is not */
     CHECK(vm_pendulum_separate(&swing, R(0.3), 1, 0, 0, &cut) == VM_NOT_FINITE);
-    swing.rate = 1, swing.mass = VM_MAX / 4, swing.length = 4;
+    swing.rate = 1;
+    swing.mass = VM_MAX / 4;
+    swing.length = 4;
     CHECK(vm_pendulum_separate(&swing, R(0.3), 1, 0, 0, &cut) == VM_NOT_FINITE);
 }
 
@@ -521,7 +594,10 @@ static void test_pendulum_limits(void)
     for (k = 0; k < 3; k++) {
         vm_pendulum p = {0, 0, 0, 0, VM_AXES_COS_SIN};
         vm_pendulum_cut cut;
-        p.mass = cases[k].mass, p.length = cases[k].length, p.angle = cases[k].angle, p.rate = cases[k].rate;
+        p.mass = cases[k].mass;
+        p.length = cases[k].length;
+        p.angle = cases[k].angle;
+        p.rate = cases[k].rate;
         cut.mass = 7;
         CHECK(vm_pendulum_separate(&p, cases[k].part, k < 2 ? 0 : 64 * VM_SQRT(VM_MAX), 0, cases[k].uy, &cut) ==
                   VM_NOT_FINITE &&
@@ -570,7 +646,9 @@ static void take_stream(trial *a, vm_stream *s)
 {
     memset(s, 0, sizeof *s);
     s->rate = next(a);
-    take(a, &s->at, sizeof s->at), take(a, &s->velocity, sizeof s->velocity), take(a, &s->spin, sizeof s->spin);
+    take(a, &s->at, sizeof s->at);
+    take(a, &s->velocity, sizeof s->velocity);
+    take(a, &s->spin, sizeof s->spin);
     take(a, &s->gyration, sizeof s->gyration);
 }
 #define STREAM R(-0.1), R(0.3), R(0.2), R(0.1), 1, 2, 3, R(0.1), R(0.2), R(0.3), R(0.01), R(0.01), R(0.01), 0, 0, 0
@@ -580,7 +658,9 @@ static int reactive_loads(trial *a)
     vm_body b;
     vm_stream s;
     vm_vec3 centre;
-    take(a, &b, sizeof b), take_stream(a, &s), take(a, &centre, sizeof centre);
+    take(a, &b, sizeof b);
+    take_stream(a, &s);
+    take(a, &centre, sizeof centre);
     return vm_reactive_loads(POINTER(0, &b), centre, 1, POINTER(1, &s), OUT(2, vm_reactive, 0));
 }
 static int accelerations(trial *a)
@@ -589,9 +669,11 @@ static int accelerations(trial *a)
     vm_reactive loads;
     vm_vec3 force, moment;
     memset(&loads, 0, sizeof loads);
-    take(a, &b, offsetof(vm_body, r)), take(a, &loads, offsetof(vm_reactive, drift));
+    take(a, &b, offsetof(vm_body, r));
+    take(a, &loads, offsetof(vm_reactive, drift));
     b.r = b.v = b.omega = vmi_vec3(1, 2, 3);
-    take(a, &force, sizeof force), take(a, &moment, sizeof moment);
+    take(a, &force, sizeof force);
+    take(a, &moment, sizeof moment);
     return vm_accelerations(POINTER(0, &b), POINTER(1, &loads), force, moment, OUT(2, vm_vec3, 0),
                             OUT(3, vm_vec3, 4));
 }
@@ -602,10 +684,15 @@ static int flow_start(trial *a)
     vm_stream s;
     vm_store store;
     memset(&flow, 0, sizeof flow);
-    take(a, &b, sizeof b), take_stream(a, &s), take(a, &store, sizeof store);
-    take(a, &flow.centre, sizeof flow.centre), take(a, &flow.force, sizeof flow.force);
+    take(a, &b, sizeof b);
+    take_stream(a, &s);
+    take(a, &store, sizeof store);
+    take(a, &flow.centre, sizeof flow.centre);
+    take(a, &flow.force, sizeof flow.force);
     take(a, &flow.moment, sizeof flow.moment);
-    s.from = &store, flow.n = 1, flow.streams = POINTER(0, &s);
+    s.from = &store;
+    flow.n = 1;
+    flow.streams = POINTER(0, &s);
     return vm_flow_start(POINTER(1, &flow), POINTER(2, &b), OUT(3, vm_real, 0));
 }
 static int flow_body(trial *a)
@@ -613,7 +700,8 @@ static int flow_body(trial *a)
     vm_flow flow;
     vm_real y[VM_RHS];
     memset(&flow, 0, sizeof flow);
-    take(a, y, VM_Y_CENTRE * sizeof *y), take(a, y + VM_Y_INERTIA, 6 * sizeof *y);
+    take(a, y, VM_Y_CENTRE * sizeof *y);
+    take(a, y + VM_Y_INERTIA, 6 * sizeof *y);
     y[VM_Y_CENTRE] = y[VM_Y_CENTRE + 1] = y[VM_Y_CENTRE + 2] = 0; /* not looked at */
     return vm_flow_body(POINTER(0, &flow), VM_RHS, POINTER(1, y), OUT(2, vm_body, 0));
 }
@@ -631,7 +719,8 @@ static int linear_flow(trial *a)
 {
     vm_stream1 s = {0, 0, VM_RELATIVE};
     const vm_real t = next(a), x0 = next(a), v0 = next(a), m0 = next(a), force = next(a);
-    s.rate = next(a), s.velocity = next(a);
+    s.rate = next(a);
+    s.velocity = next(a);
     return vm_linear_flow(t, x0, v0, m0, force, POINTER(0, &s), OUT(1, vm_real, 0), OUT(2, vm_real, 1));
 }
 static int jet_damping(trial *a)
@@ -639,7 +728,8 @@ static int jet_damping(trial *a)
     vm_jet jet;
     vm_vec3 omega;
     const vm_real t = next(a);
-    take(a, &jet, sizeof jet), take(a, &omega, sizeof omega);
+    take(a, &jet, sizeof jet);
+    take(a, &omega, sizeof omega);
     return vm_jet_damping(t, POINTER(0, &jet), omega, OUT(1, vm_vec3, 0));
 }
 static int stop_1(vm_real t, const vm_real *y, vm_flow1 *flow) { return (void)t, (void)y, (void)flow, 7; }
@@ -658,7 +748,8 @@ static void test_streams(void)
     const vm_body b = {3, {R(0.4), R(0.5), R(0.6), 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}, {1, 0, 0}, {1, 2, 1}};
     vm_jet jet = {-1, 1, 2, 1, R(0.1), 1, 1};
     vm_vec3 omega;
-    memset(&flow, 0, sizeof flow), flow.update = stop_3;
+    memset(&flow, 0, sizeof flow);
+    flow.update = stop_3;
     REFUSES(free_init, 2, BODY, 0);
     REFUSES(free_at, 2, 1);
     REFUSES(free_attitude, 3, 1);
@@ -682,17 +773,23 @@ static void test_streams(void)
     CHECK(vm_jet_damping(2, &jet, vmi_vec3(1, 2, 3), &omega) == VM_BAD_INERTIA); /* the axial moment is used up */
     jet.axial = -1;
     CHECK(vm_jet_damping(0, &jet, vmi_vec3(1, 2, 3), &omega) == VM_BAD_INERTIA);
-    jet.axial = 1, jet.transverse = 0;
+    jet.axial = 1;
+    jet.transverse = 0;
     CHECK(vm_jet_damping(0, &jet, vmi_vec3(1, 2, 3), &omega) == VM_BAD_INERTIA);
     {
         const vm_store store = {{0, 0, 0}, {0, 0, 0, 0, 0, 0}};
         vm_stream s;
         vm_reactive loads;
-        memset(&s, 0, sizeof s), s.rate = -1, s.from = &store;
+        memset(&s, 0, sizeof s);
+        s.rate = -1;
+        s.from = &store;
         CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_STORED_STREAM);
-        s.from = NULL, s.velocity.x = s.rate = VM_MAX / 2; /* each is finite */
+        s.from = NULL;
+        s.velocity.x = s.rate = VM_MAX / 2; /* each is finite */
         CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_NOT_FINITE);
-        s.velocity.x = 0, s.rate = VM_MAX / 8, s.at.y = 64;
+        s.velocity.x = 0;
+        s.rate = VM_MAX / 8;
+        s.at.y = 64;
         CHECK(vm_reactive_loads(&b, vmi_vec3(0, 0, 0), 1, &s, &loads) == VM_NOT_FINITE);
     }
 }
@@ -713,31 +810,50 @@ static void test_stream_limits(void)
     vm_reactive loads;
     vm_body b, later;
     int k;
-    memset(&flow, 0, sizeof flow), flow.update = force_3;
+    memset(&flow, 0, sizeof flow);
+    flow.update = force_3;
     CHECK(vm_rhs1(5, y, rates, &flow1) == 0 && rates[0] == 3 && rates[1] == 5 && rates[2] == 0);
-    y[3] = 8, y[6] = 2;
+    y[3] = 8;
+    y[6] = 2;
     CHECK(vm_rhs_translation(5, y, rates, &flow) == 0 && rates[0] == 4 && rates[3] == 5 && rates[6] == 0);
-    y[2] = 1, y[3] = 2, y[4] = 4, y[5] = 6, y[6] = 2, y[7] = y[8] = 0, y[9] = 3;
+    y[2] = 1;
+    y[3] = 2;
+    y[4] = 4;
+    y[5] = 6;
+    y[6] = 2;
+    y[7] = y[8] = 0;
+    y[9] = 3;
     CHECK(vm_rhs2(0, y, rates, &flow2) == 0 && rates[0] == 1 && rates[1] == 2 && rates[2] == 2);
     CHECK(rates[3] == 3 && rates[4] == 4 && rates[5] == 5 && rates[6] == 0 && rates[9] == 0);
     memset(&b, 0, sizeof b);
-    b.mass = 1, b.inertia.xx = 6, b.inertia.yy = 4, b.inertia.zz = 3;
+    b.mass = 1;
+    b.inertia.xx = 6;
+    b.inertia.yy = 4;
+    b.inertia.zz = 3;
     for (k = 0; k < 8; k++) { /* 3 (4 - 3) w_z^2 = 6 (6 - 4) w_x^2: omega tends to the middle axis */
         vm_vec3 h, h_later;
         b.omega = vmi_vec3(k & 1 ? R(-0.5) : R(0.5), k & 2 ? R(-0.75) : R(0.75), k & 4 ? -1 : 1);
         CHECK(vm_free_rotation(&b, 3, &later) == VM_OK);
-        h = vm_angular_momentum(&b, b.r), h_later = vm_angular_momentum(&later, b.r);
+        h = vm_angular_momentum(&b, b.r);
+        h_later = vm_angular_momentum(&later, b.r);
         check_error("free rotation", "separatrix", "eps",
                     (double)vmi_size(vmi_sub(h, h_later)) / (double)VM_EPSILON, 100, k, 0);
         check_error("free rotation", "separatrix", "eps",
                     fabs((double)(vm_kinetic_energy(&b) - vm_kinetic_energy(&later))) / (double)VM_EPSILON, 100, k,
                     0);
     }
-    b.q.y = 1, CHECK(vm_free_init(&motion, &b, 0) == VM_OK), b.q.y = 0, b.q.z = 1;
-    b.v.x = VM_MAX / 4, later.mass = 7;
+    b.q.y = 1;
+    CHECK(vm_free_init(&motion, &b, 0) == VM_OK);
+    b.q.y = 0;
+    b.q.z = 1;
+    b.v.x = VM_MAX / 4;
+    later.mass = 7;
     CHECK(vm_free_init(&motion, &b, 0) == VM_OK && vm_free_at(&motion, 64, &later) == VM_NOT_FINITE);
     CHECK(later.mass == 7 && vm_free_at(&motion, 1, &later) == VM_OK && later.r.x == VM_MAX / 4);
-    memset(&stream, 0, sizeof stream), stream.rate = -64, stream.at.x = 64, loads.mass_rate = 7;
+    memset(&stream, 0, sizeof stream);
+    stream.rate = -64;
+    stream.at.x = 64;
+    loads.mass_rate = 7;
     CHECK(vm_reactive_loads(&heavy, vmi_vec3(0, 0, 0), 1, &stream, &loads) == VM_NOT_FINITE &&
           loads.mass_rate == 7);
 }
@@ -750,14 +866,22 @@ static int drum_at(trial *a)
 {
     vm_drum d;
     const vm_real phi = next(a);
-    take(a, &d, offsetof(vm_drum, speed)), d.speed = 3, d.damping = 0, d.stiffness = 4000, d.omega = 20;
+    take(a, &d, offsetof(vm_drum, speed));
+    d.speed = 3;
+    d.damping = 0;
+    d.stiffness = 4000;
+    d.omega = 20;
     return vm_drum_at(phi, POINTER(0, &d), OUT(1, vm_drum_geometry, 0));
 }
 /* What the motion of a rigid shaft needs: neither mass nor stiffness */
 static vm_drum turning_drum(trial *a)
 {
     vm_drum d = {0, 10, 0, 0, 0, 0, 4000, 0};
-    d.radius = next(a), d.inertia = next(a), d.band = next(a), d.speed = next(a), d.damping = next(a),
+    d.radius = next(a);
+    d.inertia = next(a);
+    d.band = next(a);
+    d.speed = next(a);
+    d.damping = next(a);
     d.omega = next(a);
     return d;
 }
@@ -783,18 +907,23 @@ static int deflection(trial *a)
 {
     vm_drum_shaft s;
     const vm_real phi = next(a), amplitude = next(a), alpha = next(a), particular = next(a);
-    s.k = next(a), s.A = next(a), s.delta = R(0.02), s.shift = 0;
+    s.k = next(a);
+    s.A = next(a);
+    s.delta = R(0.02);
+    s.shift = 0;
     return value(a, vm_drum_deflection(phi, POINTER(0, &s), amplitude, alpha, particular));
 }
 
 static vm_real kinetic(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return masses[0] * ((1 + q[0] * q[0]) * rates[0] * rates[0] + rates[1] * rates[1]) / 2;
 }
 static void one_mass(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
-    (void)q, (void)ctx;
+    (void)q;
+    (void)ctx;
     masses[0] = 2 - t;
 }
 static vm_real frozen_work[VM_LAGRANGE_RHS_WORK(2, 1)];
@@ -808,7 +937,8 @@ static int lagrange_start(trial *a)
     vm_lagrange l = system_of_two();
     vm_real q[2], rates[2];
     const vm_real t = next(a);
-    take(a, q, sizeof q), take(a, rates, sizeof rates);
+    take(a, q, sizeof q);
+    take(a, rates, sizeof rates);
     return vm_lagrange_start(POINTER(0, &l), t, POINTER(1, q), POINTER(2, rates), OUT(3, vm_real, 0));
 }
 static int lagrange_rates(trial *a)
@@ -877,7 +1007,13 @@ static void test_drum_limits(void)
         CHECK(phi == phi || vmi_drum_e(&d).hi == 0);
     }
     check_error("drum, Lambert", "t = 0", "eps", (double)(furthest / VM_EPSILON), 1e4, 0, 0);
-    d.mass = 1, d.inertia = 1, d.radius = 1, d.band = 0, d.omega = 1, d.damping = -VM_MAX / 4 * 3, shaft.k = 7;
+    d.mass = 1;
+    d.inertia = 1;
+    d.radius = 1;
+    d.band = 0;
+    d.omega = 1;
+    d.damping = -VM_MAX / 4 * 3;
+    shaft.k = 7;
     CHECK(vm_drum_shaft_init(&d, &shaft) == VM_NOT_FINITE && shaft.k == 7);
 }
 
@@ -903,7 +1039,8 @@ static int osc_period(trial *a)
 static vm_law law_of(trial *a, int kind)
 {
     vm_law law = vm_law_linear(next(a), next(a));
-    law.kind = kind, law.f2 = next(a);
+    law.kind = kind;
+    law.f2 = next(a);
     return law;
 }
 static int law_at_of(trial *a, int kind)
@@ -932,8 +1069,15 @@ static vm_osc_problem osc_problem(trial *a)
 {
     vm_osc_problem o;
     memset(&o, 0, sizeof o);
-    o.x = next(a), o.v = next(a), o.reactive = next(a), o.damping = next(a), o.alpha = next(a);
-    o.mass.f0 = next(a), o.mass.f1 = next(a), o.stiffness.f0 = next(a), o.stiffness.f1 = next(a);
+    o.x = next(a);
+    o.v = next(a);
+    o.reactive = next(a);
+    o.damping = next(a);
+    o.alpha = next(a);
+    o.mass.f0 = next(a);
+    o.mass.f1 = next(a);
+    o.stiffness.f0 = next(a);
+    o.stiffness.f1 = next(a);
     return o;
 }
 #define PROBLEM R(0.1), R(0.2), 1, R(0.01), 3, 2, R(0.01), 3, R(0.02)
@@ -962,7 +1106,8 @@ static int osc_averaged(trial *a)
     trial other;
     vm_osc_problem o;
     vm_osc_plan p;
-    memset(&other, 0, sizeof other), memcpy(other.x, now, sizeof now);
+    memset(&other, 0, sizeof other);
+    memcpy(other.x, now, sizeof now);
     o = osc_problem(&other);
     if (vm_osc_plan_init(&p, &o)) return -1;
     return vm_osc_averaged(POINTER(0, &p), VM_ROUTE_TRIG, t, A, OUT(1, vm_real, 0), OUT(2, vm_real, 1),
@@ -973,7 +1118,8 @@ static int calls, fails_after;
 static int failing_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     (void)ctx;
-    *f = 2 + t / 10, *rate = R(0.1);
+    *f = 2 + t / 10;
+    *rate = R(0.1);
     return ++calls > fails_after;
 }
 
@@ -1000,7 +1146,8 @@ static void test_oscillators(void)
     REFUSES(osc_at, 2, PROBLEM, R(0.3), R(0.1));
     rounds = 400;
     REFUSES(osc_averaged, 4, R(0.3), R(0.1));
-    memset(&a, 0, sizeof a), memcpy(a.x, now, sizeof now);
+    memset(&a, 0, sizeof a);
+    memcpy(a.x, now, sizeof now);
     o = osc_problem(&a);
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     CHECK(vm_osc_averaged(&p, -1, 0, 1, &f, &rate, twice) == VM_BAD_ARGUMENT);
@@ -1009,7 +1156,8 @@ static void test_oscillators(void)
     CHECK(vm_osc_averaged(&p, VM_ROUTE_TRIG, -1000, 1, &f, &rate, twice) == VM_BAD_MASS);
     p.has_ateb = 0; /* without a plan the same wave */
     CHECK(vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, 1, &f, &rate, twice) == VM_OK);
-    law = vm_law_linear(1, 0), law.kind = 77;
+    law = vm_law_linear(1, 0);
+    law.kind = 77;
     CHECK(vm_law_at(&law, 0, &f, &rate) == VM_BAD_ARGUMENT &&
           vm_law_inverse_integral(&law, 1, &f) == VM_BAD_ARGUMENT);
     law = vm_law_linear(1, -1);
@@ -1018,7 +1166,8 @@ static void test_oscillators(void)
     CHECK(vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS &&
           vm_law_inverse_integral(&law, R(0.25), &f) == VM_OK);
     for (i = 0; i < 8; i++) { /* a table that is none */
-        bad[2] = i == 4 ? -1 : i == 5 ? VM_NAN : 3, unsorted[2] = i == 7 ? VM_NAN : 1;
+        bad[2] = i == 4 ? -1 : i == 5 ? VM_NAN : 3;
+        unsorted[2] = i == 7 ? VM_NAN : 1;
         law = vm_law_table(i == 0 ? 1 : 4,
                            i == 1             ? NULL
                            : i == 3 || i == 7 ? unsorted
@@ -1030,16 +1179,19 @@ static void test_oscillators(void)
         CHECK((i > 2 && i != 6) || vm_law_at(&law, i == 6 ? -1 : 1, &f, &rate) == VM_BAD_ARGUMENT);
     }
     for (fails_after = 0; fails_after < 40; fails_after++) { /* a law that fails at each of its calls */
-        law = vm_law_user(failing_law, NULL), calls = 0;
+        law = vm_law_user(failing_law, NULL);
+        calls = 0;
         CHECK(vm_law_inverse_integral(&law, 1, &f) < 0 || fails_after >= calls);
         o.mass = law;
         for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) {
             int status;
-            memset(&m, 0x55, sizeof m), calls = 0;
+            memset(&m, 0x55, sizeof m);
+            calls = 0;
             status = vm_osc_by(&o, i, 1, 0, &m);
             if (calls > fails_after) CHECK(status < 0);
         }
-        calls = 0, CHECK(vm_osc_at(&o, 1, 0, &m) < 0 || fails_after >= calls);
+        calls = 0;
+        CHECK(vm_osc_at(&o, 1, 0, &m) < 0 || fails_after >= calls);
     }
 }
 
@@ -1047,7 +1199,8 @@ static void test_oscillators(void)
 static int even_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     (void)ctx;
-    *f = 2 + t * t / 8, *rate = t / 4;
+    *f = 2 + t * t / 8;
+    *rate = t / 4;
     return 0;
 }
 
@@ -1062,29 +1215,43 @@ static void test_laws(void)
     CHECK(vm_law_at(&law, R(1.5), &f, &rate) == VM_OK && f == 3 && rate == 2);
     law = vm_law_quadratic(1, 0, VM_MAX);
     CHECK(vm_law_at(&law, 0, &f, &rate) == VM_NOT_FINITE && f == 3 && rate == 2);
-    for (i = 0; i < 9; i++) times[i] = (vm_real)(i - 4), even_law(times[i], values + i, &f, NULL);
+    for (i = 0; i < 9; i++) {
+        times[i] = (vm_real)(i - 4);
+        even_law(times[i], values + i, &f, NULL);
+    }
     for (i = 0; i < 2; i++) { /* where nothing asks for them yet */
         (i ? values : times)[8] = i ? VM_NAN : VM_INFINITY;
-        law = vm_law_table(9, times, values), f = 7;
+        law = vm_law_table(9, times, values);
+        f = 7;
         CHECK(vm_law_inverse_integral(&law, R(0.5), &f) == VM_NOT_FINITE && f == 7);
-        times[8] = 4, values[8] = 4;
+        times[8] = 4;
+        values[8] = 4;
     }
     memset(&o, 0, sizeof o);
-    o.alpha = 3, o.reactive = 1, o.x = R(0.5), o.mass = law, o.stiffness = vm_law_linear(30, 0);
+    o.alpha = 3;
+    o.reactive = 1;
+    o.x = R(0.5);
+    o.mass = law;
+    o.stiffness = vm_law_linear(30, 0);
     for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) { /* even laws: t backward with v forward is v backward */
-        o.v = R(0.25), CHECK(vm_osc_by(&o, i, R(-3.5), 0, &back) >= 0);
-        o.v = R(-0.25), CHECK(vm_osc_by(&o, i, R(3.5), 0, &forward) >= 0);
+        o.v = R(0.25);
+        CHECK(vm_osc_by(&o, i, R(-3.5), 0, &back) >= 0);
+        o.v = R(-0.25);
+        CHECK(vm_osc_by(&o, i, R(3.5), 0, &forward) >= 0);
         check_error("backward", vm_osc_route_name(i), "eps", ERROR_EPS(back.x, (double)forward.x, 0, 1), 200, i, 0);
     }
     for (i = 0; i < 9; i++) values[i] = 3 + times[i] / 4; /* nothing jumps at the points of a straight line */
-    o.mass = vm_law_linear(3, R(0.25)), CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &m) == VM_OK);
-    o.mass = vm_law_table(9, times, values), CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &back) == VM_OK);
+    o.mass = vm_law_linear(3, R(0.25));
+    CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &m) == VM_OK);
+    o.mass = vm_law_table(9, times, values);
+    CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &back) == VM_OK);
     check_error("table", "straight line", "", fabs((double)(back.x - m.x)), VM_MANT_DIG > 24 ? 1e-9 : 1e-4, 0, 0);
 }
 
 static vm_real drag(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    (void)t, (void)x;
+    (void)t;
+    (void)x;
     return -*(const vm_real *)ctx * v;
 }
 
@@ -1097,11 +1264,18 @@ static void test_failing_laws(void)
     vm_osc_problem o;
     vm_osc_motion m;
     int kind, i;
-    memset(untouched, 0x55, sizeof untouched), memset(&o, 0, sizeof o);
-    o.alpha = 3, o.reactive = R(0.5), o.x = R(0.5), o.v = R(0.25);
+    memset(untouched, 0x55, sizeof untouched);
+    memset(&o, 0, sizeof o);
+    o.alpha = 3;
+    o.reactive = R(0.5);
+    o.x = R(0.5);
+    o.v = R(0.25);
     for (fails_after = 0; fails_after < 20; fails_after++) {
         vm_osc_plan p;
-        o.mass = vm_law_user(failing_law, NULL), o.stiffness = vm_law_linear(3, R(0.1)), p.pi = 7, calls = 0;
+        o.mass = vm_law_user(failing_law, NULL);
+        o.stiffness = vm_law_linear(3, R(0.1));
+        p.pi = 7;
+        calls = 0;
         CHECK(vm_osc_plan_init(&p, &o) == VM_OK ? calls <= fails_after : calls > fails_after && p.pi == 7);
     }
     for (kind = 0; kind < 4; kind++) /* by itself, beside points of a table, beside a straight line, with a force */
@@ -1113,8 +1287,10 @@ static void test_failing_laws(void)
                          : kind == 2 ? vm_law_linear(2, R(0.1))
                                      : vm_law_user(failing_law, NULL);
                 o.stiffness = kind % 3 ? vm_law_user(failing_law, NULL) : vm_law_linear(3, R(0.1));
-                o.force = kind == 3 ? drag : NULL, o.ctx = &b;
-                memset(&m, 0x55, sizeof m), calls = 0;
+                o.force = kind == 3 ? drag : NULL;
+                o.ctx = &b;
+                memset(&m, 0x55, sizeof m);
+                calls = 0;
                 status = vm_osc_by(&o, i, R(2.5), R(1e-3), &m);
                 CHECK(calls > fails_after ? status < 0 : status >= 0);
                 CHECK(status >= 0 ? VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v) : memcmp(&m, untouched, sizeof m) == 0);
@@ -1131,59 +1307,93 @@ static void test_oscillator_limits(void)
     int i;
     CHECK(vmi_exp_ratio(0) == 1 && vmi_exp_ratio(VM_INFINITY) == VM_INFINITY &&
           vmi_exp_ratio(-VM_MAX) == 1 / VM_MAX);
-    vm_osc_exact(1, 0, VM_NAN, 3, &x, &v), CHECK(isnan((double)x) && isnan((double)v));
-    vm_osc_trig(1, 0, VM_NAN, 3, &x, &v), CHECK(isnan((double)x) && isnan((double)v));
-    vm_osc_exact(1, 0, 2, R(0.5), &x, &v), CHECK(x == 0 && v == 0); /* its rate would be infinite */
-    vm_osc_trig(1, 0, 2, R(0.5), &x, &v), CHECK(x == 0 && v == 0);
-    vm_osc_jacobi(1, 0, 2, R(0.5), &x, &v), CHECK(x == 0 && v == 0);
+    vm_osc_exact(1, 0, VM_NAN, 3, &x, &v);
+    CHECK(isnan((double)x) && isnan((double)v));
+    vm_osc_trig(1, 0, VM_NAN, 3, &x, &v);
+    CHECK(isnan((double)x) && isnan((double)v));
+    vm_osc_exact(1, 0, 2, R(0.5), &x, &v);
+    CHECK(x == 0 && v == 0); /* its rate would be infinite */
+    vm_osc_trig(1, 0, 2, R(0.5), &x, &v);
+    CHECK(x == 0 && v == 0);
+    vm_osc_jacobi(1, 0, 2, R(0.5), &x, &v);
+    CHECK(x == 0 && v == 0);
     memset(&o, 0, sizeof o);
-    o.alpha = 3, o.reactive = 1, o.x = R(0.5), o.mass = vm_law_linear(2, 0), o.stiffness = vm_law_linear(3, 0);
+    o.alpha = 3;
+    o.reactive = 1;
+    o.x = R(0.5);
+    o.mass = vm_law_linear(2, 0);
+    o.stiffness = vm_law_linear(3, 0);
     CHECK(vm_osc_plan_at(NULL, 1, 0, &m) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_plan_by(NULL, VM_ROUTE_RK45, 1, 0, &m) == VM_BAD_ARGUMENT);
-    o.x = 0, o.force = drag, o.ctx = &b;
+    o.x = 0;
+    o.force = drag;
+    o.ctx = &b;
     CHECK(vm_osc_at(&o, 1, 0, &m) == VM_NO_LAW && vm_osc_by(&o, VM_ROUTE_RK87, 1, 0, &m) == VM_NO_LAW);
     o.x = R(0.5);
     for (i = 0; i < 2; i++) { /* a force that is a damping; the quarter of the period is long for large alpha */
         int route;
         o.alpha = i ? 30 : 3;
         for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_ATEB; route++) {
-            o.force = drag, o.damping = 0, CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            o.force = drag;
+            o.damping = 0;
+            CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
             CHECK(vm_osc_averaged(&p, route, 0, R(0.5), by_force, by_force + 1, by_force + 2) == VM_OK);
-            o.force = NULL, o.damping = b, CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            o.force = NULL;
+            o.damping = b;
+            CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
             CHECK(vm_osc_averaged(&p, route, 0, R(0.5), by_damping, by_damping + 1, by_damping + 2) == VM_OK);
             check_error("drag", vm_osc_route_name(route), "relative",
                         fabs((double)(by_force[0] / by_damping[0] - 1)), VM_MANT_DIG > 24 ? 1e-9 : 1e-4,
                         (double)o.alpha, 0);
         }
     }
-    o.damping = 0, o.alpha = 300, o.x = 1; /* a wave's estimate is not above 1, so that 2 is content with any */
+    o.damping = 0;
+    o.alpha = 300;
+    o.x = 1; /* a wave's estimate is not above 1, so that 2 is content with any */
     CHECK(vm_osc_at(&o, 1, 2, &m) == VM_OK && m.route == VM_ROUTE_TRIG && m.error >= 1);
-    o.alpha = 3, o.x = R(0.5), o.reactive = R(0.5), o.mass = vm_law_linear(2, R(0.5)), o.v = R(0.25);
+    o.alpha = 3;
+    o.x = R(0.5);
+    o.reactive = R(0.5);
+    o.mass = vm_law_linear(2, R(0.5));
+    o.v = R(0.25);
     CHECK(vm_osc_by(&o, VM_ROUTE_RK45, 2, 0, &m) == VM_OK && vm_osc_by(&o, VM_ROUTE_RK87, 2, 0, &other) == VM_OK);
     check_error("reactive 1/2", "rk45, rk87", "", fabs((double)(m.x - other.x)), (double)(m.error + other.error), 0,
                 0);
-    o.mass = vm_law_linear(2, 500), o.stiffness = vm_law_linear(R(0.001), 0), o.reactive = 1, o.v = 0;
+    o.mass = vm_law_linear(2, 500);
+    o.stiffness = vm_law_linear(R(0.001), 0);
+    o.reactive = 1;
+    o.v = 0;
     for (i = 0; i < 64; i++) { /* faster than any law of second order: no number, or a motion */
         o.v = R(0.01) * (vm_real)(i - 32);
-        memset(&m, 0x55, sizeof m), other = m;
+        memset(&m, 0x55, sizeof m);
+        other = m;
         if (vm_osc_by(&o, VM_ROUTE_SECOND, R(0.01) * (vm_real)i, 0, &m) < 0)
             CHECK(memcmp(&m, &other, sizeof m) == 0);
         else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
     }
-    o.v = R(0.25), o.stiffness = vm_law_linear(3, 0), o.mass = vm_law_exponential(2, -1), o.reactive = 40;
+    o.v = R(0.25);
+    o.stiffness = vm_law_linear(3, 0);
+    o.mass = vm_law_exponential(2, -1);
+    o.reactive = 40;
     for (i = 0; i < 2; i++, o.reactive = -o.reactive) { /* an amplitude that overflows; one that vanishes */
-        memset(&m, 0x55, sizeof m), other = m;
+        memset(&m, 0x55, sizeof m);
+        other = m;
         if (vm_osc_by(&o, VM_ROUTE_TRIG, VM_MANT_DIG > 24 ? 300 : 40, 0, &m) < 0)
             CHECK(memcmp(&m, &other, sizeof m) == 0);
         else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
     }
-    o.alpha = 5, o.mass = vm_law_linear(2, 0), o.reactive = 1, by_force[0] = 7;
+    o.alpha = 5;
+    o.mass = vm_law_linear(2, 0);
+    o.reactive = 1;
+    by_force[0] = 7;
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK &&
           vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, VM_MAX, by_force, by_force + 1, by_force + 2) == VM_NOT_FINITE &&
           by_force[0] == 7);
-    o.mass = vm_law_linear(VM_MIN, 0), o.stiffness = vm_law_linear(VM_MAX / 4, 0); /* omega overflows */
+    o.mass = vm_law_linear(VM_MIN, 0);
+    o.stiffness = vm_law_linear(VM_MAX / 4, 0); /* omega overflows */
     CHECK(vm_osc_plan_init(&p, &o) == VM_NOT_FINITE);
-    o.mass = vm_law_exponential(2, VM_MAX / 8), o.stiffness = vm_law_linear(3, 0);
+    o.mass = vm_law_exponential(2, VM_MAX / 8);
+    o.stiffness = vm_law_linear(3, 0);
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK || vm_osc_plan_init(&p, &o) == VM_NOT_FINITE);
 }
 
@@ -1193,7 +1403,11 @@ static int vdp_init(trial *a)
 {
     vm_vdp v;
     memset(&v, 0, sizeof v);
-    v.alpha = next(a), v.k = next(a), v.b = next(a), v.c = next(a), v.reactive = next(a);
+    v.alpha = next(a);
+    v.k = next(a);
+    v.b = next(a);
+    v.c = next(a);
+    v.reactive = next(a);
     v.method = VM_VDP_JACOBI;
     if (a->null == 0) return vm_vdp_init(NULL);
     if (vm_vdp_init(&v) < 0) return v.a1 == 0 && v.a2 == 0 && v.a3 == 0 ? -1 : 0;
@@ -1213,7 +1427,9 @@ static vm_laval laval(void)
 {
     vm_laval r;
     memset(&r, 0, sizeof r);
-    r.stiffness = vm_laval_power, r.stiffness_ctx = (void *)&cubic, r.reactive = 1;
+    r.stiffness = vm_laval_power;
+    r.stiffness_ctx = (void *)&cubic;
+    r.reactive = 1;
     return r;
 }
 static int laval_frequency(trial *a)
@@ -1234,8 +1450,11 @@ static int pair_at(trial *a)
     vm_linear_mass m;
     vm_real y[4];
     const vm_real t = next(a);
-    p.alpha = next(a), p.k = next(a), p.reactive = next(a);
-    take(a, y, sizeof y), take(a, &m, sizeof m);
+    p.alpha = next(a);
+    p.k = next(a);
+    p.reactive = next(a);
+    take(a, y, sizeof y);
+    take(a, &m, sizeof m);
     return vm_pair_at(&p, t, y, m, (vm_real *)(void *)a->output);
 }
 static int pair_split(trial *a)
@@ -1244,15 +1463,21 @@ static int pair_split(trial *a)
     vm_pair p = {0, 0, 0, vm_slow_mass_linear, NULL};
     vm_real y[4];
     const vm_real t = next(a);
-    p.alpha = next(a), p.k = next(a), p.reactive = next(a), p.mass_ctx = &m;
-    take(a, y, sizeof y), take(a, &m, sizeof m);
+    p.alpha = next(a);
+    p.k = next(a);
+    p.reactive = next(a);
+    p.mass_ctx = &m;
+    take(a, y, sizeof y);
+    take(a, &m, sizeof m);
     return vm_pair_split(&p, t, y, (vm_real *)(void *)a->output);
 }
 static vm_forced forced(trial *a)
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
-    f.alpha = next(a), f.b = next(a), f.reactive = next(a);
+    f.alpha = next(a);
+    f.b = next(a);
+    f.reactive = next(a);
     take(a, &f.now, sizeof f.now);
     return f;
 }
@@ -1268,7 +1493,8 @@ static vm_forced prepared(void)
     const vm_real now[10] = {FORCED};
     vm_forced f;
     trial a;
-    memset(&a, 0, sizeof a), memcpy(a.x, now, sizeof now);
+    memset(&a, 0, sizeof a);
+    memcpy(a.x, now, sizeof now);
     f = forced(&a);
     CHECK(vm_forced_init(&f) == VM_OK);
     return f;
@@ -1295,8 +1521,10 @@ static int adiabaticity(trial *a)
 }
 static int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = y[1], dydt[1] = -y[0];
+    (void)t;
+    (void)ctx;
+    dydt[0] = y[1];
+    dydt[1] = -y[0];
     return 0;
 }
 
@@ -1310,9 +1538,14 @@ static void test_slow_vibrations(void)
     vm_real y[3] = {1, 0, 0}, motion[3], state[2] = {1, 0}, work[RK45_WORK(2)], buffer[2];
     rk45 s;
     REFUSES(vdp_init, 1, 3, 2, R(0.1), R(0.2), 1);
-    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT), v.method = VM_VDP_TRIGONOMETRIC + 1;
-    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT), v.method = VM_VDP_ATEB, v.alpha = -1;
-    CHECK(vm_vdp_init(&v) == VM_DOMAIN), v.alpha = 1, v.k = 0;
+    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT);
+    v.method = VM_VDP_TRIGONOMETRIC + 1;
+    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT);
+    v.method = VM_VDP_ATEB;
+    v.alpha = -1;
+    CHECK(vm_vdp_init(&v) == VM_DOMAIN);
+    v.alpha = 1;
+    v.k = 0;
     CHECK(vm_vdp_init(&v) == VM_DOMAIN);
     REFUSES(vdp_amplitude, 0, 1, R(0.1), 2, R(0.01));
     REFUSES(laval_frequency, 0, R(0.1), 2);
@@ -1322,14 +1555,18 @@ static void test_slow_vibrations(void)
     REFUSES(forced_init, 1, FORCED);
     REFUSES(forced_split, 0, 1, R(0.2), R(0.3));
     REFUSES(forced_join, 0, 1, R(0.2), R(0.3));
-    y[0] = -1, CHECK(vm_forced_join(&f, 0, y, motion) == VM_DOMAIN);
+    y[0] = -1;
+    CHECK(vm_forced_join(&f, 0, y, motion) == VM_DOMAIN);
     CHECK(vm_forced_curve(&f, 0, VM_NAN, curve) == VM_DOMAIN &&
           vm_forced_curve(&f, 0, VM_INFINITY, curve) == VM_DOMAIN && vm_forced_curve(&f, 0, 0, curve) == VM_DOMAIN);
     f.now.force = 0;
     CHECK(vm_forced_curve(&f, 0, 1, curve) == 0 && vm_forced_passage(&f, 0, 1, &passage) == VM_DOMAIN);
-    f = prepared(), f.alpha = -1;
+    f = prepared();
+    f.alpha = -1;
     CHECK(vm_forced_init(&f) == VM_DOMAIN);
-    f = prepared(), f.alpha = 1, CHECK(vm_forced_init(&f) == VM_OK);
+    f = prepared();
+    f.alpha = 1;
+    CHECK(vm_forced_init(&f) == VM_OK);
     CHECK(vm_forced_passage(&f, 0, VM_NAN, &passage) == VM_DOMAIN &&
           vm_forced_passage(&f, 0, VM_INFINITY, &passage) == VM_DOMAIN);
     CHECK(vm_forced_passage(&f, 0, 1, &passage) == VM_OK && isnan(passage.delta)); /* linear: nothing holds it */
@@ -1356,7 +1593,8 @@ static vm_real known_to(vm_real rho, vm_real *slope, void *radius)
 }
 static vm_complex pull(vm_real t, vm_complex z, vm_complex v, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return vmi_complex(R(-0.1) * v.re, R(-0.1) * v.im - R(0.2) * z.re * z.re * z.im);
 }
 
@@ -1369,30 +1607,39 @@ static void test_slow_limits(void)
     vm_laval r = laval();
     vm_real y[4] = {R(0.1), R(0.2), R(0.3), R(0.4)}, rates[2][4], radius = VM_MAX;
     int k, stable;
-    CHECK(vm_pair_averaged_rhs(0, y, rates[0], &pair) == VM_NOT_FINITE), pair.mass = no_mass;
-    CHECK(vm_pair_averaged_rhs(0, y, rates[0], &pair) == VM_BAD_MASS), pair.mass = NULL;
+    CHECK(vm_pair_averaged_rhs(0, y, rates[0], &pair) == VM_NOT_FINITE);
+    pair.mass = no_mass;
+    CHECK(vm_pair_averaged_rhs(0, y, rates[0], &pair) == VM_BAD_MASS);
+    pair.mass = NULL;
     CHECK(vm_pair_averaged_rhs(0, y, rates[0], &pair) == VM_BAD_ARGUMENT);
     CHECK(vm_vdp_init(&vdp) == VM_OK);
     for (k = -1; k < 2; k += 2) { /* neither driven nor damped but by c: rest is stable where that damps */
-        vdp.c = (vm_real)k, stable = 7;
+        vdp.c = (vm_real)k;
+        stable = 7;
         CHECK(vm_vdp_steady(&vdp, 0, &stable) == 0 && stable == (k > 0));
     }
-    r.mass = one_kg, r.force = pull;
-    CHECK(vm_laval_forward_rhs(0, y, rates[0], &r) == VM_OK), r.samples = 64;
+    r.mass = one_kg;
+    r.force = pull;
+    CHECK(vm_laval_forward_rhs(0, y, rates[0], &r) == VM_OK);
+    r.samples = 64;
     CHECK(vm_laval_forward_rhs(0, y, rates[1], &r) == VM_OK);
     check_error("Laval", "samples", "eps", ERROR_EPS(rates[0][1], (double)rates[1][1], 0, 1), 64, 0, 0);
     CHECK(vm_laval_amplitude(&r, R(0.1), 2, 2) == R(0.1));
     r.stiffness_ctx = (void *)&none;
     CHECK(vm_laval_forward_rhs(0, y, rates[0], &r) == VM_DOMAIN &&
           vm_laval_backward_rhs(0, y, rates[0], &r) == VM_DOMAIN);
-    r.stiffness = known_to, r.stiffness_ctx = &radius, radius = R(1.05); /* A = (m0/m)^(1/4) is inside, or not */
+    r.stiffness = known_to;
+    r.stiffness_ctx = &radius;
+    radius = R(1.05); /* A = (m0/m)^(1/4) is inside, or not */
     for (k = 0; k < 2; k++) {
         const double mass = pow(k ? 1.1 : 1.04, -4), A = (double)vm_laval_amplitude(&r, 1, 1, (vm_real)mass);
         if (k) CHECK(isnan(A));
         else check_error("Laval", "known to 1.05", "eps", fabs(A - 1.04) / (double)VM_EPSILON, 8, 0, 0);
     }
     CHECK(vmi_slow_zero(NULL, NULL, 1, 2, 0, 3) == 1 && vmi_slow_zero(NULL, NULL, 1, 2, 3, 0) == 2); /* at an end */
-    radius = 1, CHECK(isnan((double)vm_laval_amplitude(&r, 1, 1, R(0.5)))), radius = VM_MAX;
+    radius = 1;
+    CHECK(isnan((double)vm_laval_amplitude(&r, 1, 1, R(0.5))));
+    radius = VM_MAX;
     for (k = -8; k < 9; k++) { /* the first point looked at, e^(1/16), is the amplitude, but for some eps */
         const vm_real mass = (vm_real)exp(-0.25) * (1 + (vm_real)k * VM_EPSILON / 2);
         const double A = (double)vm_laval_amplitude(&r, 1, 1, mass);
@@ -1416,12 +1663,16 @@ static void test_forced_limits(void)
     CHECK(vm_forced_curve(&f, 0, A, curve) == 1);
     w = 2 * VM_PI / vm_osc_period(A, VM_SQRT(f.now.k / f.now.mass), f.alpha);
     check_error("backbone", "", "eps", ERROR_EPS(curve[0].nu, (double)w, 0, (double)w), 8, (double)A, 0);
-    f = prepared(), f.now.force = 1000;
+    f = prepared();
+    f.now.force = 1000;
     CHECK(vm_forced_split(&f, 0, motion, y) == VM_DOMAIN && y[0] == 7);
-    motion[0] = VM_MAX, motion[1] = VM_MAX / 2;
+    motion[0] = VM_MAX;
+    motion[1] = VM_MAX / 2;
     CHECK(vm_forced_split(&f, 0, motion, y) < 0 ? y[0] == 7 : VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]));
     for (k = 0; k < 40; k++) {
-        f = prepared(), f.alpha = 1 + R(0.002) * (vm_real)(k - 20), f.b = R(0.02) * (vm_real)(k % 3);
+        f = prepared();
+        f.alpha = 1 + R(0.002) * (vm_real)(k - 20);
+        f.b = R(0.02) * (vm_real)(k % 3);
         f.now.mass_rate = f.now.k_rate = 0;
         CHECK(vm_forced_init(&f) == VM_OK);
         for (j = 0; j < 3; j++) {
@@ -1481,10 +1732,17 @@ static void test_broken_right_hand_sides(void)
             }
         }
     }
-    memset(&e, 0, sizeof e), memset(&o, 0, sizeof o);
-    e.g = no_number, o.events = &e, o.n_events = 1, out[0] = 1, out[1] = 0;
+    memset(&e, 0, sizeof e);
+    memset(&o, 0, sizeof o);
+    e.g = no_number;
+    o.events = &e;
+    o.n_events = 1;
+    out[0] = 1;
+    out[1] = 0;
     CHECK(rk45_init(&s, oscillate, NULL, 2, 0, out, &o, work) == ODE_OK && rk45_solve(&s, 1) == ODE_NOT_FINITE);
-    o.n_events = 0, o.h0 = R(1e-3), o.h_max = R(1e-4);
+    o.n_events = 0;
+    o.h0 = R(1e-3);
+    o.h_max = R(1e-4);
     CHECK(rk45_init(&s, oscillate, NULL, 2, 0, out, &o, work) == ODE_OK && rk45_step(&s) == ODE_OK &&
           s.t <= R(1e-4));
 }
@@ -1493,7 +1751,8 @@ static void test_broken_right_hand_sides(void)
 static void line(vm_real t, vm_real *x, vm_real *v, void *ctx)
 {
     const vm_real *from_to = (const vm_real *)ctx;
-    *x = t < from_to[0] || t > from_to[1] ? VM_NAN : t - 1, *v = 1;
+    *x = t < from_to[0] || t > from_to[1] ? VM_NAN : t - 1;
+    *v = 1;
 }
 
 static void test_points_found(void)
@@ -1541,7 +1800,10 @@ static void test_integrators(void)
         if (other == 0) o.h0 = VM_NAN;
         if (other == 1) o.h_min = -1;
         if (other == 2) o.h_max = -1;
-        if (other == 3) o.h_min = 2, o.h_max = 1;
+        if (other == 3) {
+            o.h_min = 2;
+            o.h_max = 1;
+        }
         if (other == 4) o.rtol = VM_INFINITY;
         if (other == 5) o.atol = VM_NAN;
         if (other == 6) o.n_events = -1;
@@ -1575,15 +1837,24 @@ static void test_scenes(void)
         ode_event located[1];
         vm_scene s;
         vm_body part;
-        memset(&part, 0, sizeof part), memset(&s, 0, sizeof s);
-        part.mass = 1, part.q.w = 1;
+        memset(&part, 0, sizeof part);
+        memset(&s, 0, sizeof s);
+        part.mass = 1;
+        part.q.w = 1;
         bodies[0] = vm_scene_point(2, vmi_vec3(0, 0, 0), vmi_vec3(1, 0, 0));
         bodies[1] = vm_scene_absent(vm_scene_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
         bodies[2] = vm_scene_free(&part);
         effects[0] = vm_effect_gravity(0, 1, R(-9.81));
         events[0] = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
-        s.bodies = bodies, s.n_bodies = 3, s.effects = effects, s.n_effects = 1;
-        s.events = events, s.located = located, s.n_events = 1, s.times = times, s.n_times = 2;
+        s.bodies = bodies;
+        s.n_bodies = 3;
+        s.effects = effects;
+        s.n_effects = 1;
+        s.events = events;
+        s.located = located;
+        s.n_events = 1;
+        s.times = times;
+        s.n_times = 2;
         switch (k) {
         case 0: s.n_bodies = 0; break;
         case 1: s.bodies = NULL; break;
@@ -1606,7 +1877,10 @@ static void test_scenes(void)
         case 18: bodies[0].start.inertia.yz = 1; break;
         case 19: effects[0].coordinate = -1; break;
         case 20: effects[0].coordinate = 3; break;
-        case 21: effects[0].body = 2, effects[0].coordinate = 3; break;
+        case 21:
+            effects[0].body = 2;
+            effects[0].coordinate = 3;
+            break;
         case 22: events[0].external.linear.x = VM_NAN; break;
         case 23: events[0].external.couple.x = VM_NAN; break;
         case 24: events[0].jump_body = 3; break;
@@ -1622,7 +1896,12 @@ static void test_scenes(void)
         ode_event located;
         vm_scene s;
         memset(&s, 0, sizeof s);
-        s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1, s.events = &event, s.n_events = 1;
+        s.bodies = &body;
+        s.n_bodies = 1;
+        s.effects = &effect;
+        s.n_effects = 1;
+        s.events = &event;
+        s.n_events = 1;
         s.located = &located;
         CHECK(vm_scene_check(&s, NULL) == (k == 0 ? VM_OK : VM_NO_SUCH_EFFECT));
     }
@@ -1634,7 +1913,8 @@ static void test_scenes(void)
 static int outputs;
 static int remember(vm_real t, const vm_real *y, vm_scene *scene, void *ctx)
 {
-    (void)y, (void)scene;
+    (void)y;
+    (void)scene;
     if (outputs < 4) ((vm_real *)ctx)[outputs] = t;
     return ++outputs == 3; /* the third is enough */
 }
@@ -1652,31 +1932,49 @@ static void test_runs(void)
     vm_book book;
     vm_body part;
     int i, k;
-    memset(&s, 0, sizeof s), memset(&part, 0, sizeof part);
+    memset(&s, 0, sizeof s);
+    memset(&part, 0, sizeof part);
     for (i = 0; i < 64; i++) atol[i] = R(1e-3);
-    part.mass = R(0.5), part.inertia.zz = R(0.01), part.v.x = 1;
-    s.bodies = bodies, s.n_bodies = 1, s.output = remember, s.output_ctx = seen, s.times = times, s.n_times = 5;
+    part.mass = R(0.5);
+    part.inertia.zz = R(0.01);
+    part.v.x = 1;
+    s.bodies = bodies;
+    s.n_bodies = 1;
+    s.output = remember;
+    s.output_ctx = seen;
+    s.times = times;
+    s.n_times = 5;
     bodies[0] = vm_scene_with_mass_state(vm_scene_line(2, 0, 1));
     effects[0] = vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1);
-    s.effects = effects, s.n_effects = 1;
+    s.effects = effects;
+    s.n_effects = 1;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
     CHECK(outputs == 3 && seen[0] == R(0.5) && seen[1] == R(0.75) && seen[2] == R(1.5) && t == R(1.5));
-    s.times = times + 1, s.n_times = 4, outputs = 0, t = 0; /* the first time is one to come */
+    s.times = times + 1;
+    s.n_times = 4;
+    outputs = 0;
+    t = 0; /* the first time is one to come */
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
     CHECK(outputs == 3 && seen[0] == R(0.5) && t == R(1.5));
     check_error("mass of a stream", "", "eps", fabs((double)y[2] - 0.5) / (double)VM_EPSILON, 16, 0, 0);
     CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_BAD_TIMES &&
           vm_scene_run(&s, &t, VM_INFINITY, y, work, NULL) < 0);
-    options.atol_each = atol, CHECK(vm_scene_run(&s, &t, R(1.75), y, work, &options) == VM_OK && t == R(1.75));
-    options.h0 = VM_NAN, CHECK(vm_scene_run(&s, &t, 2, y, work, &options) == VM_BAD_OPTIONS);
-    s.output = NULL, s.times = NULL;
+    options.atol_each = atol;
+    CHECK(vm_scene_run(&s, &t, R(1.75), y, work, &options) == VM_OK && t == R(1.75));
+    options.h0 = VM_NAN;
+    CHECK(vm_scene_run(&s, &t, 2, y, work, &options) == VM_BAD_OPTIONS);
+    s.output = NULL;
+    s.times = NULL;
     for (i = 0; i < 2; i++) { /* the mass passes 1.25, as a state and by a law */
         bodies[0] = vm_scene_line(2, 0, 1);
         if (i == 0) bodies[0] = vm_scene_with_mass_state(bodies[0]);
         effects[0] = i == 0 ? vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1)
                             : vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1);
         events[0] = vm_then_stop(vm_event_mass(0, R(1.25), -1));
-        s.events = events, s.located = located, s.n_events = 1, t = 0;
+        s.events = events;
+        s.located = located;
+        s.n_events = 1;
+        t = 0;
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 4, y, work, NULL) == VM_STOPPED);
         check_error("event of a mass", i ? "law" : "state", "eps", fabs((double)t - 0.75) / (double)VM_EPSILON, 32,
                     0, 0);
@@ -1684,22 +1982,38 @@ static void test_runs(void)
     for (k = 0; k < 9; k++) { /* jumps: what comes of them, with and without a book */
         const int bad = k > 3;
         vm_scene_body (*make)(vm_real, vm_real, vm_real) = k % 2 ? vm_scene_axle : vm_scene_line;
-        memset(&s, 0, sizeof s), t = 0;
-        s.bodies = bodies, s.n_bodies = 2, s.events = events, s.located = located, s.n_events = 1;
-        bodies[0] = make(2, R(0.1), 3), bodies[1] = vm_scene_absent(make(R(0.5), 0, 0));
-        part.mass = R(0.5), part.v.x = 1, part.omega.z = 1, part.inertia.zz = R(0.01);
+        memset(&s, 0, sizeof s);
+        t = 0;
+        s.bodies = bodies;
+        s.n_bodies = 2;
+        s.events = events;
+        s.located = located;
+        s.n_events = 1;
+        bodies[0] = make(2, R(0.1), 3);
+        bodies[1] = vm_scene_absent(make(R(0.5), 0, 0));
+        part.mass = R(0.5);
+        part.v.x = 1;
+        part.omega.z = 1;
+        part.inertia.zz = R(0.01);
         events[0] = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
-        if (k == 2)
-            bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2),
+        if (k == 2) {
+            bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
             bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
-        if (k == 3) bodies[1].absent = 0, events[0] = vm_then_attach(vm_event_at(1), 0, 1);
+        }
+        if (k == 3) {
+            bodies[1].absent = 0;
+            events[0] = vm_then_attach(vm_event_at(1), 0, 1);
+        }
         if (k == 4 || k == 5) events[0].part.mass = 2;                /* nothing is left */
         if (k == 6) bodies[1].absent = 0;                             /* into what is there already */
         if (k == 7) events[0] = vm_then_attach(vm_event_at(1), 0, 1); /* what is not there */
         if (k == 8) {                                                 /* a plane's rest that is a point */
             bodies[0] = vm_scene_plane(2, R(0.01), vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
             bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
-            part.r.x = part.v.y = 0, part.v.x = 1, part.omega.z = 2, events[0].part = part;
+            part.r.x = part.v.y = 0;
+            part.v.x = 1;
+            part.omega.z = 2;
+            events[0].part = part;
             events[0].part.r.x = 1; /* where the whole is by then */
         }
         vm_scene_keep_book(&s, k == 0 ? &book : NULL);
@@ -1712,10 +2026,14 @@ static void test_runs(void)
                   vm_scene_balance(&s, t, y, NULL) == VM_BAD_ARGUMENT);
         }
     }
-    memset(&s, 0, sizeof s), t = 0; /* a law's mass runs out */
-    bodies[0] = vm_scene_line(2, 0, 1), s.bodies = bodies, s.n_bodies = 1;
+    memset(&s, 0, sizeof s);
+    t = 0; /* a law's mass runs out */
+    bodies[0] = vm_scene_line(2, 0, 1);
+    s.bodies = bodies;
+    s.n_bodies = 1;
     effects[0] = vm_effect_mass_law(0, NULL, NULL, vmi_vec3(0, 0, 0), 0);
-    s.effects = effects, s.n_effects = 1;
+    s.effects = effects;
+    s.n_effects = 1;
     CHECK(vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
     effects[0] = vm_effect_mass(0, -1, 1, 0, 0);
     CHECK(vm_scene_check(&s, NULL) < 0);
@@ -1725,7 +2043,8 @@ static void test_runs(void)
 /* What the check refuses of links, bands, bodies that grow and jumps between motions */
 static void fixed_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     *r = *v = *a = vmi_vec3(0, 0, 0);
 }
 static void test_scene_refusals(void)
@@ -1739,8 +2058,13 @@ static void test_scene_refusals(void)
         vm_band band;
         vm_scene s;
         vm_body part;
-        memset(&s, 0, sizeof s), memset(&part, 0, sizeof part), memset(&band, 0, sizeof band);
-        band.radius = R(0.5), band.thickness = R(0.01), band.width = R(0.1), band.density = 7;
+        memset(&s, 0, sizeof s);
+        memset(&part, 0, sizeof part);
+        memset(&band, 0, sizeof band);
+        band.radius = R(0.5);
+        band.thickness = R(0.01);
+        band.width = R(0.1);
+        band.density = 7;
         part.mass = 1;
         bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0);
         bodies[1] = vm_scene_absent(vm_scene_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
@@ -1748,18 +2072,36 @@ static void test_scene_refusals(void)
         effects[0] = vm_effect_link(0, VM_GROUND, fixed_point, NULL, 1, 0, 10);
         effects[1] = vm_effect_band(2, &band);
         event = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
-        s.bodies = bodies, s.n_bodies = 3, s.effects = effects, s.n_effects = 2;
-        s.events = &event, s.located = &located, s.n_events = 1;
+        s.bodies = bodies;
+        s.n_bodies = 3;
+        s.effects = effects;
+        s.n_effects = 2;
+        s.events = &event;
+        s.located = &located;
+        s.n_events = 1;
         switch (k) {
         case 0: effects[0] = vm_effect_link(0, 0, NULL, NULL, 1, 0, 10); break;
         case 1:
-            bodies[1] = vm_scene_growing_plane(bodies[0]), s.n_events = 0;
+            bodies[1] = vm_scene_growing_plane(bodies[0]);
+            s.n_events = 0;
             effects[0] = vm_effect_link(0, 1, NULL, NULL, 1, 0, 10);
             break;
-        case 2: band.width = -1, effects[1] = vm_effect_band(2, &band); break;
-        case 3: band.density = -1, effects[1] = vm_effect_band(2, &band); break;
-        case 4: bodies[0] = vm_scene_growing_free(bodies[0]), s.n_effects = 0; break;
-        case 5: bodies[0] = vm_scene_line(2, 0, 0), s.n_effects = 0; break; /* a point from a line */
+        case 2:
+            band.width = -1;
+            effects[1] = vm_effect_band(2, &band);
+            break;
+        case 3:
+            band.density = -1;
+            effects[1] = vm_effect_band(2, &band);
+            break;
+        case 4:
+            bodies[0] = vm_scene_growing_free(bodies[0]);
+            s.n_effects = 0;
+            break;
+        case 5:
+            bodies[0] = vm_scene_line(2, 0, 0);
+            s.n_effects = 0;
+            break; /* a point from a line */
         case 6: event = vm_then_switch(vm_event_at(1), 2, 1); break;
         default: break;
         }
@@ -1776,13 +2118,19 @@ static void test_run_times(void)
     vm_real seen[4], y[8], work[VM_SCENE_WORK(8)], t = -2;
     vm_scene s;
     memset(&s, 0, sizeof s);
-    s.bodies = &body, s.n_bodies = 1, s.output = remember, s.output_ctx = seen, s.times = times, s.n_times = 2;
+    s.bodies = &body;
+    s.n_bodies = 1;
+    s.output = remember;
+    s.output_ctx = seen;
+    s.times = times;
+    s.n_times = 2;
     outputs = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 1, y, work, NULL) == VM_OK);
     CHECK(outputs == 2 && seen[0] == R(-1.5) && seen[1] == R(-0.5) && t == 1);
     check_error("run from before 0", "", "eps", fabs((double)y[0] - 3) / (double)VM_EPSILON, 8, 0, 0);
     CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_OK && outputs == 2 && t == 2); /* no more of them */
-    t = -VM_INFINITY, CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_NOT_FINITE && t == -VM_INFINITY);
+    t = -VM_INFINITY;
+    CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_NOT_FINITE && t == -VM_INFINITY);
 }
 
 /* Jumps that fail leave the state before them, and those into a body that grows put its mass centre where it is */
@@ -1798,17 +2146,27 @@ static void test_scene_jumps(void)
         vm_scene s;
         vm_body part, now;
         int status;
-        memset(&s, 0, sizeof s), memset(&part, 0, sizeof part);
-        part.mass = R(0.5), part.inertia.zz = R(0.02), part.r.x = R(0.25);
+        memset(&s, 0, sizeof s);
+        memset(&part, 0, sizeof part);
+        part.mass = R(0.5);
+        part.inertia.zz = R(0.02);
+        part.r.x = R(0.25);
         bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 1);
         bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0));
-        s.bodies = bodies, s.n_bodies = 2, s.events = &event, s.located = &located, s.n_events = 1;
+        s.bodies = bodies;
+        s.n_bodies = 2;
+        s.events = &event;
+        s.located = &located;
+        s.n_events = 1;
         event = vm_then_separate_in_plane(vm_event_at(1), 0, 1, &part, 1);
         if (k == 1) event.part.mass = 3;                          /* more than there is */
         if (k == 2) event = vm_then_attach(vm_event_at(1), 1, 0); /* to what is not there */
-        if (k == 3)
-            bodies[1].absent = 0, bodies[1].start.r.x = VM_MAX / 4,
-            event = vm_then_attach(vm_event_at(1), 0, 1); /* the inertia overflows */
+        if (k == 3) {
+            /* the inertia overflows */
+            bodies[1].absent = 0;
+            bodies[1].start.r.x = VM_MAX / 4;
+            event = vm_then_attach(vm_event_at(1), 0, 1);
+        }
         if (k == 4) bodies[1] = vm_scene_growing_plane(bodies[1]);
         vm_scene_keep_book(&s, k == 4 ? &book : NULL);
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
@@ -1839,30 +2197,46 @@ static void test_scene_losses(void)
     vm_body body;
     vm_scene s;
     int free;
-    memset(&s, 0, sizeof s), memset(&stream, 0, sizeof stream), memset(&body, 0, sizeof body);
+    memset(&s, 0, sizeof s);
+    memset(&stream, 0, sizeof stream);
+    memset(&body, 0, sizeof body);
     bodies[0] = bodies[1] = vm_scene_line(2, 0, 1);
-    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1), effects[1] = vm_effect_mass(1, VM_MASS_OF_T, -1, 0, 1);
-    s.bodies = bodies, s.n_bodies = 2, s.effects = effects, s.n_effects = 2;
+    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1);
+    effects[1] = vm_effect_mass(1, VM_MASS_OF_T, -1, 0, 1);
+    s.bodies = bodies;
+    s.n_bodies = 2;
+    s.effects = effects;
+    s.n_effects = 2;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
     CHECK(vm_scene_run(&s, &t, 3, y, work, NULL) == VM_BAD_MASS && t <= 2 && t > R(1.9));
-    body.mass = 2, body.v.x = 1, body.omega.z = 1, body.inertia.xx = body.inertia.yy = body.inertia.zz = 1;
-    stream.rate = -1, stream.at.x = 2, stream.motion = VM_RELATIVE; /* from outside of it: the inertia ends first */
+    body.mass = 2;
+    body.v.x = 1;
+    body.omega.z = 1;
+    body.inertia.xx = body.inertia.yy = body.inertia.zz = 1;
+    stream.rate = -1;
+    stream.at.x = 2;
+    stream.motion = VM_RELATIVE; /* from outside of it: the inertia ends first */
     for (free = 0; free < 2; free++) {
         vm_scene_body made = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 1);
         bodies[0] = free ? vm_scene_growing_free(vm_scene_free(&body)) : vm_scene_growing_plane(made);
         effects[0] = vm_effect_stream_mass(0, &stream);
-        s.n_bodies = s.n_effects = 1, t = 0;
+        s.n_bodies = s.n_effects = 1;
+        t = 0;
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
         CHECK(vm_scene_run(&s, &t, 3, y, work, NULL) < 0 && t < 2 && t > 0);
     }
-    body.inertia.xx = body.inertia.yy = body.inertia.zz = 0, body.omega.z = 0;
-    bodies[0] = vm_scene_free(&body), effects[0] = vm_effect_gravity(0, 2, -2), t = 0;
+    body.inertia.xx = body.inertia.yy = body.inertia.zz = 0;
+    body.omega.z = 0;
+    bodies[0] = vm_scene_free(&body);
+    effects[0] = vm_effect_gravity(0, 2, -2);
+    t = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK);
     vm_scene_body_at(&s, 0, y, &body);
     check_error("point as free body", "r", "eps",
                 hypot((double)body.r.x - 3, (double)body.r.z + 9) / (double)VM_EPSILON, 2000, 0,
                 0); /* of 9, the roundings of all steps */
-    bodies[0] = vm_scene_growing_free(bodies[0]), t = 0;
+    bodies[0] = vm_scene_growing_free(bodies[0]);
+    t = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) != VM_OK || vm_scene_run(&s, &t, 3, y, work, NULL) == VM_BAD_INERTIA);
 }
 
@@ -1876,7 +2250,9 @@ static int break_state(vm_real t, vm_real *y, void *ctx)
 }
 static int nothing_more(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)y, (void)ctx;
+    (void)t;
+    (void)y;
+    (void)ctx;
     happenings++;
     return VM_OK;
 }
@@ -1886,13 +2262,16 @@ static int wake(vm_real t, vm_real *y, void *ctx)
 {
     vm_event *e = (vm_event *)ctx;
     (void)y;
-    e->time = t, e->count = 0, e->most = 0;
+    e->time = t;
+    e->count = 0;
+    e->most = 0;
     return ++happenings > 10000 ? -77 : VM_OK;
 }
 static int bounce(vm_real t, vm_real *y, void *ctx)
 {
     (void)t;
-    y[0] = 0, y[1] = -y[1] / 2;
+    y[0] = 0;
+    y[1] = -y[1] / 2;
     return ++happenings == *(const long *)ctx ? VM_STOPPED : VM_OK;
 }
 
@@ -1906,13 +2285,23 @@ static void test_too_many_events(void)
     long last = 0;
     vm_scene s;
     memset(&s, 0, sizeof s);
-    s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1;
-    s.events = &event, s.located = &located, s.n_events = 1, happenings = 0;
+    s.bodies = &body;
+    s.n_bodies = 1;
+    s.effects = &effect;
+    s.n_effects = 1;
+    s.events = &event;
+    s.located = &located;
+    s.n_events = 1;
+    happenings = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 2, y, work, NULL) == -77 && t == 1);
-    event = vm_then_user(vm_event_position(0, 0, 0, -1), bounce, &last), t = 0, happenings = 0;
+    event = vm_then_user(vm_event_position(0, 0, 0, -1), bounce, &last);
+    t = 0;
+    happenings = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
     CHECK(vm_scene_run(&s, &t, 10, y, work, NULL) == VM_TOO_MANY_EVENTS);
-    last = happenings, t = 0, happenings = 0; /* the last contact also ends the run: that is what it says */
+    last = happenings;
+    t = 0;
+    happenings = 0; /* the last contact also ends the run: that is what it says */
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
     CHECK(vm_scene_run(&s, &t, 10, y, work, NULL) == VM_STOPPED && happenings == last);
 }
@@ -1928,16 +2317,25 @@ static void test_events_that_break(void)
     vm_scene s;
     int k;
     memset(&s, 0, sizeof s);
-    s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1;
-    s.events = events, s.located = located;
+    s.bodies = &body;
+    s.n_bodies = 1;
+    s.effects = &effect;
+    s.n_effects = 1;
+    s.events = events;
+    s.located = located;
     for (k = 0; k < 2; k++) {
         int status = statuses[k];
-        body = vm_scene_line(1, 1, 0), s.n_events = 1, t = 0;
+        body = vm_scene_line(1, 1, 0);
+        s.n_events = 1;
+        t = 0;
         events[0] = vm_then_user(vm_event_at(1), break_state, &status);
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
         CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == (k ? -77 : VM_NOT_FINITE) && t == 1);
     }
-    body = vm_scene_line(1, 1, 0), s.n_events = 2, t = 0, happenings = 0; /* two at the same instants, twice */
+    body = vm_scene_line(1, 1, 0);
+    s.n_events = 2;
+    t = 0;
+    happenings = 0; /* two at the same instants, twice */
     for (k = 0; k < 2; k++) events[k] = vm_then_user(vm_event_position(0, 0, 0, 0), nothing_more, NULL);
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
     CHECK(vm_scene_run(&s, &t, 6, y, work, NULL) == VM_OK && t == 6 && happenings == 4);
@@ -1966,7 +2364,8 @@ static vm_real no_force(vm_real t, vm_real x, vm_real v, void *ctx)
 static vm_mass_now no_law(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     vm_mass_now now = {2, 0, 0, 0};
-    (void)x, (void)v;
+    (void)x;
+    (void)v;
     if (t >= 1) now.mass = *(const vm_real *)ctx;
     return now;
 }
@@ -1988,19 +2387,32 @@ static void test_ends_of_runs(void)
     vm_scene s;
     int k;
     memset(&s, 0, sizeof s);
-    s.bodies = &body, s.n_bodies = 1, s.effects = &effect, s.n_effects = 1, s.events = &event, s.located = &located;
+    s.bodies = &body;
+    s.n_bodies = 1;
+    s.effects = &effect;
+    s.n_effects = 1;
+    s.events = &event;
+    s.located = &located;
     for (k = 0; k < 10; k++) {
         static const int wanted[10] = {VM_STEP_TOO_SMALL, VM_NOT_FINITE, VM_NOT_FINITE,  VM_NOT_FINITE, VM_BAD_MASS,
                                        VM_NOT_FINITE,     VM_MAX_STEPS,  VM_BAD_OPTIONS, VM_NOT_FINITE, VM_BAD_TIMES};
         int status;
-        o = rk45_defaults(NULL), t = 0, s.n_events = k == 5;
+        o = rk45_defaults(NULL);
+        t = 0;
+        s.n_events = k == 5;
         effect = vm_effect_drive(0, 0, 1, 0);
         if (k == 0) effect = vm_effect_user(0, 0, blows_up, NULL); /* v = 1/(1 - t) */
         if (k == 1) effect = vm_effect_user(0, 0, no_force, NULL);
         if (k >= 2 && k <= 4)
             effect = vm_effect_mass_law(0, no_law, k == 2 ? &none : k == 3 ? &endless : &nothing_left, zero, 1);
-        if (k == 6) o.max_steps = 2, o.h_max = R(0.01);
-        if (k == 7) o.h_min = 2, o.h_max = 1;
+        if (k == 6) {
+            o.max_steps = 2;
+            o.h_max = R(0.01);
+        }
+        if (k == 7) {
+            o.h_min = 2;
+            o.h_max = 1;
+        }
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
         if (k == 8) y[1] = VM_NAN;
         if (k == 9) t = 4;
@@ -2021,22 +2433,30 @@ static void test_sizes_of_scenes(void)
     vm_scene s;
     int i;
     memset(&s, 0, sizeof s);
-    bodies[0] = vm_scene_line(1, 0, 1), bodies[1] = vm_scene_with_mass_state(bodies[0]);
-    s.bodies = bodies, s.n_bodies = 2;
+    bodies[0] = vm_scene_line(1, 0, 1);
+    bodies[1] = vm_scene_with_mass_state(bodies[0]);
+    s.bodies = bodies;
+    s.n_bodies = 2;
     for (i = -1; i < 5; i++) { /* less than 5 numbers */
-        s.y_size = i ? i : 4, y[0] = 7;
+        s.y_size = i ? i : 4;
+        y[0] = 7;
         CHECK(vm_scene_start(&s, 0, y, NULL) == VM_SHORT_ARRAY && y[0] == 7);
         CHECK(vm_scene_run(&s, &t, 1, y, work, NULL) == VM_NOT_STARTED && y[0] == 7);
     }
-    s.y_size = VM_LENGTH(y), s.work_size = VM_LENGTH(work);
+    s.y_size = VM_LENGTH(y);
+    s.work_size = VM_LENGTH(work);
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK && vm_scene_run(&s, &t, 1, y, work, NULL) == VM_OK && t == 1);
-    s.work_size--, work[0] = 7;
+    s.work_size--;
+    work[0] = 7;
     CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_SHORT_ARRAY && t == 1 && work[0] == 7);
-    s.work_size++, s.y_size--;
+    s.work_size++;
+    s.y_size--;
     CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_SHORT_ARRAY && t == 1 && work[0] == 7);
-    s.y_size++, vm_scene_keep_book(&s, &book); /* needs VM_BOOK numbers more */
+    s.y_size++;
+    vm_scene_keep_book(&s, &book); /* needs VM_BOOK numbers more */
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_SHORT_ARRAY);
-    s.y_size = s.work_size = 0, vm_scene_keep_book(&s, NULL); /* not checked */
+    s.y_size = s.work_size = 0;
+    vm_scene_keep_book(&s, NULL); /* not checked */
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK && vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK && t == 3);
 }
 
@@ -2048,7 +2468,8 @@ static void test_sizes_of_flows(void)
     vm_body now;
     int i, k, known;
     for (i = 1; i <= VM_RHS_BALANCED; i++) {
-        memset(&flow, 0, sizeof flow), flow.y_size = i;
+        memset(&flow, 0, sizeof flow);
+        flow.y_size = i;
         for (k = 0; k <= VM_RHS_BALANCED; k++) y[k] = 7;
         CHECK(vm_flow_start(&flow, &body, y) == (i < VM_RHS_GIVEN ? VM_SHORT_ARRAY : VM_OK));
         for (known = 0; y[known] != 7; known++) continue; /* of the numbers that are written none is 7 */
@@ -2079,12 +2500,18 @@ static void test_not_started(void)
     vm_body now;
     int k;
     for (k = 0; k < 6; k++) {
-        memset(&s, 0, sizeof s), memset(y, 0, sizeof y);
+        memset(&s, 0, sizeof s);
+        memset(y, 0, sizeof y);
         bodies[0] = bodies[1] = vm_scene_line(1, 0, 1);
         effects[0] = effects[1] = vm_effect_drive(0, 0, 1, 0);
         events[0] = events[1] = vm_then_stop(vm_event_at(1));
-        s.bodies = bodies, s.n_bodies = 1, s.effects = effects, s.n_effects = 1;
-        s.events = events, s.located = located, s.n_events = 1;
+        s.bodies = bodies;
+        s.n_bodies = 1;
+        s.effects = effects;
+        s.n_effects = 1;
+        s.events = events;
+        s.located = located;
+        s.n_events = 1;
         vm_scene_keep_book(&s, &book);
         if (k == 1) effects[0].p[0] = VM_NAN;
         if (k > 0) CHECK(vm_scene_start(&s, 0, y, NULL) == (k == 1 ? VM_NOT_FINITE : VM_OK));

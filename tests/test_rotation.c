@@ -246,7 +246,10 @@ static double size_of(vm_vec3 a) { return sqrt((double)vmi_dot(a, a)); }
 static vm_quat quaternion(const double *x)
 {
     vm_quat q;
-    q.w = R(x[0]), q.x = R(x[1]), q.y = R(x[2]), q.z = R(x[3]);
+    q.w = R(x[0]);
+    q.x = R(x[1]);
+    q.y = R(x[2]);
+    q.z = R(x[3]);
     return q;
 }
 static double length_of(vm_quat q)
@@ -288,8 +291,13 @@ static vm_body random_body(double flat)
     for (i = 0; i < 6; i++)
         b.inertia = vmi_inertia_plus(b.inertia, R(1. / 6), vmi_inertia_of_point(vmi_sub(at[i], centre)));
     b.mass = R(uniform(0.1, 10));
-    b.q.w = R(uniform(-1, 1)), b.q.x = R(uniform(-1, 1)), b.q.y = R(uniform(-1, 1)), b.q.z = R(uniform(-1, 1));
-    b.r = random_vector(3), b.v = random_vector(5), b.omega = random_vector(4);
+    b.q.w = R(uniform(-1, 1));
+    b.q.x = R(uniform(-1, 1));
+    b.q.y = R(uniform(-1, 1));
+    b.q.z = R(uniform(-1, 1));
+    b.r = random_vector(3);
+    b.v = random_vector(5);
+    b.omega = random_vector(4);
     return b;
 }
 
@@ -337,9 +345,14 @@ static void test_table(const row *r, int rows, const char *region)
         if (!exact) continue;
         memset(&b, 0, sizeof b);
         b.mass = 1;
-        b.inertia.xx = R(r->inertia[0]), b.inertia.yy = R(r->inertia[1]), b.inertia.zz = R(r->inertia[2]);
-        b.inertia.xy = R(r->inertia[3]), b.inertia.xz = R(r->inertia[4]), b.inertia.yz = R(r->inertia[5]);
-        b.q = quaternion(r->q), b.omega = vector(r->omega);
+        b.inertia.xx = R(r->inertia[0]);
+        b.inertia.yy = R(r->inertia[1]);
+        b.inertia.zz = R(r->inertia[2]);
+        b.inertia.xy = R(r->inertia[3]);
+        b.inertia.xz = R(r->inertia[4]);
+        b.inertia.yz = R(r->inertia[5]);
+        b.q = quaternion(r->q);
+        b.omega = vector(r->omega);
         if (r->inertia[3] == 0) {
             CHECK(vm_free_init_principal(&m, vector(r->inertia), b.q, b.omega, 0) == VM_OK);
             CHECK(vm_free_attitude(&m, R(r->t), &b.q, &b.omega) == VM_OK);
@@ -364,7 +377,9 @@ static void test_tables(void)
 
 static vm_quat conjugate(vm_quat q)
 {
-    q.x = -q.x, q.y = -q.y, q.z = -q.z;
+    q.x = -q.x;
+    q.y = -q.y;
+    q.z = -q.z;
     return q;
 }
 
@@ -438,8 +453,12 @@ static void test_composition(void)
                     size_of(vmi_add(midway.omega, other.omega)) / size_of(b.omega) / eps, 12, i, 0);
 
         other = b; /* body axes x, y, z were y, z, x: with q (1 + i + j + k)/2 to the old ones */
-        other.inertia.xx = b.inertia.yy, other.inertia.yy = b.inertia.zz, other.inertia.zz = b.inertia.xx;
-        other.inertia.xy = b.inertia.yz, other.inertia.yz = b.inertia.xz, other.inertia.xz = b.inertia.xy;
+        other.inertia.xx = b.inertia.yy;
+        other.inertia.yy = b.inertia.zz;
+        other.inertia.zz = b.inertia.xx;
+        other.inertia.xy = b.inertia.yz;
+        other.inertia.yz = b.inertia.xz;
+        other.inertia.xz = b.inertia.xy;
         other.q.w = other.q.x = other.q.y = other.q.z = R(0.5);
         other.q = vmi_quat_times(b.q, other.q);
         CHECK(vm_free_rotation(&other, first, &other) == VM_OK);
@@ -547,29 +566,35 @@ static void test_limits(void)
         vm_quat p, q;
         vm_vec3 v, u;
         vm_quat unit;
-        unit.w = 1, unit.x = unit.y = unit.z = 0;
+        unit.w = 1;
+        unit.x = unit.y = unit.z = 0;
         vm_free_init_principal(&near, vmi_vec3(R(1 + e), R(1), R(1.5)), unit, w, 0);
         vm_free_init_principal(&at, vmi_vec3(1, 1, R(1.5)), unit, w, 0);
-        vm_free_attitude(&near, R(T), &p, &v), vm_free_attitude(&at, R(T), &q, &u);
+        vm_free_attitude(&near, R(T), &p, &v);
+        vm_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "symmetric", "e", difference(p, q) / (e + 8 * eps), 3, k, 0);
         vm_free_init_principal(&near, vmi_vec3(R(1 + e), R(1), R(1 - e)), unit, w, 0);
         vm_free_init_principal(&at, vmi_vec3(1, 1, 1), unit, w, 0);
-        vm_free_attitude(&near, R(T), &p, &v), vm_free_attitude(&at, R(T), &q, &u);
+        vm_free_attitude(&near, R(T), &p, &v);
+        vm_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "sphere", "e", difference(p, q) / (e + 8 * eps), 3, k, 0);
         vm_free_init_principal(&near, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), R(2 * (1 + e))), 0); /* F */
         vm_free_init_principal(&at, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), 2), 0);
-        vm_free_attitude(&near, R(T), &p, &v), vm_free_attitude(&at, R(T), &q, &u);
+        vm_free_attitude(&near, R(T), &p, &v);
+        vm_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "separatrix", "e", difference(p, q) / (e + 8 * eps), 8, k, 0);
         vm_free_init_principal(&near, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), R(2 * (1 - e))), 0);
         vm_free_attitude(&near, R(T), &p, &v);
         check_error("limit", "separatrix", "e", difference(p, q) / (e + 8 * eps), 8, k, 1);
         vm_free_init_principal(&near, vmi_vec3(3, 2, 1), unit, vmi_vec3(R(e), 1, R(e)), 0);
         vm_free_init_principal(&at, vmi_vec3(3, 2, 1), unit, vmi_vec3(0, 1, 0), 0);
-        vm_free_attitude(&near, R(T), &p, &v), vm_free_attitude(&at, R(T), &q, &u);
+        vm_free_attitude(&near, R(T), &p, &v);
+        vm_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "middle axis", "e", difference(p, q) / (e + 8 * eps), 12, k, 0);
         vm_free_init_principal(&near, vmi_vec3(3, 2, 1), unit, vmi_vec3(R(e), R(-e), 1), 0);
         vm_free_init_principal(&at, vmi_vec3(3, 2, 1), unit, vmi_vec3(0, 0, 1), 0);
-        vm_free_attitude(&near, R(T), &p, &v), vm_free_attitude(&at, R(T), &q, &u);
+        vm_free_attitude(&near, R(T), &p, &v);
+        vm_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "stable axis", "e", difference(p, q) / (e + 8 * eps), 12, k, 0);
     }
 }
@@ -583,7 +608,8 @@ static void test_far_on_separatrix(void)
     vm_quat q;
     vm_vec3 omega;
     double x;
-    q.w = 1, q.x = q.y = q.z = 0;
+    q.w = 1;
+    q.x = q.y = q.z = 0;
     CHECK(vm_free_init_principal(&m, vmi_vec3(1, 2, R(2.25)), q, vmi_vec3(R(0.75), 0, 1), 0) == VM_OK);
     for (x = -last; x <= last; x += last / 30) {
         const double t = (double)R(3 * x / w), sech = 1 / cosh(w * t / 3);
@@ -620,7 +646,9 @@ static void test_extreme(void)
                 vm_quat q, unit;
                 vm_vec3 v = w;
                 int n;
-                unit.w = 1, unit.x = unit.y = unit.z = 0, q = unit;
+                unit.w = 1;
+                unit.x = unit.y = unit.z = 0;
+                q = unit;
                 CHECK(vm_free_init_principal(&m, J3, unit, w, 0) == VM_OK);
                 for (n = -12; n <= 12; n++) { /* and once beyond any phase */
                     const double t = pow(10, n < 12 ? (n < 0 ? -n : n) : is_float ? 28 : 250);
@@ -640,13 +668,22 @@ static int free_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     const vm_real *J = (const vm_real *)ctx;
     vm_quat q, w;
     (void)t;
-    q.w = y[3], q.x = y[4], q.y = y[5], q.z = y[6];
-    w.w = 0, w.x = y[0] / 2, w.y = y[1] / 2, w.z = y[2] / 2;
+    q.w = y[3];
+    q.x = y[4];
+    q.y = y[5];
+    q.z = y[6];
+    w.w = 0;
+    w.x = y[0] / 2;
+    w.y = y[1] / 2;
+    w.z = y[2] / 2;
     q = vmi_quat_times(q, w);
     dydt[0] = (J[1] - J[2]) * y[1] * y[2] / J[0];
     dydt[1] = (J[2] - J[0]) * y[2] * y[0] / J[1];
     dydt[2] = (J[0] - J[1]) * y[0] * y[1] / J[2];
-    dydt[3] = q.w, dydt[4] = q.x, dydt[5] = q.y, dydt[6] = q.z;
+    dydt[3] = q.w;
+    dydt[4] = q.x;
+    dydt[5] = q.y;
+    dydt[6] = q.z;
     return 0;
 }
 
@@ -662,7 +699,10 @@ static void test_tiny_components(void)
                 vm_body b, later;
                 vm_vec3 h;
                 memset(&b, 0, sizeof b);
-                b.mass = 1, b.inertia.xx = 1, b.inertia.yy = VM_C(0.75), b.inertia.zz = VM_C(0.5);
+                b.mass = 1;
+                b.inertia.xx = 1;
+                b.inertia.yy = VM_C(0.75);
+                b.inertia.zz = VM_C(0.5);
                 (&b.omega.x)[k] = 1;
                 (&b.omega.x)[(k + 1) % 3] = (vm_real)pow(tiny[i], power);
                 (&b.omega.x)[(k + 2) % 3] = (vm_real)pow(tiny[j], power);
@@ -685,8 +725,16 @@ static void test_runge_kutta(void)
         vm_free_motion m;
         vm_quat q;
         vm_vec3 omega;
-        J[0] = R(uniform(1, 1.5)), J[1] = R(uniform(1, 1.5)), J[2] = R(uniform(1, 1.5));
-        y[0] = w.x, y[1] = w.y, y[2] = w.z, y[3] = q0.w, y[4] = q0.x, y[5] = q0.y, y[6] = q0.z;
+        J[0] = R(uniform(1, 1.5));
+        J[1] = R(uniform(1, 1.5));
+        J[2] = R(uniform(1, 1.5));
+        y[0] = w.x;
+        y[1] = w.y;
+        y[2] = w.z;
+        y[3] = q0.w;
+        y[4] = q0.x;
+        y[5] = q0.y;
+        y[6] = q0.z;
         memset(&options, 0, sizeof options);
         options.rtol = options.atol = R(is_float ? 1e-4 : 1e-13);
         CHECK(rk87_init(&s, free_rhs, J, 7, 0, y, &options, work) == ODE_OK);

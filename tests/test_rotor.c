@@ -11,20 +11,32 @@ static const int is_float = PRECISION[0] == 'f';
 static vm_rotor rotor_of(double omega2, double s, double p2, double k, double torque)
 {
     vm_rotor r;
-    r.mass = 1, r.inertia = R(1 / p2), r.stiffness = R(omega2), r.s = R(s);
-    r.damping = R(k / p2), r.torque = R(torque / p2);
+    r.mass = 1;
+    r.inertia = R(1 / p2);
+    r.stiffness = R(omega2);
+    r.s = R(s);
+    r.damping = R(k / p2);
+    r.torque = R(torque / p2);
     return r;
 }
 
 static void set(vm_real *y, double a, double b, double c, double d, double e, double f)
 {
-    y[0] = R(a), y[1] = R(b), y[2] = R(c), y[3] = R(d), y[4] = R(e), y[5] = R(f);
+    y[0] = R(a);
+    y[1] = R(b);
+    y[2] = R(c);
+    y[3] = R(d);
+    y[4] = R(e);
+    y[5] = R(f);
 }
 
 /* omega^2, s, p^2, k*, M*, one after the other (the order of function arguments is the compiler's) */
 static void random_rotor(double *p, vm_rotor *r)
 {
-    p[0] = uniform(0, 4), p[1] = uniform(-1, 1), p[2] = uniform(0.3, 4), p[3] = uniform(0, 2),
+    p[0] = uniform(0, 4);
+    p[1] = uniform(-1, 1);
+    p[2] = uniform(0.3, 4);
+    p[3] = uniform(0, 2);
     p[4] = uniform(-1, 1);
     *r = rotor_of(p[0], p[1], p[2], p[3], p[4]);
 }
@@ -101,7 +113,10 @@ static void test_case_C1(void)
     ERRATUM("v_Sb (after (52))", fabs(speed_from_orbit(abcd, w, t, 1) - 0.4963006479) < 1e-5, /* 13 % off */
             check_holds("v_Sb from A0..D0"));
     CHECK(fabs(speed_from_orbit(abcd, w, 0, 1) - hypot(0.5, 0.4)) < 10 * eps); /* right at t1 = 0 only */
-    A = (double)abcd[0], B = (double)abcd[1], C = (double)abcd[2], D = (double)abcd[3];
+    A = (double)abcd[0];
+    B = (double)abcd[1];
+    C = (double)abcd[2];
+    D = (double)abcd[3];
     check_case("x (50)", "C1", R((A + C) * cos(w * t) + (D - B) * sin(w * t)), 0.3503788357778127207376, 1, 3);
     check_case("y (50)", "C1", R((B + D) * cos(w * t) + (A - C) * sin(w * t)), 0.1882380556300258192127, 1, 2);
 }
@@ -143,7 +158,11 @@ static int break_C3(double I1, double I2, double alpha, vm_rotor_break *b)
     double M = C3[4], m = C3[5], d = C3[1];
     memset(&piece, 0, sizeof piece);
     whole.inertia = R(I1 + I2 + m * M / (M - m) * d * d);
-    piece.mass = R(m), piece.inertia = R(I2), piece.distance = R(d), piece.radius = 1, piece.alpha = R(alpha);
+    piece.mass = R(m);
+    piece.inertia = R(I2);
+    piece.distance = R(d);
+    piece.radius = 1;
+    piece.alpha = R(alpha);
     set(before, 0, 0, 0, C3[3], 0, C3[2]);
     return vm_rotor_break_off(&whole, before, &piece, b);
 }
@@ -251,8 +270,14 @@ static vm_body disc(const vm_real *y, double mass, double inertia)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = R(mass), b.inertia.zz = R(inertia), b.inertia.xx = b.inertia.yy = R(inertia / 2);
-    b.r.x = y[0], b.r.y = y[1], b.v.x = y[3], b.v.y = y[4], b.omega.z = y[5];
+    b.mass = R(mass);
+    b.inertia.zz = R(inertia);
+    b.inertia.xx = b.inertia.yy = R(inertia / 2);
+    b.r.x = y[0];
+    b.r.y = y[1];
+    b.v.x = y[3];
+    b.v.y = y[4];
+    b.omega.z = y[5];
     return b;
 }
 
@@ -270,9 +295,14 @@ static void test_break_vector_form(void)
         vm_vec3 a, v;
         double fraction = pow(10, uniform(-3, -0.3)), sine, cosine, shaft;
         memset(&b, 0, sizeof b);
-        whole.mass = R(uniform(1, 10)), whole.inertia = whole.mass / 2;
-        p.mass = R(fraction) * whole.mass, p.inertia = p.mass * R(uniform(0, 0.05));
-        p.distance = R(uniform(0, 0.6)), p.radius = 1, p.alpha = R(uniform(-3, 3)), p.contact = R(uniform(-3, 3));
+        whole.mass = R(uniform(1, 10));
+        whole.inertia = whole.mass / 2;
+        p.mass = R(fraction) * whole.mass;
+        p.inertia = p.mass * R(uniform(0, 0.05));
+        p.distance = R(uniform(0, 0.6));
+        p.radius = 1;
+        p.alpha = R(uniform(-3, 3));
+        p.contact = R(uniform(-3, 3));
         random_state(before, 1, 3);
         before[5] *= 3;
         CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK);
@@ -292,7 +322,9 @@ static void test_break_vector_form(void)
                     hypot((double)(rest.v.x - b.state[3]), (double)(rest.v.y - b.state[4])) / eps, 5, i, 0);
         check_error("r_S1", "vm_separate", "eps",
                     hypot((double)(rest.r.x - b.state[0]), (double)(rest.r.y - b.state[1])) / eps, 3, i, 0);
-        sine = sin((double)b.state[2]), cosine = cos((double)b.state[2]), shaft = (double)b.rest.s;
+        sine = sin((double)b.state[2]);
+        cosine = cos((double)b.state[2]);
+        shaft = (double)b.rest.s;
         check_error("shaft", "in place", "eps",
                     hypot((double)(b.state[0] - before[0]) + shaft * cosine,
                           (double)(b.state[1] - before[1]) + shaft * sine) /
@@ -317,7 +349,8 @@ static void test_break_limits(void)
     vm_real before[6];
     double m;
     set(before, 0.1, 0.2, 0.3, 0.9, -0.4, 2);
-    p.inertia = 0, p.mass = R(1e-6);
+    p.inertia = 0;
+    p.mass = R(1e-6);
     CHECK(vm_rotor_break_off(&whole, before, &p, &light) == VM_OK);
     for (m = 1e-6; m > least; m /= 10) { /* the changes go with m M/(M - m), to a few eps of themselves */
         double moment = (double)(light.spin_rest * light.rest.inertia / R(1e-6) * light.rest.mass);
@@ -330,7 +363,8 @@ static void test_break_limits(void)
                     4, m, 0);
     }
     CHECK(b.state[5] == before[5] && b.state[3] == before[3] && b.rest.inertia == whole.inertia);
-    p.distance = 0, p.inertia = 0; /* m -> M from the middle: the rest is a ring that keeps its inertia */
+    p.distance = 0;
+    p.inertia = 0; /* m -> M from the middle: the rest is a ring that keeps its inertia */
     for (m = 1e-1; m > 4 * eps; m /= 8) {
         p.mass = whole.mass - R(m);
         CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK && b.rest.inertia == whole.inertia);
@@ -342,10 +376,13 @@ static void test_break_limits(void)
     kept = b;
     p.mass = whole.mass;
     CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_BAD_MASS);
-    p.mass = 1, p.inertia = whole.inertia * (1 - 4 * VM_EPSILON); /* I_S1 is lost in rounding errors */
+    p.mass = 1;
+    p.inertia = whole.inertia * (1 - 4 * VM_EPSILON); /* I_S1 is lost in rounding errors */
     CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_BAD_INERTIA);
-    p.inertia = 0, p.distance = 1; /* S2 at A */
-    p.alpha = 0, p.radius = 1;
+    p.inertia = 0;
+    p.distance = 1; /* S2 at A */
+    p.alpha = 0;
+    p.radius = 1;
     CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_DOMAIN);
     CHECK(memcmp(&kept, &b, sizeof b) == 0);
 }
@@ -358,8 +395,11 @@ static int rhs_68(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     const double *p = (const double *)ctx; /* omega^2, s, p^2, k*, M* */
     double x = (double)y[0], z = (double)y[1], c = cos((double)y[2]), s = sin((double)y[2]);
     (void)t;
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
-    dydt[3] = R(-p[0] * x - p[1] * p[0] * c), dydt[4] = R(-p[0] * z - p[1] * p[0] * s);
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = y[5];
+    dydt[3] = R(-p[0] * x - p[1] * p[0] * c);
+    dydt[4] = R(-p[0] * z - p[1] * p[0] * s);
     dydt[5] = R(-p[3] * (double)y[5] + p[4] + p[1] * p[2] * p[0] * (x * s - z * c));
     return 0;
 }
@@ -369,8 +409,11 @@ static int rhs_69(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const double *p = (const double *)ctx;
     (void)t;
-    dydt[0] = y[3], dydt[1] = y[4], dydt[2] = y[5];
-    dydt[3] = R(-p[0] * (double)y[0] - p[1] * p[0]), dydt[4] = R(-p[0] * (double)y[1] - p[1] * p[0] * (double)y[2]);
+    dydt[0] = y[3];
+    dydt[1] = y[4];
+    dydt[2] = y[5];
+    dydt[3] = R(-p[0] * (double)y[0] - p[1] * p[0]);
+    dydt[4] = R(-p[0] * (double)y[1] - p[1] * p[0] * (double)y[2]);
     dydt[5] = R(-p[3] * (double)y[5] + p[4] - p[5] * p[1] * p[2] * p[0] * (double)y[1]);
     return 0;
 }
@@ -406,12 +449,16 @@ static void test_remainder(void)
         int j;
         random_rotor(p, &r);
         random_state(y, 2, 9);
-        m = (double)r.mass, k = (double)r.stiffness, e = (double)r.s;
+        m = (double)r.mass;
+        k = (double)r.stiffness;
+        e = (double)r.s;
         vm_rotor_rhs(0, y, a, &r);
         rhs_68(0, y, b, p);
         for (j = 0; j < 6; j++) check_case("(65)-(68)", "rhs", a[j], (double)b[j], 10, 4);
-        c = cos((double)y[2]), s = sin((double)y[2]);
-        force[0] = m * (double)a[3], force[1] = m * (double)a[4];
+        c = cos((double)y[2]);
+        s = sin((double)y[2]);
+        force[0] = m * (double)a[3];
+        force[1] = m * (double)a[4];
         check_case("torque (65)", "rhs", r.inertia * a[5] + r.damping * y[5] - r.torque,
                    e * (c * force[1] - s * force[0]), 10, 3);
         power = m * (double)(y[3] * a[3] + y[4] * a[4]) + (double)(r.inertia * y[5] * a[5]) +
@@ -434,7 +481,11 @@ static const struct {
 static vm_rotor rotor_from(const double *p)
 {
     vm_rotor r;
-    r.mass = R(p[0]), r.inertia = R(p[1]), r.stiffness = R(p[2]), r.damping = R(p[3]), r.torque = R(p[4]),
+    r.mass = R(p[0]);
+    r.inertia = R(p[1]);
+    r.stiffness = R(p[2]);
+    r.damping = R(p[3]);
+    r.torque = R(p[4]);
     r.s = R(p[5]);
     return r;
 }
@@ -488,7 +539,8 @@ static void test_through_zero(void)
                                  : which == 2 ? &zero.torque
                                               : &zero.s;
                     vm_real y[6] = {0}, z[6] = {0};
-                    *p = R(side * small), *q = 0;
+                    *p = R(side * small);
+                    *q = 0;
                     CHECK(linear(3, &r, start, y) == VM_OK && linear(3, &zero, start, z) == VM_OK);
                     for (i = 0; i < 6; i++)
                         check_error(names[which], "through zero", "shift",
@@ -525,7 +577,8 @@ static void test_linear_printed(void)
     check_case("psi' (72)", "C4", y[5], 0.6517073481042952426476, 1, 2);
     for (i = 0; i < 40; i++) {
         for (k = 0; k < 6; k++) q[k] = uniform(0.2, 2);
-        r = rotor_of(q[0], q[1], q[2], q[3], q[3] * q[4]), t = uniform(0.1, 5);
+        r = rotor_of(q[0], q[1], q[2], q[3], q[3] * q[4]);
+        t = uniform(0.1, 5);
         CHECK(vm_rotor_linear_uncoupled(R(t), &r, start, y) == VM_OK);
         printed_linear(q, y0, q[4], t, &x1, &y1, &rate1);
         check_case("x (70)", "printed", y[0], x1, 1 + q[1], 4);
@@ -533,7 +586,8 @@ static void test_linear_printed(void)
         check_case("psi' (72)", "printed", y[5], rate1, 1 + q[4], 4);
         q[4] *= q[3];
         for (k = 0; k < 2; k++) { /* (69) without its last term, and all of it */
-            q[5] = k, memcpy(z, start, sizeof z);
+            q[5] = k;
+            memcpy(z, start, sizeof z);
             CHECK(integrate(rhs_69, q, z, t) >= 0);
             CHECK((k ? vm_rotor_linear : vm_rotor_linear_uncoupled)(R(t), &r, start, y) == VM_OK);
             check_error("(69)", k ? "coupled" : "uncoupled", "tol", apart(y, z) / (1 + fabs((double)z[1])), 4, t,
@@ -561,7 +615,12 @@ static void test_transient_after_break(void)
     const double w2 = 1.69, s = 0.8 * 0.6 / 4.2, k = 0.35, Omega = 2, Rr = 1, ratio = C3[7] / C3[6], t = 1.3;
     const double wrong = Omega * (1 - ratio * (Rr - s) / s), sum = w2 + k * k, w = sqrt(w2), psi0 = 0.15, v = 0.11;
     double p[6] = {0, 0, 1, 0, 0, 0}, y0[6] = {0.1, -0.05, 0, 0.07, 0, 0}, x, y, rate, y73, rate74;
-    p[0] = w2, p[1] = s, p[3] = k, y0[2] = psi0, y0[4] = v, y0[5] = wrong;
+    p[0] = w2;
+    p[1] = s;
+    p[3] = k;
+    y0[2] = psi0;
+    y0[4] = v;
+    y0[5] = wrong;
     printed_linear(p, y0, Omega, t, &x, &y, &rate);
     y73 = Omega / k * ratio * (Rr - s) - s * psi0 - s * Omega * t -
           w2 * Omega / (sum * k) * ratio * (Rr - s) * exp(-k * t) +
@@ -589,12 +648,15 @@ static void test_polar(void)
         random_state(y, 2, 9);
         if (hypot((double)y[0], (double)y[1]) < 0.3) continue;
         CHECK(vm_rotor_to_polar(y, polar) == VM_OK && vm_rotor_from_polar(polar, back) == VM_OK);
-        for (k = 0; k < 6; k++)
-            check_case("to and from", "polar", back[k], (double)y[k], 3, 4), q[k] = (double)polar[k];
+        for (k = 0; k < 6; k++) {
+            check_case("to and from", "polar", back[k], (double)y[k], 3, 4);
+            q[k] = (double)polar[k];
+        }
         check_case("phi", "polar", R(q[1]), atan2((double)y[1], (double)y[0]), 1, 6);
         vm_rotor_rhs(0, y, a, &r);
         CHECK(vm_rotor_polar_rhs(0, polar, b, &r) == 0);
-        c = cos(q[1]), s = sin(q[1]);
+        c = cos(q[1]);
+        s = sin(q[1]);
         dx = ((double)b[3] - q[0] * q[4] * q[4]) * c - (q[0] * (double)b[4] + 2 * q[3] * q[4]) * s;
         dy = ((double)b[3] - q[0] * q[4] * q[4]) * s + (q[0] * (double)b[4] + 2 * q[3] * q[4]) * c;
         check_case("r'', phi'' (75)", "polar", R(dx), (double)a[3], 20, 2);
@@ -668,8 +730,10 @@ static void test_exact_criterion(void)
         vm_rotor r = rotor_of(1, 0.5, 4, 1, 1);
         double most = ldexp(1, bits), Omega = floor(uniform(1, most)), mass = floor(uniform(1, most)), scale;
         vm_real at, below, above;
-        r.mass = R(mass), at = R(mass * Omega * Omega);
-        below = at * (1 - VM_EPSILON), above = at * (1 + VM_EPSILON);
+        r.mass = R(mass);
+        at = R(mass * Omega * Omega);
+        below = at * (1 - VM_EPSILON);
+        above = at * (1 + VM_EPSILON);
         r.stiffness = at;
         CHECK((double)at == mass * Omega * Omega && !vm_rotor_stable(&r, R(Omega)));
         r.stiffness = below;
@@ -693,19 +757,29 @@ static void test_linearisation(void)
         vm_rotor r;
         vm_real y[6] = {0}, low[6] = {0}, high[6] = {0};
         random_rotor(p, &r);
-        w2 = p[0], D = w2 - Omega * Omega;
+        w2 = p[0];
+        D = w2 - Omega * Omega;
         r.torque = r.damping * R(Omega);
         if (((double)r.s > 0) == (D > 0)) r.s = -r.s; /* so that r0 > 0 */
-        s = (double)r.s, r0 = -s * w2 / D;
+        s = (double)r.s;
+        r0 = -s * w2 / D;
         if (r0 < 0.2 || r0 > 3) continue;
-        y[0] = R(r0), y[4] = y[5] = R(Omega);
-        row79[0][0] = -D, row79[0][4] = 2 * Omega * r0;
-        row79[1][1] = s * w2 / r0, row79[1][2] = -s * w2 / r0, row79[1][3] = -2 * Omega / r0;
-        row79[2][1] = -s * w2 * p[2] * r0, row79[2][2] = s * w2 * p[2] * r0, row79[2][5] = -p[3];
+        y[0] = R(r0);
+        y[4] = y[5] = R(Omega);
+        row79[0][0] = -D;
+        row79[0][4] = 2 * Omega * r0;
+        row79[1][1] = s * w2 / r0;
+        row79[1][2] = -s * w2 / r0;
+        row79[1][3] = -2 * Omega / r0;
+        row79[2][1] = -s * w2 * p[2] * r0;
+        row79[2][2] = s * w2 * p[2] * r0;
+        row79[2][5] = -p[3];
         for (column = 0; column < 6; column++) {
             vm_real from[6], to[6];
-            memcpy(from, y, sizeof y), memcpy(to, y, sizeof y);
-            from[column] -= R(h), to[column] += R(h);
+            memcpy(from, y, sizeof y);
+            memcpy(to, y, sizeof y);
+            from[column] -= R(h);
+            to[column] += R(h);
             CHECK(vm_rotor_polar_rhs(0, from, low, &r) == 0 && vm_rotor_polar_rhs(0, to, high, &r) == 0);
             for (row = 0; row < 3; row++)
                 check_error("(79) from (75)", "differences", "h^2",
@@ -742,7 +816,8 @@ static complex_number determinant_79(complex_number l, const double *p, double O
     minor = plus(times(B, C), -b * e, one); /* xi and eta: B C - (s w^2)(s w^2 p^2 r0) */
     det = times(A, minor);
     det = plus(det, 4 * Omega * Omega * r0, times(l2, C)); /* - (-2 Omega r0 l)(2 Omega l) C */
-    det.re /= r0, det.im /= r0;
+    det.re /= r0;
+    det.im /= r0;
     return det;
 }
 
@@ -765,14 +840,19 @@ static void test_char_poly(void)
         complex_number l, det, f, zero = {0, 0}, q;
         vm_rotor r;
         vm_real c[6] = {0}, column[6] = {0};
-        l.re = uniform(-2, 2), l.im = uniform(-2, 2);
+        l.re = uniform(-2, 2);
+        l.im = uniform(-2, 2);
         for (k = 0; k < 4; k++) p[k] = uniform(0.2, 3);
         if (fabs(p[0] - Omega * Omega) < 0.2) continue;
         r = rotor_of(p[0], p[1], p[2], p[3], p[3] * Omega);
         CHECK(vm_rotor_char_poly(&r, R(Omega), c) == VM_OK && vm_rotor_routh(&r, R(Omega), column) == VM_OK);
-        for (q = zero, k = 0; k < 6; k++) q = times(q, l), q.re += (double)c[k];
+        for (q = zero, k = 0; k < 6; k++) {
+            q = times(q, l);
+            q.re += (double)c[k];
+        }
         q = times(q, l);
-        det = determinant_79(l, p, Omega), f = equation_81(l, p, Omega, 0);
+        det = determinant_79(l, p, Omega);
+        f = equation_81(l, p, Omega, 0);
         size = hypot(det.re, det.im) + 100 * (1 + fabs((double)column[2]));
         check_error("det (79) = (81)", "random", "eps", hypot(det.re - f.re, det.im - f.im) / size / DBL_EPSILON,
                     10, i, 0);
@@ -833,8 +913,13 @@ static void test_eigenvalues(void)
     {
         double D = 1 - 0.625 * 0.625, GD = 0.25 * 4, G = GD / D,
                O4 = 4 * 0.625 * 0.625; /* (81) as printed, by powers */
-        printed[0] = 1, printed[1] = 1, printed[2] = G + 2 * D, printed[3] = 2 * D;
-        printed[4] = D * D + 2 * D * G - GD + O4, printed[5] = D * D + O4, printed[6] = D * D * G - GD * D + O4 * G;
+        printed[0] = 1;
+        printed[1] = 1;
+        printed[2] = G + 2 * D;
+        printed[3] = 2 * D;
+        printed[4] = D * D + 2 * D * G - GD + O4;
+        printed[5] = D * D + O4;
+        printed[6] = D * D * G - GD * D + O4 * G;
     }
     {
         vm_real q[7];
@@ -881,8 +966,12 @@ static void test_stability(void)
         vm_rotor r;
         vm_real column[6] = {0}, re[5] = {0}, im[5] = {0};
         int positive = 1, stable;
-        r.mass = R(c / w2), r.stiffness = R(c), r.s = R(uniform(0.05, 1)), r.inertia = R(uniform(0.05, 2)) * r.mass;
-        r.damping = R(uniform(0.05, 2)) * r.inertia, r.torque = 0;
+        r.mass = R(c / w2);
+        r.stiffness = R(c);
+        r.s = R(uniform(0.05, 1));
+        r.inertia = R(uniform(0.05, 2)) * r.mass;
+        r.damping = R(uniform(0.05, 2)) * r.inertia;
+        r.torque = 0;
         stable = vm_rotor_stable(&r, R(Omega));
         CHECK(vm_rotor_routh(&r, R(Omega), column) == VM_OK && vm_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK);
         for (k = 0; k < 6; k++) positive = positive && column[k] > 0;
@@ -1009,10 +1098,18 @@ static void test_hostile(void)
         vm_rotor r;
         vm_rotor_piece p;
         vm_rotor_break b, unbroken;
-        r.mass = hostile(), r.inertia = hostile(), r.stiffness = hostile(), r.damping = hostile(),
+        r.mass = hostile();
+        r.inertia = hostile();
+        r.stiffness = hostile();
+        r.damping = hostile();
         r.torque = hostile();
-        r.s = i % 2 ? 0 : hostile(), t = hostile(), Omega = hostile();
-        p.mass = hostile(), p.inertia = hostile(), p.distance = hostile(), p.alpha = hostile(),
+        r.s = i % 2 ? 0 : hostile();
+        t = hostile();
+        Omega = hostile();
+        p.mass = hostile();
+        p.inertia = hostile();
+        p.distance = hostile();
+        p.alpha = hostile();
         p.radius = hostile();
         p.contact = hostile();
         for (k = 0; k < 6; k++) start[k] = hostile();
@@ -1027,10 +1124,16 @@ static void test_hostile(void)
         OUTCOME(vm_rotor_char_poly(&r, Omega, y), 6);
         OUTCOME(vm_rotor_routh(&r, Omega, y), 6);
         OUTCOME(vm_rotor_eigenvalues(&r, Omega, y, y + 5), 10);
-        memset(&b, 1, sizeof b), memset(&unbroken, 1, sizeof unbroken);
+        memset(&b, 1, sizeof b);
+        memset(&unbroken, 1, sizeof unbroken);
         status = vm_rotor_break_off(&r, start, &p, &b);
-        if (status) CHECK(memcmp(&b, &unbroken, sizeof b) == 0);
-        else check_outcome(0, b.state, kept, 6), check_outcome(0, b.piece, kept, 6), good++;
+        if (status) {
+            CHECK(memcmp(&b, &unbroken, sizeof b) == 0);
+        } else {
+            check_outcome(0, b.state, kept, 6);
+            check_outcome(0, b.piece, kept, 6);
+            good++;
+        }
         CHECK(!(vm_rotor_growth(t, &r, Omega) < 0));
     }
     CHECK(good > 1000);
@@ -1043,7 +1146,8 @@ static void test_bad_input(void)
     vm_real start[6], y[6] = {7, 7, 7, 7, 7, 7}, kept[6] = {7, 7, 7, 7, 7, 7};
     vm_rotor_break b, b_kept;
     int i;
-    memset(&b, 1, sizeof b), b_kept = b;
+    memset(&b, 1, sizeof b);
+    b_kept = b;
     set(start, 0.1, 0.2, 0.3, 0.9, -0.4, 2);
     for (i = 0; i < 9; i++) {
         vm_rotor r = good;
@@ -1054,9 +1158,18 @@ static void test_bad_input(void)
         if (i == 3) r.damping = -VM_INFINITY;
         if (i == 4) r.torque = VM_NAN;
         if (i == 5) r.s = VM_NAN;
-        if (i == 6) r.mass = 0, status = VM_BAD_MASS;
-        if (i == 7) r.inertia = 0, status = VM_BAD_INERTIA;
-        if (i == 8) r.stiffness = -1, status = VM_DOMAIN;
+        if (i == 6) {
+            r.mass = 0;
+            status = VM_BAD_MASS;
+        }
+        if (i == 7) {
+            r.inertia = 0;
+            status = VM_BAD_INERTIA;
+        }
+        if (i == 8) {
+            r.stiffness = -1;
+            status = VM_DOMAIN;
+        }
         CHECK(vm_rotor_free(1, &r, start, y) == status && vm_rotor_linear(1, &r, start, y) == status);
         CHECK(vm_rotor_linear_uncoupled(1, &r, start, y) == status && vm_rotor_orbit(&r, start, y) == status);
         CHECK(vm_rotor_char_poly(&r, 1, y) == status && vm_rotor_routh(&r, 1, y) == status);
@@ -1074,10 +1187,22 @@ static void test_bad_input(void)
         if (i == 3) p.alpha = VM_INFINITY;
         if (i == 4) p.radius = VM_NAN;
         if (i == 5) p.contact = VM_NAN;
-        if (i == 6) p.mass = 0, status = VM_BAD_MASS;
-        if (i == 7) p.mass = 5, status = VM_BAD_MASS;
-        if (i == 8) p.inertia = -1, status = VM_BAD_INERTIA;
-        if (i == 9) p.inertia = 2, status = VM_BAD_INERTIA;
+        if (i == 6) {
+            p.mass = 0;
+            status = VM_BAD_MASS;
+        }
+        if (i == 7) {
+            p.mass = 5;
+            status = VM_BAD_MASS;
+        }
+        if (i == 8) {
+            p.inertia = -1;
+            status = VM_BAD_INERTIA;
+        }
+        if (i == 9) {
+            p.inertia = 2;
+            status = VM_BAD_INERTIA;
+        }
         CHECK(vm_rotor_break_off(&good, start, &p, &b) == status);
     }
     {
@@ -1087,9 +1212,12 @@ static void test_bad_input(void)
               vm_rotor_free(1, &off, start, y) == VM_DOMAIN);
         off.s = VM_INFINITY;
         CHECK(vm_rotor_free(1, &off, start, y) == VM_NOT_FINITE);
-        off.s = 0, off.stiffness = 0;
+        off.s = 0;
+        off.stiffness = 0;
         CHECK(vm_rotor_orbit(&off, start, y) == VM_DOMAIN);
-        off.s = 1, off.stiffness = 1, off.inertia = R(1e-3); /* grows as exp(21 t) */
+        off.s = 1;
+        off.stiffness = 1;
+        off.inertia = R(1e-3); /* grows as exp(21 t) */
         CHECK(vm_rotor_linear(1000, &off, start, y) == VM_NOT_FINITE);
     }
     CHECK(vm_rotor_free(VM_NAN, &good, start, y) == VM_NOT_FINITE &&

@@ -59,13 +59,19 @@ static void start(truth *c, vm_osc_problem *o, double psi, double tolerance)
 {
     rk45_options options = {0};
     vm_real y[2], m = 1, k = 1, rate = 0, sa, ca;
-    law(&o->mass, 0, &m, &rate), law(&o->stiffness, 0, &k, &rate);
-    c->o = o, CHECK(ateb_plan_init(&c->ateb, o->alpha) == 0);
+    law(&o->mass, 0, &m, &rate);
+    law(&o->stiffness, 0, &k, &rate);
+    c->o = o;
+    CHECK(ateb_plan_init(&c->ateb, o->alpha) == 0);
     ateb_plan_saca(&c->ateb, R(psi), &sa, &ca);
-    o->x = ca, o->v = -VM_SQRT(2 * k / ((o->alpha + 1) * m)) * sa;
+    o->x = ca;
+    o->v = -VM_SQRT(2 * k / ((o->alpha + 1) * m)) * sa;
     c->omega_scale = sqrt(((double)o->alpha + 1) / 2);
-    y[0] = 0, y[1] = R(psi);
-    options.rtol = -1, options.atol = R(tolerance), options.max_steps = -1;
+    y[0] = 0;
+    y[1] = R(psi);
+    options.rtol = -1;
+    options.atol = R(tolerance);
+    options.max_steps = -1;
     CHECK(rk45_init(&c->s, truth_rhs, c, 2, 0, y, &options, c->work) >= 0);
 }
 
@@ -82,7 +88,8 @@ static void follow(truth *c, vm_real t)
             for (i = m->n - 1; i >= 0; i--)
                 if (m->time[i] > c->s.t && m->time[i] < stop) stop = m->time[i];
         CHECK(rk45_solve(&c->s, stop) >= 0);
-        y[0] = c->s.y[0], y[1] = c->s.y[1] - period * VM_FLOOR(c->s.y[1] / period);
+        y[0] = c->s.y[0];
+        y[1] = c->s.y[1] - period * VM_FLOOR(c->s.y[1] / period);
         CHECK(rk45_restart(&c->s, c->s.t, y) >= 0);
     }
 }
@@ -93,7 +100,8 @@ static double error_of(const truth *c, const vm_osc_motion *motion)
     const double A = exp((double)c->s.y[0]), alpha = (double)c->o->alpha;
     vm_real m = 1, k = 1, rate = 0, sa, ca;
     double V;
-    law(&c->o->mass, c->s.t, &m, &rate), law(&c->o->stiffness, c->s.t, &k, &rate);
+    law(&c->o->mass, c->s.t, &m, &rate);
+    law(&c->o->stiffness, c->s.t, &k, &rate);
     ateb_plan_saca(&c->ateb, c->s.y[1], &sa, &ca);
     V = sqrt(2 * (double)(k / m) / (alpha + 1)) * pow(A, (alpha + 1) / 2);
     return fmax(fabs((double)motion->x - A * (double)ca) / A, fabs((double)motion->v + V * (double)sa) / V);
@@ -108,10 +116,17 @@ static int function_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
     const double z = ((double)t - l->b) / l->c, tail = exp(-z * z), slope = 1 / cosh(z);
     switch (l->kind) {
     case LAW_SINE:
-        *f = R(1 + l->a * sin(l->b * (double)t + l->c)), *rate = R(l->a * l->b * cos(l->b * (double)t + l->c));
+        *f = R(1 + l->a * sin(l->b * (double)t + l->c));
+        *rate = R(l->a * l->b * cos(l->b * (double)t + l->c));
         break;
-    case LAW_FILL: *f = R(1 + l->a * (1 + tanh(z))), *rate = R(l->a * slope * slope / l->c); break;
-    default: *f = R(1 + l->a * tail), *rate = R(-2 * l->a * z * tail / l->c); break;
+    case LAW_FILL:
+        *f = R(1 + l->a * (1 + tanh(z)));
+        *rate = R(l->a * slope * slope / l->c);
+        break;
+    default:
+        *f = R(1 + l->a * tail);
+        *rate = R(-2 * l->a * z * tail / l->c);
+        break;
     }
     return 0;
 }
@@ -125,7 +140,10 @@ static vm_law law_of(const routes_law *l, double T, vm_real *times, vm_real *val
     case LAW_EXPONENTIAL: return vm_law_exponential(R(l->a), R(l->b));
     case LAW_POWER: return vm_law_power(R(l->a), R(l->b), R(l->c));
     case LAW_TABLE:
-        for (i = 0; i < POINTS; i++) times[i] = R(T * i / (POINTS - 1)), values[i] = R(l->values[i]);
+        for (i = 0; i < POINTS; i++) {
+            times[i] = R(T * i / (POINTS - 1));
+            values[i] = R(l->values[i]);
+        }
         return vm_law_table(POINTS, times, values);
     default: return vm_law_user(function_law, (void *)l);
     }
@@ -149,8 +167,12 @@ static vm_osc_problem problem_of(const routes_case *c)
     static vm_real times[2][POINTS], values[2][POINTS];
     vm_osc_problem o = problem(c->alpha, law_of(&c->mass, c->T, times[0], values[0]), c->reactive, c->damping);
     o.stiffness = law_of(&c->stiffness, c->T, times[1], values[1]);
-    o.x = R(c->x0), o.v = R(c->v0);
-    if (c->force) o.force = force_of, o.ctx = (void *)c;
+    o.x = R(c->x0);
+    o.v = R(c->v0);
+    if (c->force) {
+        o.force = force_of;
+        o.ctx = (void *)c;
+    }
     return o;
 }
 
@@ -160,9 +182,11 @@ static double case_error(const routes_case *c, const vm_osc_problem *o, vm_real 
     const double n = c->alpha + 1;
     vm_real m = 1, k = 1, rate = 0;
     double energy, A, V;
-    law(&o->mass, R(c->T), &m, &rate), law(&o->stiffness, R(c->T), &k, &rate);
+    law(&o->mass, R(c->T), &m, &rate);
+    law(&o->stiffness, R(c->T), &k, &rate);
     energy = n / 2 * (double)(m / k) * c->v * c->v + pow(fabs(c->x), n);
-    A = pow(energy, 1 / n), V = sqrt(2 / n * (double)(k / m) * energy);
+    A = pow(energy, 1 / n);
+    V = sqrt(2 / n * (double)(k / m) * energy);
     return fmax(fabs((double)x - c->x) / A, fabs((double)v - c->v) / V);
 }
 
@@ -171,7 +195,8 @@ static double case_error(const routes_case *c, const vm_osc_problem *o, vm_real 
 static int sine_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     const double *c = (const double *)ctx;
-    *f = R(1 + c[0] * sin(c[1] * (double)t + c[2])), *rate = R(c[0] * c[1] * cos(c[1] * (double)t + c[2]));
+    *f = R(1 + c[0] * sin(c[1] * (double)t + c[2]));
+    *rate = R(c[0] * c[1] * cos(c[1] * (double)t + c[2]));
     return 0;
 }
 
@@ -266,9 +291,13 @@ static double action_wander(double alpha, double e, double b)
         vm_real m = 1, k = 1, rate = 0, sa, ca;
         double A, I;
         follow(&c, R(0.005 / e * i));
-        law(&o.mass, c.s.t, &m, &rate), law(&o.stiffness, c.s.t, &k, &rate);
-        ateb_plan_saca(&c.ateb, c.s.y[1], &sa, &ca), A = exp((double)c.s.y[0]);
-        later.mass.f0 = m, later.stiffness.f0 = k, later.x = R(A) * ca;
+        law(&o.mass, c.s.t, &m, &rate);
+        law(&o.stiffness, c.s.t, &k, &rate);
+        ateb_plan_saca(&c.ateb, c.s.y[1], &sa, &ca);
+        A = exp((double)c.s.y[0]);
+        later.mass.f0 = m;
+        later.stiffness.f0 = k;
+        later.x = R(A) * ca;
         later.v = -VM_SQRT(2 * k / ((o.alpha + 1) * m)) * R(pow(A, (alpha + 1) / 2)) * sa;
         CHECK(vm_osc_plan_init(&p, &later) == VM_OK);
         I = 0.5 * log((double)(m * k)) + (alpha + 3) / 2 * log((double)p.A) - (double)p.ln_rho;
@@ -428,13 +457,17 @@ static void test_follow(void)
         vm_real A, psi, sa, ca, y[2], m = 1, k = 1, rate = 0;
         start(&c, &o, 0, 1e-14);
         o = problem_of(one);
-        law(&o.mass, 0, &m, &rate), law(&o.stiffness, 0, &k, &rate);
+        law(&o.mass, 0, &m, &rate);
+        law(&o.stiffness, 0, &k, &rate);
         vm_osc_amplitude_phase(o.x, o.v, VM_SQRT(k / m), o.alpha, &A, &psi);
-        y[0] = R(log((double)A)), y[1] = psi;
+        y[0] = R(log((double)A));
+        y[1] = psi;
         CHECK(rk45_restart(&c.s, 0, y) >= 0);
         follow(&c, R(one->T));
-        law(&o.mass, R(one->T), &m, &rate), law(&o.stiffness, R(one->T), &k, &rate);
-        ateb_plan_saca(&c.ateb, c.s.y[1], &sa, &ca), A = R(exp((double)c.s.y[0]));
+        law(&o.mass, R(one->T), &m, &rate);
+        law(&o.stiffness, R(one->T), &k, &rate);
+        ateb_plan_saca(&c.ateb, c.s.y[1], &sa, &ca);
+        A = R(exp((double)c.s.y[0]));
         check_error("follow", "table", "e-11+3e-15T^2",
                     case_error(one, &o, A * ca, -vm_osc_vmax(A, VM_SQRT(k / m), o.alpha) * sa) /
                         (1e-11 + 3e-15 * one->T * one->T),
@@ -458,9 +491,12 @@ static void test_choice(void)
     }
     CHECK(is_float || last == VM_ROUTE_VARIATION);
     /* alpha = 3: cn is exact; alpha = 1: cos is */
-    o.alpha = 3, CHECK(vm_osc_at(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_JACOBI);
-    o.alpha = 1, CHECK(vm_osc_at(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_TRIG);
-    o.alpha = R(2.3), CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    o.alpha = 3;
+    CHECK(vm_osc_at(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_JACOBI);
+    o.alpha = 1;
+    CHECK(vm_osc_at(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_TRIG);
+    o.alpha = R(2.3);
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     for (route = 0; route <= VM_ROUTE_RK87; route++) { /* a plan, one common call, one call each: the same */
         static int (*const by_law[])(const vm_osc_problem *, vm_real, vm_osc_motion *) = {
             vm_osc_by_trig, vm_osc_by_jacobi, vm_osc_by_ateb, vm_osc_by_second};
@@ -483,7 +519,8 @@ static int cubic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const vm_real m = 1 + R(1e-3) * t;
     (void)ctx;
-    dydt[0] = y[1], dydt[1] = -(y[0] * y[0] * y[0] + R(1e-3) * y[1]) / m;
+    dydt[0] = y[1];
+    dydt[1] = -(y[0] * y[0] * y[0] + R(1e-3) * y[1]) / m;
     return 0;
 }
 
@@ -501,17 +538,24 @@ static void test_speed(void)
     clock_t from;
     int i;
     if (is_float) return;
-    start(&c, &o, 0, 1e-14), follow(&c, 1000);
+    start(&c, &o, 0, 1e-14);
+    follow(&c, 1000);
     for (from = clock(), i = 0; i < 2000; i++) CHECK(vm_osc_at(&o, 1000, R(1e-4), &m) == VM_OK);
-    law_time = seconds(from) / 2000, wanted = error_of(&c, &m);
+    law_time = seconds(from) / 2000;
+    wanted = error_of(&c, &m);
     CHECK(m.route == VM_ROUTE_SECOND);
-    y0[0] = o.x, y0[1] = o.v, options.max_steps = -1;
+    y0[0] = o.x;
+    y0[1] = o.v;
+    options.max_steps = -1;
     while (error > wanted) {
         vm_osc_motion direct = {0, 0, 0, 0, 0, 0};
-        options.rtol = options.atol = R(tolerance), tolerance /= 3;
+        options.rtol = options.atol = R(tolerance);
+        tolerance /= 3;
         from = clock();
         CHECK(rk45_init(&s, cubic_rhs, NULL, 2, 0, y0, &options, work) >= 0 && rk45_solve(&s, 1000) >= 0);
-        direct.x = s.y[0], direct.v = s.y[1], error = error_of(&c, &direct);
+        direct.x = s.y[0];
+        direct.v = s.y[1];
+        error = error_of(&c, &direct);
     }
     check_error("vm_osc_at", "1000 x by rk45", "", 1000 * law_time / seconds(from), 1, seconds(from) / law_time,
                 wanted);
@@ -541,7 +585,9 @@ static void test_longest_step(void)
     for (i = 0; i < 2 && !is_float; i++) {
         vm_osc_problem o = problem(alphas[i], vm_law_linear(1, R(-5e-4)), 0, 0);
         vm_osc_motion strict, m;
-        o.stiffness = vm_law_linear(2, 0), o.x = R(0.5), o.v = 0;
+        o.stiffness = vm_law_linear(2, 0);
+        o.x = R(0.5);
+        o.v = 0;
         CHECK(vm_osc_by_variation(&o, 1000, R(1e-9), &strict) >= 0);
         CHECK(vm_osc_by_variation(&o, 1000, R(1e-4), &m) == VM_OK && m.error <= R(1e-4));
         check_error("longest step", "|x - strict|/A", "tol", fabs((double)((m.x - strict.x) / strict.amplitude)) / 1e-4,
@@ -554,7 +600,8 @@ static void test_endless(void)
 {
     vm_osc_problem o = problem(0.3, vm_law_linear(1, R(0.001)), 1, 0);
     vm_osc_motion m;
-    o.x = VM_MIN, o.v = 0;
+    o.x = VM_MIN;
+    o.v = 0;
     CHECK(vm_osc_at(&o, 1, R(1e-2), &m) == VM_NOT_INTEGRATED);
 }
 
@@ -570,7 +617,8 @@ static void test_loose(void)
 {
     vm_osc_problem o = problem(3, vm_law_linear(1, R(0.001)), 1, 0);
     vm_osc_motion m;
-    o.x = R(0.8844884352443234), o.v = R(-0.4404405424790142);
+    o.x = R(0.8844884352443234);
+    o.v = R(-0.4404405424790142);
     CHECK(vm_osc_by_rk45(&o, R(2437.5), R(0.1), &m) >= 0 && (is_float || m.error <= R(0.1)));
     CHECK(vm_osc_at(&o, R(2437.5), is_float ? R(1e-2) : R(1e-7), &m) >= 0);
 }
@@ -583,7 +631,9 @@ static void test_force(void)
     for (i = 0; i < 3; i++) {
         vm_osc_problem o = problem(alphas[i], vm_law_linear(1, R(0.005)), 1, 0);
         vm_osc_motion direct, m;
-        o.x = R(0.7), o.force = van_der_pol, o.ctx = &strength;
+        o.x = R(0.7);
+        o.force = van_der_pol;
+        o.ctx = &strength;
         CHECK(vm_osc_by_rk45(&o, 100, is_float ? R(1e-2) : R(1e-7), &direct) >= 0);
         CHECK(vm_osc_by_second(&o, 100, &m) == VM_NO_LAW);
         CHECK(vm_osc_at(&o, 100, is_float ? R(1e-2) : R(1e-7), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
@@ -599,7 +649,12 @@ static void test_force(void)
 
 int main(void)
 {
-    if (!is_float) test_follow(), test_second_order(), test_action(); /* float holds no second order so long */
+    if (!is_float) {
+        /* float holds no second order so long */
+        test_follow();
+        test_second_order();
+        test_action();
+    }
     test_estimates();
     test_localised();
     test_forced();

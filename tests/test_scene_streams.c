@@ -6,7 +6,12 @@
 static vm_inertia inertia(double xx, double yy, double zz, double xy, double xz, double yz)
 {
     vm_inertia i;
-    i.xx = REAL(xx), i.yy = REAL(yy), i.zz = REAL(zz), i.xy = REAL(xy), i.xz = REAL(xz), i.yz = REAL(yz);
+    i.xx = REAL(xx);
+    i.yy = REAL(yy);
+    i.zz = REAL(zz);
+    i.xy = REAL(xy);
+    i.xz = REAL(xz);
+    i.yz = REAL(yz);
     return i;
 }
 
@@ -14,9 +19,14 @@ static vm_body probe(void)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = 6, b.inertia = inertia(4, 3.5, 3.1, 0.1, -0.2, 0.05); /* a body's, whatever the streams below take */
-    b.q.w = REAL(0.8), b.q.x = REAL(0.36), b.q.y = REAL(-0.48);
-    b.r = stage_vec(1, -2, 0.5), b.v = stage_vec(0.1, 0.2, -0.1), b.omega = stage_vec(0.3, -0.4, 0.6);
+    b.mass = 6;
+    b.inertia = inertia(4, 3.5, 3.1, 0.1, -0.2, 0.05); /* a body's, whatever the streams below take */
+    b.q.w = REAL(0.8);
+    b.q.x = REAL(0.36);
+    b.q.y = REAL(-0.48);
+    b.r = stage_vec(1, -2, 0.5);
+    b.v = stage_vec(0.1, 0.2, -0.1);
+    b.omega = stage_vec(0.3, -0.4, 0.6);
     return b;
 }
 
@@ -24,8 +34,11 @@ static vm_stream jet(double rate, int motion)
 {
     vm_stream s;
     memset(&s, 0, sizeof s);
-    s.rate = REAL(rate), s.motion = motion;
-    s.at = stage_vec(0.5, -0.3, 0.4), s.velocity = stage_vec(0.7, 0.2, -0.5), s.spin = stage_vec(0.8, -0.5, 0.3);
+    s.rate = REAL(rate);
+    s.motion = motion;
+    s.at = stage_vec(0.5, -0.3, 0.4);
+    s.velocity = stage_vec(0.7, 0.2, -0.5);
+    s.spin = stage_vec(0.8, -0.5, 0.3);
     s.gyration = inertia(0.35, 0.55, 0.25, 0.05, 0.05, 0.05);
     return s;
 }
@@ -56,22 +69,27 @@ static void check_space(int first, int second)
     vm_real y[VM_RHS], work[RK45_WORK(VM_RHS)];
     rk45 r;
     stage s;
-    streams[0] = jet(-0.5, first), streams[1] = jet(0.7, second);
-    streams[1].at = stage_vec(-0.2, 0.6, 0.1), streams[1].spin = stage_vec(-0.1, 0.2, 0.4);
+    streams[0] = jet(-0.5, first);
+    streams[1] = jet(0.7, second);
+    streams[1].at = stage_vec(-0.2, 0.6, 0.1);
+    streams[1].spin = stage_vec(-0.1, 0.2, 0.4);
     memset(&flow, 0, sizeof flow);
-    flow.n = 2, flow.streams = streams;
+    flow.n = 2;
+    flow.streams = streams;
     CHECK(vm_flow_start(&flow, &body, y) == VM_OK);
     CHECK(rk45_init(&r, vm_rhs, &flow, VM_RHS, 0, y, &o, work) >= 0 && rk45_solve(&r, 3) >= 0);
     CHECK(vm_flow_body(&flow, VM_RHS, r.y, &wanted) == VM_OK);
     stage_clear(&s, 3);
     stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
-    stage_stream(&s, 0, streams), stage_stream(&s, 0, streams + 1);
+    stage_stream(&s, 0, streams);
+    stage_stream(&s, 0, streams + 1);
     begin(&s);
     CHECK(vm_scene_size(&s.scene) == 13 + 10 + VM_BOOK);
     run(&s, 3, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &got);
     agrees("stream", "mass", got.mass, (double)wanted.mass, 6, 1e-12);
-    same_vec("r", got.r, wanted.r, 1, 1e-9), same_vec("v", got.v, wanted.v, 1, 1e-9);
+    same_vec("r", got.r, wanted.r, 1, 1e-9);
+    same_vec("v", got.v, wanted.v, 1, 1e-9);
     same_vec("omega", got.omega, wanted.omega, 1, 1e-9);
     same_vec("centre", vmi_load3(s.y + 14), vmi_load3(r.y + VM_Y_CENTRE), 1, 1e-9);
     agrees("stream", "inertia", got.inertia.yz, (double)wanted.inertia.yz, 1, 1e-9);
@@ -96,9 +114,18 @@ static void check_alone(int motion)
         memset(&one, 0, sizeof one);
         stage_clear(&s, 1);
         stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
-        if (part == 0) stage_effect(&s, vm_effect_stream_force(0, &stream)), one.force = all.force;
-        if (part == 1) stage_effect(&s, vm_effect_stream_moment(0, &stream)), one.moment = all.moment;
-        if (part == 2) stage_effect(&s, vm_effect_stream_torque(0, &stream)), one.torque = all.torque;
+        if (part == 0) {
+            stage_effect(&s, vm_effect_stream_force(0, &stream));
+            one.force = all.force;
+        }
+        if (part == 1) {
+            stage_effect(&s, vm_effect_stream_moment(0, &stream));
+            one.moment = all.moment;
+        }
+        if (part == 2) {
+            stage_effect(&s, vm_effect_stream_torque(0, &stream));
+            one.torque = all.torque;
+        }
         if (part == 3) stage_effect(&s, vm_effect_stream_mass(0, &stream));
         for (k = 0; k < STAGE_STATE; k++) s.y[k] = 7; /* what was there before is nothing to the start */
         begin(&s);
@@ -106,7 +133,8 @@ static void check_alone(int motion)
         CHECK(vm_accelerations(&body, &one, zero, zero, &a, &alpha) == VM_OK);
         vm_scene_rhs(0, s.y, dydt, &s.scene);
         same_vec("v' of one load", vmi_load3(dydt + 7), a, 1, 1e-13);
-        got = vmi_load3(dydt + 10), got = vmi_times(&s.bodies[0].axes, got);
+        got = vmi_load3(dydt + 10);
+        got = vmi_times(&s.bodies[0].axes, got);
         same_vec("omega' of one load", got, alpha, 1, 1e-13);
         CHECK(dydt[13] == (part == 3 ? all.mass_rate : 0));
         got = vmi_sub(vmi_load3(dydt), body.v);
@@ -127,12 +155,24 @@ static void check_plane(int motion)
     rk45 r;
     stage s;
     stream.at.z = stream.velocity.z = stream.spin.x = stream.spin.y = 0;
-    memset(&flow, 0, sizeof flow), memset(&flat, 0, sizeof flat);
-    flow.n = 1, flow.streams = &flat;
-    flat.rate = stream.rate, flat.motion = motion, flat.x = stream.at.x, flat.y = stream.at.y;
-    flat.vx = stream.velocity.x, flat.vy = stream.velocity.y, flat.spin = stream.spin.z;
+    memset(&flow, 0, sizeof flow);
+    memset(&flat, 0, sizeof flat);
+    flow.n = 1;
+    flow.streams = &flat;
+    flat.rate = stream.rate;
+    flat.motion = motion;
+    flat.x = stream.at.x;
+    flat.y = stream.at.y;
+    flat.vx = stream.velocity.x;
+    flat.vy = stream.velocity.y;
+    flat.spin = stream.spin.z;
     flat.gyration = stream.gyration.zz;
-    y[2] = REAL(0.3), y[3] = 4, y[4] = -2, y[5] = REAL(1.5), y[6] = 4, y[9] = 3;
+    y[2] = REAL(0.3);
+    y[3] = 4;
+    y[4] = -2;
+    y[5] = REAL(1.5);
+    y[6] = 4;
+    y[9] = 3;
     stage_clear(&s, 3);
     stage_body(&s, vm_scene_growing_plane(
                        vm_scene_plane(4, 3, stage_vec(0, 0, 0), REAL(0.3), stage_vec(1, -0.5, 0), REAL(0.5))));
@@ -141,7 +181,8 @@ static void check_plane(int motion)
     CHECK(vm_scene_size(&s.scene) == 6 + 4 + VM_BOOK);
     run(&s, 3, VM_OK);
     CHECK(rk45_init(&r, vm_rhs2, &flow, VM_RHS2, 0, y, &o, work) >= 0 && rk45_solve(&r, 3) >= 0);
-    agrees("plane", "x", s.y[0], (double)r.y[0], 1, 1e-9), agrees("plane", "y", s.y[1], (double)r.y[1], 1, 1e-9);
+    agrees("plane", "x", s.y[0], (double)r.y[0], 1, 1e-9);
+    agrees("plane", "y", s.y[1], (double)r.y[1], 1, 1e-9);
     agrees("plane", "angle", s.y[2], (double)r.y[2], 1, 1e-9);
     agrees("plane", "vx", s.y[3], (double)(r.y[3] / r.y[6]), 1, 1e-9);
     agrees("plane", "omega", s.y[5], (double)(r.y[5] / r.y[9]), 1, 1e-9);
@@ -178,8 +219,10 @@ static void shaft_pulls(const vm_effect *e, vm_real t, const vm_real *y, vm_scen
     const vm_drum *d = (const vm_drum *)e->ctx;
     const vm_vec3 arm = shaft_of(NULL, y), S = vmi_add(vmi_load3(y), arm);
     const vm_real fx = -d->stiffness * S.x, fy = -d->stiffness * S.y;
-    (void)t, (void)scene;
-    e->load->force[0] += fx, e->load->force[1] += fy;
+    (void)t;
+    (void)scene;
+    e->load->force[0] += fx;
+    e->load->force[1] += fy;
     e->load->force[2] += arm.x * fy - arm.y * fx - d->damping * y[5];
 }
 
@@ -192,11 +235,22 @@ static void check_drum(void)
     vm_vec3 S;
     rk45 r;
     stage s;
-    memset(&d, 0, sizeof d), memset(&band, 0, sizeof band), memset(y, 0, sizeof y);
-    d.radius = REAL(0.3), d.mass = 20, d.inertia = REAL(0.9), d.band = REAL(0.45), d.speed = REAL(0.9);
-    d.damping = REAL(0.05), d.stiffness = 2000, d.omega = 3;
-    band.motion = VM_ABSOLUTE, band.velocity.y = d.speed;
-    y[0] = REAL(0.01), y[4] = REAL(0.02), y[5] = d.omega;
+    memset(&d, 0, sizeof d);
+    memset(&band, 0, sizeof band);
+    memset(y, 0, sizeof y);
+    d.radius = REAL(0.3);
+    d.mass = 20;
+    d.inertia = REAL(0.9);
+    d.band = REAL(0.45);
+    d.speed = REAL(0.9);
+    d.damping = REAL(0.05);
+    d.stiffness = 2000;
+    d.omega = 3;
+    band.motion = VM_ABSOLUTE;
+    band.velocity.y = d.speed;
+    y[0] = REAL(0.01);
+    y[4] = REAL(0.02);
+    y[5] = d.omega;
     stage_clear(&s, 2);
     stage_body(&s, vm_scene_growing_plane(vm_scene_plane(d.mass, d.inertia, stage_vec(0.01, 0, 0), 0,
                                                          stage_vec(0, 0.02, 0), d.omega)));
@@ -205,11 +259,14 @@ static void check_drum(void)
     stage_effect(&s, vm_effect_varying(vm_effect_stream_moment(0, &band), band_now, &d));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_torque(0, &band), band_now, &d));
     stage_effect(&s, vm_effect_callback(0, VM_GROUND, shaft_pulls, &d));
-    begin(&s), run(&s, 2, VM_OK);
+    begin(&s);
+    run(&s, 2, VM_OK);
     CHECK(rk45_init(&r, vm_drum_rhs, &d, VM_DRUM_STATES, 0, y, &o, work) >= 0 && rk45_solve(&r, 2) >= 0);
     S = vmi_add(vmi_load3(s.y), shaft_of(&s, s.y));
-    agrees("drum", "phi", s.y[2], (double)r.y[2], 1, 1e-9), agrees("drum", "phi'", s.y[5], (double)r.y[5], 1, 1e-9);
-    agrees("drum", "xS", S.x, (double)r.y[0], 0.01, 1e-7), agrees("drum", "yS", S.y, (double)r.y[1], 0.01, 1e-7);
+    agrees("drum", "phi", s.y[2], (double)r.y[2], 1, 1e-9);
+    agrees("drum", "phi'", s.y[5], (double)r.y[5], 1, 1e-9);
+    agrees("drum", "xS", S.x, (double)r.y[0], 0.01, 1e-7);
+    agrees("drum", "yS", S.y, (double)r.y[1], 0.01, 1e-7);
     agrees("drum", "J about S", s.y[9] + s.y[6] * (s.y[7] * s.y[7] + s.y[8] * s.y[8]),
            (double)(d.inertia + d.band * d.radius * d.radius * r.y[2]), 1, 1e-9); /* (187) */
     balanced(&s, "drum", 10, 10);
@@ -225,7 +282,8 @@ static void check_rocket(void)
     stage_clear(&s, 2);
     stage_body(&s, vm_scene_with_mass_state(vm_scene_free(&body)));
     stage_effect(&s, vm_effect_stream(0, REAL(-1.5), stage_vec(-2, 1, 0.5), 1));
-    begin(&s), run(&s, 2, VM_OK);
+    begin(&s);
+    run(&s, 2, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &got);
     agrees("rocket", "v", got.v.x, (double)vm_tsiolkovsky(body.v.x, 6, 3, -2), 1, 1e-10);
     agrees("rocket", "v", got.v.z, (double)vm_tsiolkovsky(body.v.z, 6, 3, REAL(0.5)), 1, 1e-10);
@@ -262,7 +320,8 @@ static void check_band_domain(int by_layer)
     CHECK(no_band(VM_NAN, &good) && no_band(VM_INFINITY, &good) && no_band(-VM_INFINITY, &good));
     bad.thickness = -good.thickness;
     CHECK(no_band(1, &bad) && no_band(-1, &bad));
-    bad = good, bad.radius = 0;
+    bad = good;
+    bad.radius = 0;
     CHECK(no_band(1, &bad));
 }
 
@@ -284,7 +343,8 @@ static void check_layers(void)
             agrees("band", "mu", now.rate, (double)vm_drum_band(now.radius, b.thickness, b.width, b.density), 1,
                    1e-14);
         }
-    check_band_domain(0), check_band_domain(1);
+    check_band_domain(0);
+    check_band_domain(1);
 }
 
 /* J omega = J0 omega0 + speed rho b h integral of radius^2; the time only for the first layer, section 5.2 */
@@ -309,13 +369,19 @@ static void check_first_layer(void)
     vm_drum d;
     stage s;
     memset(&d, 0, sizeof d);
-    d.radius = b.radius, d.mass = 1, d.inertia = REAL(0.8), d.speed = b.speed, d.damping = REAL(0.1), d.omega = 9;
+    d.radius = b.radius;
+    d.mass = 1;
+    d.inertia = REAL(0.8);
+    d.speed = b.speed;
+    d.damping = REAL(0.1);
+    d.omega = 9;
     d.band = vm_drum_band(b.radius, b.thickness, b.width, b.density);
     stage_clear(&s, 1);
     stage_body(&s, vm_scene_axle(d.inertia, 0, d.omega));
     stage_effect(&s, vm_effect_band(0, &b));
     stage_effect(&s, vm_effect_rotational_damper(0, d.damping));
-    begin(&s), run(&s, 0.5, VM_OK);
+    begin(&s);
+    run(&s, 0.5, VM_OK);
     agrees("first layer", "phi", s.y[0], (double)vm_drum_angle(REAL(0.5), &d), 1, 1e-10);
     agrees("first layer", "phi'", s.y[1], (double)vm_drum_rate(s.y[0], &d), 1, 1e-10);
     CHECK(s.y[0] > 4 && s.y[0] < REAL(6.28));
@@ -331,10 +397,14 @@ static void check_unwinding(void)
     stage_body(&s, vm_scene_axle(REAL(0.8), REAL(start), -5));
     stage_effect(&s, vm_effect_band(0, &b));
     stage_event(&s, vm_then_stop(vm_event_position(0, 0, REAL(end), -1)));
-    begin(&s), run(&s, 100, VM_STOPPED);
-    agrees("unwinding", "t", s.t, 16, 16, 1e-10), agrees("unwinding", "omega", s.y[1], -5, 5, 1e-12);
-    b = reel_band(0, -1, 0), s.effects[0] = vm_effect_band(0, &b);
-    begin(&s), run(&s, 100, VM_STOPPED);
+    begin(&s);
+    run(&s, 100, VM_STOPPED);
+    agrees("unwinding", "t", s.t, 16, 16, 1e-10);
+    agrees("unwinding", "omega", s.y[1], -5, 5, 1e-12);
+    b = reel_band(0, -1, 0);
+    s.effects[0] = vm_effect_band(0, &b);
+    begin(&s);
+    run(&s, 100, VM_STOPPED);
     agrees("unwinding", "drawn", s.y[1],
            (-5 * (0.8 + line * radius_integral(start, 3, 0)) +
             line * (radius_integral(start, 2, 0) - radius_integral(end, 2, 0))) /
@@ -360,18 +430,25 @@ static void check_shrinking(int motion, double spin)
     vm_real y[VM_RHS], work[RK45_WORK(VM_RHS)];
     rk45 r;
     stage s;
-    memset(&body, 0, sizeof body), memset(&stream, 0, sizeof stream), memset(&flow, 0, sizeof flow);
-    body.mass = 10, body.inertia = inertia(1, 1, 1, 0, 0, 0);
+    memset(&body, 0, sizeof body);
+    memset(&stream, 0, sizeof stream);
+    memset(&flow, 0, sizeof flow);
+    body.mass = 10;
+    body.inertia = inertia(1, 1, 1, 0, 0, 0);
     body.omega = stage_vec(spin, spin / 2, spin);
-    stream.rate = -1, stream.motion = motion, stream.at.z = 1;
+    stream.rate = -1;
+    stream.motion = motion;
+    stream.at.z = 1;
     stage_clear(&s, 3);
     stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
     stage_stream(&s, 0, &stream);
-    begin(&s), run(&s, 3, VM_BAD_INERTIA);
+    begin(&s);
+    run(&s, 3, VM_BAD_INERTIA);
     check_error("shrinking", "space", "abs", fabs((double)s.t - 10 / 21.) / (double)slack, 1, motion, spin);
     vm_scene_body_at(&s.scene, 0, s.y, &end);
     CHECK(end.inertia.xx > REAL(0.4999) - slack && end.inertia.yy > REAL(0.4999) - slack);
-    flow.n = 1, flow.streams = &stream;
+    flow.n = 1;
+    flow.streams = &stream;
     CHECK(vm_flow_start(&flow, &body, y) == VM_OK);
     CHECK(rk45_init(&r, vm_rhs, &flow, VM_RHS, 0, y, NULL, work) >= 0 && rk45_solve(&r, 3) < 0);
     CHECK(flow.status == VM_BAD_INERTIA);
@@ -380,7 +457,8 @@ static void check_shrinking(int motion, double spin)
     stage_clear(&s, 3);
     stage_body(&s, vm_scene_growing_plane(vm_scene_plane(10, 1, zero, 0, zero, REAL(spin))));
     stage_stream(&s, 0, &stream);
-    begin(&s), run(&s, 3, VM_BAD_INERTIA);
+    begin(&s);
+    run(&s, 3, VM_BAD_INERTIA);
     check_error("shrinking", "plane", "abs", fabs((double)s.t - 10 / 11.), is_float ? 1e-5 : 1e-9, motion, spin);
     CHECK(s.y[9] > 0);
 }
@@ -392,15 +470,24 @@ static void check_flat(void)
     vm_body body;
     vm_stream streams[2];
     stage s;
-    memset(&body, 0, sizeof body), memset(streams, 0, sizeof streams);
-    body.mass = 2, body.inertia = inertia(0.25, 0.5, 0.75, 0.1, 0, 0), body.q = turned;
+    memset(&body, 0, sizeof body);
+    memset(streams, 0, sizeof streams);
+    body.mass = 2;
+    body.inertia = inertia(0.25, 0.5, 0.75, 0.1, 0, 0);
+    body.q = turned;
     body.omega = stage_vec(1, 2, -1);
-    streams[0].rate = REAL(0.3), streams[0].at = stage_vec(0.7, -0.3, 0), streams[0].motion = VM_AT_REST;
-    streams[1].rate = REAL(0.1), streams[1].at = stage_vec(-0.2, 0.9, 0), streams[1].motion = VM_CARRIED;
+    streams[0].rate = REAL(0.3);
+    streams[0].at = stage_vec(0.7, -0.3, 0);
+    streams[0].motion = VM_AT_REST;
+    streams[1].rate = REAL(0.1);
+    streams[1].at = stage_vec(-0.2, 0.9, 0);
+    streams[1].motion = VM_CARRIED;
     stage_clear(&s, 20);
     stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
-    stage_stream(&s, 0, streams), stage_stream(&s, 0, streams + 1);
-    begin(&s), run(&s, 20, VM_OK);
+    stage_stream(&s, 0, streams);
+    stage_stream(&s, 0, streams + 1);
+    begin(&s);
+    run(&s, 20, VM_OK);
     balanced(&s, "flat", 10, 10);
 }
 
@@ -411,8 +498,10 @@ static void check_mass_runs_out(void)
     const vm_body body = probe();
     vm_scene_body bodies[5];
     int i, law;
-    bodies[0] = vm_scene_line(6, 0, 1), bodies[1] = vm_scene_axle(6, 0, 1);
-    bodies[2] = vm_scene_plane(6, 1, zero, 0, stage_vec(1, 0, 0), 1), bodies[3] = vm_scene_point(6, zero, zero);
+    bodies[0] = vm_scene_line(6, 0, 1);
+    bodies[1] = vm_scene_axle(6, 0, 1);
+    bodies[2] = vm_scene_plane(6, 1, zero, 0, stage_vec(1, 0, 0), 1);
+    bodies[3] = vm_scene_point(6, zero, zero);
     bodies[4] = vm_scene_free(&body);
     for (law = 0; law < 4; law++)
         for (i = 0; i < 5; i++) {
@@ -422,7 +511,8 @@ static void check_mass_runs_out(void)
             stage_body(&s, law < 2 ? bodies[i] : vm_scene_with_mass_state(bodies[i]));
             if (law < 2) stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, -3, 0, REAL(share)));
             else stage_effect(&s, vm_effect_stream(0, -3, zero, REAL(share)));
-            begin(&s), run(&s, 3, VM_BAD_MASS);
+            begin(&s);
+            run(&s, 3, VM_BAD_MASS);
             /* a law's velocity grows as 1/(2 - t), which the tolerance follows as far as it can */
             check_error("mass runs out", law < 2 ? "law" : "state", "abs", fabs((double)s.t - 2),
                         is_float ? 1e-3 : 1e-9, i, share);
@@ -438,8 +528,11 @@ static void check_jump(int free)
     vm_body part = probe(), before, after;
     vm_vec3 from, to;
     stage s;
-    part.mass = 1, part.inertia = inertia(0, 0, 0, 0, 0, 0);
-    part.r = stage_vec(0.1, 0.3, free ? 0.2 : 0), part.v = stage_vec(0.5, 0, 0), part.omega = stage_vec(0, 0, 0);
+    part.mass = 1;
+    part.inertia = inertia(0, 0, 0, 0, 0, 0);
+    part.r = stage_vec(0.1, 0.3, free ? 0.2 : 0);
+    part.v = stage_vec(0.5, 0, 0);
+    part.omega = stage_vec(0, 0, 0);
     part.q.w = part.q.x = part.q.y = part.q.z = 0;
     stage_clear(&s, 2);
     stage_body(&s, free ? vm_scene_growing_free(vm_scene_free(&whole))
@@ -448,10 +541,12 @@ static void check_jump(int free)
     stage_stream(&s, 0, &stream);
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
     s.events[0].time = 2;
-    begin(&s), run(&s, 1, VM_OK);
+    begin(&s);
+    run(&s, 1, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &before);
     from = vmi_sub(before.r, vmi_times(&s.bodies[0].axes, vmi_growth_centre(s.bodies, s.y)));
-    s.events[0].time = 1, run(&s, 1, VM_OK);
+    s.events[0].time = 1;
+    run(&s, 1, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &after);
     to = vmi_sub(after.r, vmi_times(&s.bodies[0].axes, vmi_growth_centre(s.bodies, s.y)));
     agrees("jump", "mass", after.mass, (double)before.mass - 1, 6, 1e-14);
@@ -473,18 +568,23 @@ static void check_small(void)
     vm_vec3 omega;
     stage s;
     stage_clear(&s, 1);
-    stage_body(&s, vm_scene_line(2, 3, 1)), stage_body(&s, vm_scene_line(4, 1, 2));
+    stage_body(&s, vm_scene_line(2, 3, 1));
+    stage_body(&s, vm_scene_line(4, 1, 2));
     stage_body(&s, vm_scene_free(&body));
     stage_effect(&s, vm_effect_linear_spring(0, 0, 1, 0, 5, REAL(0.5)));
-    begin(&s), s.scene.book = NULL, vm_scene_rhs(3, s.y, dydt, &s.scene);
+    begin(&s);
+    s.scene.book = NULL;
+    vm_scene_rhs(3, s.y, dydt, &s.scene);
     agrees("small", "linear spring", dydt[1], -5 * (2 - 0.5) / 2, 1, 1e-15);
     agrees("small", "linear spring", dydt[3], 5 * (2 - 0.5) / 4, 1, 1e-15);
     s.effects[0] = vm_effect_user_between(0, 0, 1, 0, soft, NULL);
-    begin(&s), vm_scene_rhs(3, s.y, dydt, &s.scene);
+    begin(&s);
+    vm_scene_rhs(3, s.y, dydt, &s.scene);
     agrees("small", "user between", dydt[1], (-2. * 2 - 1 - 3) / 2, 1, 1e-15);
     agrees("small", "user between", dydt[3], (2. * 2 + 1 + 3) / 4, 1, 1e-15);
     s.effects[0] = vm_effect_rotational_damper(2, REAL(0.25));
-    begin(&s), vm_scene_rhs(0, s.y, dydt, &s.scene);
+    begin(&s);
+    vm_scene_rhs(0, s.y, dydt, &s.scene);
     omega = vmi_load3(s.y + 14); /* I omega' + omega x I omega = -b omega */
     same_vec("rotational damper",
              vmi_add(vmi_inertia_times(&body.inertia, vmi_load3(dydt + 14)),
@@ -494,7 +594,8 @@ static void check_small(void)
 
 static void to_nowhere(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
-    (void)y, (void)ctx;
+    (void)y;
+    (void)ctx;
     if (t > 1) stream->motion = 9;
 }
 
@@ -507,7 +608,8 @@ static void check_gone_wrong(void)
     stage_clear(&s, 2);
     stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_mass(0, &stream), to_nowhere, NULL));
-    begin(&s), run(&s, 2, VM_BAD_ARGUMENT);
+    begin(&s);
+    run(&s, 2, VM_BAD_ARGUMENT);
     agrees("gone wrong", "t", s.t, 1, 1, 1e-9);
 }
 
@@ -525,22 +627,39 @@ static void check_refusals(void)
     vm_band band = reel_band(0, 0, 0);
     stage s;
     stage_clear(&s, 1);
-    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body))), stage_body(&s, vm_scene_axle(1, 0, 0));
+    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+    stage_body(&s, vm_scene_axle(1, 0, 0));
     stage_body(&s, vm_scene_with_mass_state(vm_scene_free(&body)));
-    stage_effect(&s, vm_effect_stream_mass(0, &stream)), begin(&s);
-    s.effects[0] = vm_effect_stream_mass(0, NULL), refused(&s, VM_BAD_ARGUMENT);
-    s.effects[0] = vm_effect_stream_mass(1, &stream), refused(&s, VM_BAD_MOTION);
-    s.effects[0] = vm_effect_stream_mass(2, &stream), refused(&s, VM_DOES_NOT_GROW);
-    s.effects[0] = vm_effect_varying(vm_effect_drive(1, 0, 1, 1), band_now, NULL), refused(&s, VM_BAD_ARGUMENT);
+    stage_effect(&s, vm_effect_stream_mass(0, &stream));
+    begin(&s);
+    s.effects[0] = vm_effect_stream_mass(0, NULL);
+    refused(&s, VM_BAD_ARGUMENT);
+    s.effects[0] = vm_effect_stream_mass(1, &stream);
+    refused(&s, VM_BAD_MOTION);
+    s.effects[0] = vm_effect_stream_mass(2, &stream);
+    refused(&s, VM_DOES_NOT_GROW);
+    s.effects[0] = vm_effect_varying(vm_effect_drive(1, 0, 1, 1), band_now, NULL);
+    refused(&s, VM_BAD_ARGUMENT);
     s.effects[0] = vm_effect_stream_force(0, &stream);
-    stream.motion = 9, refused(&s, VM_BAD_ARGUMENT), stream.motion = VM_RELATIVE;
-    stream.from = &tank, refused(&s, VM_STORED_STREAM), stream.from = NULL;
-    stream.at.y = VM_NAN, refused(&s, VM_NOT_FINITE);
-    s.effects[0] = vm_effect_band(1, &band), begin(&s);
-    s.effects[0].p[0] = 0, refused(&s, VM_DOMAIN);
-    s.effects[0] = vm_effect_band(1, &band), s.effects[0].p[1] = -1, refused(&s, VM_DOMAIN);
-    s.effects[0] = vm_effect_band(1, NULL), refused(&s, VM_BAD_ARGUMENT);
-    s.effects[0] = vm_effect_band(0, &band), refused(&s, VM_BAD_MOTION);
+    stream.motion = 9;
+    refused(&s, VM_BAD_ARGUMENT);
+    stream.motion = VM_RELATIVE;
+    stream.from = &tank;
+    refused(&s, VM_STORED_STREAM);
+    stream.from = NULL;
+    stream.at.y = VM_NAN;
+    refused(&s, VM_NOT_FINITE);
+    s.effects[0] = vm_effect_band(1, &band);
+    begin(&s);
+    s.effects[0].p[0] = 0;
+    refused(&s, VM_DOMAIN);
+    s.effects[0] = vm_effect_band(1, &band);
+    s.effects[0].p[1] = -1;
+    refused(&s, VM_DOMAIN);
+    s.effects[0] = vm_effect_band(1, NULL);
+    refused(&s, VM_BAD_ARGUMENT);
+    s.effects[0] = vm_effect_band(0, &band);
+    refused(&s, VM_BAD_MOTION);
     s.bodies[0] = vm_scene_growing_plane(vm_scene_free(&body));
     CHECK(vm_scene_check(&s.scene, NULL) == VM_BAD_MOTION);
 }
@@ -559,7 +678,8 @@ static void check_without_book(void)
         stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
         stage_stream(&s, 0, &stream);
         if (k == 2) stage_stream(&s, 0, &still);
-        begin(&s), run(&s, 2, VM_OK);
+        begin(&s);
+        run(&s, 2, VM_OK);
         vm_scene_body_at(&s.scene, 0, s.y, now + k);
         if (k != 1) balanced(&s, "stream of no rate", 10, 10);
     }
@@ -575,19 +695,25 @@ int main(void)
     int first, second;
     for (first = VM_RELATIVE; first <= VM_AT_REST; first++) {
         for (second = VM_RELATIVE; second <= VM_AT_REST; second++) check_space(first, second);
-        check_alone(first), check_plane(first);
+        check_alone(first);
+        check_plane(first);
     }
     check_drum();
     check_rocket();
     check_layers();
-    check_winding(0), check_winding(1);
+    check_winding(0);
+    check_winding(1);
     check_first_layer();
     check_unwinding();
-    for (first = VM_RELATIVE; first <= VM_AT_REST; first++)
-        check_shrinking(first, 0), check_shrinking(first, 1), check_shrinking(first, 100);
+    for (first = VM_RELATIVE; first <= VM_AT_REST; first++) {
+        check_shrinking(first, 0);
+        check_shrinking(first, 1);
+        check_shrinking(first, 100);
+    }
     check_flat();
     check_mass_runs_out();
-    check_jump(0), check_jump(1);
+    check_jump(0);
+    check_jump(1);
     check_small();
     check_gone_wrong();
     check_refusals();

@@ -18,7 +18,8 @@
 static void check_vessel(void)
 {
     stage s;
-    vessel_on_hook(&s), begin(&s);
+    vessel_on_hook(&s);
+    begin(&s);
     CHECK(vm_scene_size(&s.scene) == 2 + VM_BOOK);
     agrees("vessel", "hook, t = 0", (vm_real)hook_force(0), 76329, 76329, 1e-13);
     agrees("vessel", "hook, t = 2", (vm_real)hook_force(2), 64930.4644962190676, 64930, 1e-13);
@@ -30,7 +31,8 @@ static void check_vessel(void)
     /* in float the roundings of the steps have grown 16 times since t = 4, to 1.4e-4 or 5.8e-4, as they fall */
     agrees("vessel", "phi(5)", s.y[0], 0.896055384571343956, is_float ? 3 : 1, 1e-9);
     balanced(&s, "vessel", 1e4, 1e4);
-    vessel_by_motor(&s), begin(&s);
+    vessel_by_motor(&s);
+    begin(&s);
     run(&s, 10, VM_STOPPED);
     agrees("vessel, motor", "t(phi1)", s.located[0].t, 2.57558334498786977, 2.6, 1e-9);
     agrees("vessel, motor", "t(1.4)", s.t, 4.23898704805918765, 4.2, 1e-9);
@@ -42,7 +44,8 @@ static void check_vessel(void)
 static void turned(turner_data a, double lam, const char *name, const double *wanted)
 {
     stage s;
-    turner_scene(&s, &a, lam), begin(&s);
+    turner_scene(&s, &a, lam);
+    begin(&s);
     run(&s, 10, VM_STOPPED);
     CHECK(s.events[0].count == 1 && s.events[1].count == 1 && s.events[2].count == 1);
     agrees(name, "t(fa)", s.located[0].t, wanted[0], wanted[0], 1e-9);
@@ -71,7 +74,8 @@ static void check_turner(void)
 static void check_wagon(void)
 {
     stage s;
-    wagon(&s), begin(&s);
+    wagon(&s);
+    begin(&s);
     CHECK(vm_scene_size(&s.scene) == 3 + VM_BOOK);
     run(&s, 60, VM_OK);
     agrees("wagon", "v(60)", s.y[1], 18.3141818181818182, 18, 1e-10);
@@ -86,7 +90,8 @@ static void check_wagon(void)
 static void check_mechanism(void)
 {
     stage s;
-    mechanism(&s), begin(&s);
+    mechanism(&s);
+    begin(&s);
     run(&s, 10, VM_STOPPED);
     agrees("mechanism", "t(pi)", s.located[0].t, 1.13401200985195301, 1, 1e-9);
     agrees("mechanism", "t(2 pi)", s.t, 1.85978210307734631, 1.8, 1e-9);
@@ -97,14 +102,16 @@ static void check_mill(void)
 {
     mill_now end;
     stage s;
-    mill(&s, &mill_free, 12, 300), begin(&s);
+    mill(&s, &mill_free, 12, 300);
+    begin(&s);
     run(&s, 100, VM_STOPPED);
     agrees("mill", "t(300)", s.t, 25.3183074109754318, 25, 1e-10);
     agrees("mill", "v(300)", s.y[1], 11.7980406334991323, 12, 1e-10);
     end = mill_at(&mill_free, (double)s.y[0]);
     agrees("mill", "r3", (vm_real)end.r3, 0.503473863979327534, 0.5, 1e-12);
     agrees("mill", "G v^2", (vm_real)end.G * s.y[1] * s.y[1], mill_at(&mill_free, 0).G * 144, 1e4, 1e-9);
-    mill(&s, &mill_driven, 0, 25), begin(&s);
+    mill(&s, &mill_driven, 0, 25);
+    begin(&s);
     run(&s, 100, VM_STOPPED);
     agrees("mill, driven", "t(25)", s.t, 3.28047146698998200, 3.2, 1e-10);
     agrees("mill, driven", "v(25)", s.y[1], 14.7999500519540368, 15, 1e-10);
@@ -114,7 +121,8 @@ static void check_regulator(void)
 {
     const double first = 1.38815403402023141, falling = 1.00467869117620564; /* s, closed forms */
     stage s;
-    regulator(&s), begin(&s);
+    regulator(&s);
+    begin(&s);
     run(&s, 10, VM_OK);
     CHECK(s.events[0].count >= 3 &&
           (s.events[0].count == s.events[1].count || s.events[0].count == s.events[1].count + 1));
@@ -123,7 +131,8 @@ static void check_regulator(void)
     agrees("regulator", "last off", s.located[0].t, first + 4. / 3 * falling * (double)(s.events[0].count - 1), 10,
            1e-9);
     balanced(&s, "regulator", 1, 10);
-    regulator_full(&s), begin(&s);
+    regulator_full(&s);
+    begin(&s);
     run(&s, 1, VM_OK);
     agrees("regulator full", "z(1)", s.y[2], 0.0645324549134591766, 0.06, 1e-9);
     agrees("regulator full", "w(1)", s.y[1], 10.6903184720331879, 10, 1e-9);
@@ -138,9 +147,11 @@ static void check_scoop(void)
     vm_real dydt[STAGE_STATE];
     stage s;
     int full;
-    scoop(&s, &full), begin(&s);
+    scoop(&s, &full);
+    begin(&s);
     s.scene.book = NULL;
-    s.events[0].then = vmi_then_stop, s.events[1].then = vmi_then_stop;
+    s.events[0].then = vmi_then_stop;
+    s.events[1].then = vmi_then_stop;
     run(&s, 2, VM_STOPPED);
     agrees("scoop", "t(0.6)", s.t, 0.950447407524008618, 1, 1e-9);
     agrees("scoop", "w(0.6)", s.y[1], 1.44758051111177074, 1, 1e-9);
@@ -158,11 +169,13 @@ static void check_crane(void)
 {
     double dx, dz;
     stage s;
-    crane(&s), begin(&s);
+    crane(&s);
+    begin(&s);
     run(&s, 12, VM_OK);
     CHECK(s.events[1].count == 1 && s.events[3].count == 1);
     agrees("crane", "pick-up", s.events[0].time, 1.23777982760379917, 1, 1e-9);
-    dx = (double)(s.y[s.bodies[1].at] - s.y[0]), dz = (double)-s.y[s.bodies[1].at + 1];
+    dx = (double)(s.y[s.bodies[1].at] - s.y[0]);
+    dz = (double)-s.y[s.bodies[1].at + 1];
     agrees("crane", "x(12)", s.y[0], 0.000712652643793425313, 1e-3, 2e-6);
     agrees("crane", "phi(12)", (vm_real)atan2(dx, dz), -0.0322944832601642707, 0.03, 1e-7);
     agrees("crane", "m(12)", s.y[s.bodies[1].at + 6], 1601.87154449182367 - 700, 900, 1e-9);
@@ -172,11 +185,13 @@ static void check_crane(void)
 static void check_dosing(void)
 {
     stage s;
-    dosing(&s, 40), begin(&s);
+    dosing(&s, 40);
+    begin(&s);
     run(&s, 5, VM_OK);
     agrees("dosing", "theta(5)", s.y[0], 0.000907954100047924994, 1e-3, 1e-8);
     agrees("dosing", "m(5)", (s.y[2] - 12) / (vm_real)(belt_R * belt_R), 20.0195566531974659, 20, 1e-9);
-    dosing(&s, 10), begin(&s); /* below the threshold of stability, 17.8 N m s */
+    dosing(&s, 10);
+    begin(&s); /* below the threshold of stability, 17.8 N m s */
     run(&s, 10, VM_STOPPED);
     agrees("dosing", "t(-0.05)", s.t, 7.58727887722458018, 7, 1e-8);
     agrees("dosing", "theta'", s.y[1], -0.0975805506441783707, 0.1, 1e-7);
@@ -186,7 +201,8 @@ static void check_weighing(void)
 {
     const double lift_off = 9.79612640163098879;
     stage s;
-    weighing(&s), begin(&s);
+    weighing(&s);
+    begin(&s);
     run(&s, 20, VM_STOPPED);
     agrees("weighing", "shut-off", s.located[0].t, 10.2881186997776166 - lift_off, 0.5, 1e-8);
     agrees("weighing", "m_f", (s.y[2] - 4) / (vm_real)(scale_R * scale_R), 20.5762373995552332, 20, 1e-9);
@@ -197,20 +213,24 @@ static void check_weighing(void)
 static void check_chains(void)
 {
     stage s;
-    chain_heap(&s), begin(&s);
+    chain_heap(&s);
+    begin(&s);
     run(&s, 10, VM_STOPPED);
     agrees("heap", "t", s.t, 0.921289371977640962, 1, 1e-10);
     agrees("heap", "v", s.y[1], 3.61640221767435598, 3, 1e-10);
     balanced(&s, "heap", 10, 10);
-    chain_over_drum(&s, 0), begin(&s);
+    chain_over_drum(&s, 0);
+    begin(&s);
     run(&s, 10, VM_STOPPED);
     agrees("drum, straight", "t", s.t, 0.973878517050355704, 1, 1e-10);
     agrees("drum, straight", "v", s.y[1], 4.29124357600118390, 4, 1e-10);
-    chain_over_drum(&s, 1), begin(&s);
+    chain_over_drum(&s, 1);
+    begin(&s);
     run(&s, 10, VM_STOPPED);
     agrees("drum, heaped", "t", s.t, 0.737857726631211385, 1, 1e-10);
     agrees("drum, heaped", "v", s.y[1], 4.28876518089525439, 4, 1e-10);
-    chain_winding(&s), begin(&s);
+    chain_winding(&s);
+    begin(&s);
     run(&s, 10, VM_STOPPED);
     agrees("winding", "t", s.t, 4.16723798047598732, 4, 1e-10);
     agrees("winding", "omega", s.y[1], 3.54964786985976963, 3, 1e-10);
@@ -229,7 +249,8 @@ static void check_stator(void)
         const stator_data a = {cases[i][0], cases[i][1]};
         const double grazing = i == 2 ? 1e4 : 10; /* the rim's normal speed is 0.01 there */
         stage s;
-        stator(&s, &a), begin(&s);
+        stator(&s, &a);
+        begin(&s);
         run(&s, 40, VM_STOPPED);
         agrees("stator", "t", s.t, cases[i][2], cases[i][2], 1e-11 * grazing);
         agrees("stator", "psi", s.y[2], cases[i][3], cases[i][3], 1e-11 * grazing);
@@ -245,12 +266,14 @@ static void check_laws(void)
     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_X, (vm_real)0.5, 0, 0));
     stage_effect(&s, vm_effect_drive(0, 0, 3, 0));
     stage_event(&s, vm_then_stop(vm_event_position(0, 0, 4, 1)));
-    begin(&s), run(&s, 10, VM_STOPPED);
+    begin(&s);
+    run(&s, 10, VM_STOPPED);
     agrees("M(x), u = 0", "v", s.y[1], 2.17944947177033678, 2, 1e-10);
     agrees("M(x), u = 0", "t", s.t, 2.23926596236044903, 2, 1e-10);
     balanced(&s, "M(x), u = 0", 10, 10);
     s.effects[0] = vm_effect_mass(0, VM_MASS_OF_X, (vm_real)0.5, 0, 1);
-    begin(&s), run(&s, 10, VM_STOPPED);
+    begin(&s);
+    run(&s, 10, VM_STOPPED);
     agrees("M(x), u = v", "v", s.y[1], 3.05250162435982067, 3, 1e-10);
     agrees("M(x), u = v", "t", s.t, 1.86340930588489411, 2, 1e-10);
     balanced(&s, "M(x), u = v", 10, 10);
@@ -258,14 +281,16 @@ static void check_laws(void)
     s.effects[0] = vm_effect_mass(0, VM_MASS_OF_V2, (vm_real)0.5, 0, 0);
     s.effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 4, 1, 0);
     s.events[0] = vm_then_stop(vm_event_position(0, 0, 0, -1));
-    begin(&s), run(&s, 10, VM_STOPPED);
+    begin(&s);
+    run(&s, 10, VM_STOPPED);
     agrees("M(v)", "t", s.t, 1.02853058341060403, 1, 1e-10);
     agrees("M(v)", "v", s.y[1], -1.31796592658636647, 1, 1e-10);
     balanced(&s, "M(v)", 10, 10);
     s.bodies[0] = vm_scene_line(1, 0, 0); /* M + M'(v) v = 0 stops the run where (M0 - b v^2) v is largest */
     s.effects[0] = vm_effect_mass(0, VM_MASS_OF_V2, (vm_real)-0.5, 0, 0);
     s.effects[1] = vm_effect_drive(0, 0, 3, 0);
-    begin(&s), run(&s, 10, VM_NO_EFFECTIVE_MASS);
+    begin(&s);
+    run(&s, 10, VM_NO_EFFECTIVE_MASS);
     agrees("M(v) singular", "t", s.t, 0.181443684650605785, 1, 1e-9);
 }
 
@@ -280,11 +305,19 @@ static void check_jumps(void)
     stage s;
     memset(&body, 0, sizeof body);
     body.mass = 5;
-    body.inertia.xx = 2, body.inertia.yy = 3, body.inertia.zz = 4, body.inertia.xy = (vm_real)0.3;
-    body.v = stage_vec(1, 2, 3), body.omega = stage_vec(0.3, -0.2, 1);
+    body.inertia.xx = 2;
+    body.inertia.yy = 3;
+    body.inertia.zz = 4;
+    body.inertia.xy = (vm_real)0.3;
+    body.v = stage_vec(1, 2, 3);
+    body.omega = stage_vec(0.3, -0.2, 1);
     part = body;
-    part.mass = 1, part.r = stage_vec(0.4, 0.1, 0), part.v = stage_vec(0, 2, 0), part.omega = zero;
-    part.inertia.xx = part.inertia.yy = part.inertia.zz = (vm_real)0.1, part.inertia.xy = 0;
+    part.mass = 1;
+    part.r = stage_vec(0.4, 0.1, 0);
+    part.v = stage_vec(0, 2, 0);
+    part.omega = zero;
+    part.inertia.xx = part.inertia.yy = part.inertia.zz = (vm_real)0.1;
+    part.inertia.xy = 0;
     stage_clear(&s, 3);
     stage_body(&s, vm_scene_free(&body));
     stage_body(&s, vm_scene_absent(vm_scene_free(&body)));
@@ -313,7 +346,8 @@ static void check_absent_end(void)
     stage_body(&s, vm_scene_absent(vm_scene_line(7, 5, 9)));
     stage_body(&s, vm_scene_line(3, 0, 2));
     stage_effect(&s, vm_effect_spring(1, 0, 0, 0, 1, 1, 0));
-    begin(&s), run(&s, 4, VM_OK);
+    begin(&s);
+    run(&s, 4, VM_OK);
     CHECK(s.y[3] == 2);
     agrees("absent", "x", s.y[2], 8, 8, 1e-14);
 }
@@ -326,7 +360,8 @@ static void check_quaternion_length(void)
     vm_body body;
     int i;
     memset(&body, 0, sizeof body);
-    body.mass = 1, body.inertia.xx = body.inertia.yy = body.inertia.zz = 2;
+    body.mass = 1;
+    body.inertia.xx = body.inertia.yy = body.inertia.zz = 2;
     body.omega = stage_vec(0.3, -0.7, 0.4);
     for (i = 1; i <= 4; i++) {
         double length = 0;
@@ -336,7 +371,10 @@ static void check_quaternion_length(void)
         stage_clear(&s, 4);
         stage_body(&s, vm_scene_free(&body));
         begin(&s);
-        s.y[3] = (vm_real)0.6, s.y[4] = (vm_real)0.3, s.y[5] = (vm_real)-0.2, s.y[6] = (vm_real)0.5;
+        s.y[3] = (vm_real)0.6;
+        s.y[4] = (vm_real)0.3;
+        s.y[5] = (vm_real)-0.2;
+        s.y[6] = (vm_real)0.5;
         run(&s, 3 * i, VM_OK);
         for (k = 3; k < 7; k++) length += (double)(s.y[k] * s.y[k]);
         agrees("quaternion", "L^2", (vm_real)length, 1 / (1 + (1 / start - 1) * exp(-3. * i)), 1, 1e-9);
@@ -356,7 +394,8 @@ static void check_sticking(void)
     stage_body(&s, vm_scene_axle(1, 0, 0));
     stage_event(&s, vm_then_attach(vm_event_at(1), 0, 1));
     stage_event(&s, vm_then_attach(vm_event_at(1), 2, 3));
-    begin(&s), run(&s, 2, VM_OK);
+    begin(&s);
+    run(&s, 2, VM_OK);
     agrees("sticking", "line", s.y[1], 2, 1, 1e-15);
     agrees("sticking", "axle", s.y[5], 2, 1, 1e-15);
     agrees("sticking", "x", s.y[0], 2 + 2, 1, 1e-14); /* 3 m at t = 1, together at 2 m, 2 m/s on */
@@ -367,7 +406,8 @@ static void check_sticking(void)
 static int bounce(vm_real t, vm_real *y, void *ctx)
 {
     (void)t;
-    y[0] = 0, y[1] = -y[1] / 2;
+    y[0] = 0;
+    y[1] = -y[1] / 2;
     ++*(long *)ctx;
     return VM_OK;
 }
@@ -376,7 +416,9 @@ static int wake(vm_real t, vm_real *y, void *ctx) /* an event that causes itself
 {
     stage *s = (stage *)ctx;
     (void)y;
-    s->events[0].time = t, s->events[0].count = 0, s->events[0].most = 0;
+    s->events[0].time = t;
+    s->events[0].count = 0;
+    s->events[0].most = 0;
     return VM_OK;
 }
 
@@ -388,13 +430,15 @@ static void check_endless(void)
     stage_body(&s, vm_scene_line(1, 1, 0));
     stage_effect(&s, vm_effect_gravity(0, 0, REAL(-gravity)));
     stage_event(&s, vm_then_user(vm_event_position(0, 0, 0, -1), bounce, &contacts));
-    begin(&s), run(&s, 10, VM_TOO_MANY_EVENTS);
+    begin(&s);
+    run(&s, 10, VM_TOO_MANY_EVENTS);
     CHECK(contacts >= (is_float ? 8 : 35) && contacts < 60 && s.y[0] == 0);
     agrees("bouncing", "comes to rest", s.t, 3 * sqrt(2 / gravity), 1, 1e-9); /* t0 (1 + 2 (1/2 + 1/4 + ...)) */
     stage_clear(&s, 10);
     stage_body(&s, vm_scene_line(1, 1, 0));
     stage_event(&s, vm_then_user(vm_event_at(1), wake, &s));
-    begin(&s), run(&s, 10, VM_TOO_MANY_EVENTS);
+    begin(&s);
+    run(&s, 10, VM_TOO_MANY_EVENTS);
     CHECK(s.t == 1);
 }
 
@@ -413,7 +457,10 @@ static void check_chain(void) /* a thousand bodies between springs: the wave tra
     for (i = 0; i < N; i++) bodies[i] = vm_scene_line(1, 0, i == 0);
     for (i = 0; i <= N; i++)
         effects[i] = vm_effect_spring(i < N ? i : N - 1, 0, i < N ? i - 1 : VM_GROUND, 0, 1, 1, 0);
-    scene.bodies = bodies, scene.n_bodies = N, scene.effects = effects, scene.n_effects = N + 1;
+    scene.bodies = bodies;
+    scene.n_bodies = N;
+    scene.effects = effects;
+    scene.n_effects = N + 1;
     CHECK(vm_scene_start(&scene, 0, y, NULL) == VM_OK && vm_scene_size(&scene) == 2 * N);
     CHECK(vm_scene_run(&scene, &t, 20, y, work, NULL) == VM_OK);
     for (i = 0; i < N; i++) energy += y[2 * i + 1] * y[2 * i + 1] / 2;
@@ -446,14 +493,20 @@ static void check_observers(void)
     vm_real y[STAGE_STATE], times[4] = {0, 0, 0, 0}, end;
     stage s;
     int k;
-    oscillator(&s), vm_scene_keep_book(&s.scene, NULL);
-    begin(&s), run(&s, 20, VM_OK);
-    memcpy(y, s.y, sizeof y);
-    oscillator(&s), vm_scene_keep_book(&s.scene, NULL);
-    stage_event(&s, vm_event_position(0, 0, 0, 0)), stage_event(&s, vm_event_position(0, 0, 0, 1));
-    stage_event(&s, vm_event_user(is_far, NULL, -1)), stage_event(&s, vm_event_velocity(0, 0, 0, 0));
+    oscillator(&s);
+    vm_scene_keep_book(&s.scene, NULL);
     begin(&s);
-    s.located[0].times = times, s.located[0].room = 4;
+    run(&s, 20, VM_OK);
+    memcpy(y, s.y, sizeof y);
+    oscillator(&s);
+    vm_scene_keep_book(&s.scene, NULL);
+    stage_event(&s, vm_event_position(0, 0, 0, 0));
+    stage_event(&s, vm_event_position(0, 0, 0, 1));
+    stage_event(&s, vm_event_user(is_far, NULL, -1));
+    stage_event(&s, vm_event_velocity(0, 0, 0, 0));
+    begin(&s);
+    s.located[0].times = times;
+    s.located[0].room = 4;
     run(&s, 10, VM_OK);
     CHECK(s.events[0].count == 3 && s.events[1].count == 1 && s.events[2].count == 2 && s.events[3].count == 3);
     agrees("observer", "last", s.events[0].time, 3 * pi, 10, 1e-10);
@@ -462,14 +515,21 @@ static void check_observers(void)
     run(&s, 20, VM_OK); /* a second run goes on counting */
     CHECK(s.events[0].count == 6 && s.events[1].count == 3);
     agrees("observer", "last", s.events[0].time, 6 * pi, 20, 1e-10);
-    oscillator(&s), vm_scene_keep_book(&s.scene, NULL);
-    stage_event(&s, vm_event_position(0, 0, 0, 0)), stage_event(&s, vm_event_velocity(0, 0, 0, 0));
-    begin(&s), run(&s, 20, VM_OK), end = s.t;
+    oscillator(&s);
+    vm_scene_keep_book(&s.scene, NULL);
+    stage_event(&s, vm_event_position(0, 0, 0, 0));
+    stage_event(&s, vm_event_velocity(0, 0, 0, 0));
+    begin(&s);
+    run(&s, 20, VM_OK);
+    end = s.t;
     CHECK(end == 20 && memcmp(y, s.y, sizeof y) == 0); /* the motion without events */
     oscillator(&s);
-    stage_event(&s, vm_event_position(0, 0, 0, 0)), s.events[0].most = 3;
-    stage_event(&s, vm_event_at(7)), stage_event(&s, vm_then_stop(vm_event_at(REAL(18.5))));
-    begin(&s), run(&s, 20, VM_STOPPED);
+    stage_event(&s, vm_event_position(0, 0, 0, 0));
+    s.events[0].most = 3;
+    stage_event(&s, vm_event_at(7));
+    stage_event(&s, vm_then_stop(vm_event_at(REAL(18.5))));
+    begin(&s);
+    run(&s, 20, VM_STOPPED);
     CHECK(s.events[0].count == 3 && s.events[1].count == 1 && s.t == REAL(18.5));
     agrees("observer", "third", s.events[0].time, 3 * pi, 10, 1e-10);
     balanced(&s, "observer", 1, 1);
@@ -490,7 +550,8 @@ static void check_stop_beside_switch(void)
     stage_clear(&s, 2);
     stage_body(&s, vm_scene_line(1, 1, 0));
     stage_effect(&s, vm_effect_linear_spring(0, 0, VM_GROUND, 0, 4, 0));
-    stage_effect(&s, vm_effect_damper(0, 0, VM_GROUND, 0, REAL(0.1))), s.effects[1].off = 1;
+    stage_effect(&s, vm_effect_damper(0, 0, VM_GROUND, 0, REAL(0.1)));
+    s.effects[1].off = 1;
     stage_event(&s, vm_then_switch(vm_event_position(0, 0, REAL(0.94), -1), 1, 0));
     stage_event(&s, vm_then_stop(vm_event_user(at_094, NULL, -1)));
     begin(&s);
@@ -518,36 +579,91 @@ static void check_refusals(void)
     (stage_clear(&s, 1), stage_body(&s, vm_scene_line(1, 0, 0)), stage_body(&s, vm_scene_axle(1, 0, 0)),        \
      stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 0)), stage_effect(&s, vm_effect_drive(1, 0, 1, 0)), \
      stage_event(&s, vm_then_stop(vm_event_position(0, 0, 1, 1))))
-    GOOD, CHECK(vm_scene_check(&s.scene, NULL) == VM_OK);
+    GOOD;
+    CHECK(vm_scene_check(&s.scene, NULL) == VM_OK);
     CHECK(vm_scene_check(NULL, NULL) == VM_BAD_ARGUMENT);
-    GOOD, s.scene.bodies = NULL, refused(&s, VM_BAD_ARGUMENT, -1);
-    GOOD, s.scene.located = NULL, refused(&s, VM_BAD_ARGUMENT, -1);
-    GOOD, s.bodies[1].motion = 9, refused(&s, VM_BAD_MOTION, 1);
-    GOOD, s.bodies[0].start.mass = 0, refused(&s, VM_BAD_MASS, 0);
-    GOOD, s.bodies[0].start.v.x = VM_INFINITY, refused(&s, VM_NOT_FINITE, 0);
-    GOOD, s.bodies[1].angle = VM_NAN, refused(&s, VM_NOT_FINITE, 1);
-    GOOD, s.bodies[1] = vm_scene_plane(1, 0, zero, 0, zero, 0), refused(&s, VM_BAD_INERTIA, 1);
-    GOOD, s.effects[1].body = 2, refused(&s, VM_NO_SUCH_BODY, 1);
-    GOOD, s.effects[1].body = -1, refused(&s, VM_NO_SUCH_BODY, 1);
-    GOOD, s.effects[1].other = 7, refused(&s, VM_NO_SUCH_BODY, 1);
-    GOOD, s.effects[1].coordinate = 1, refused(&s, VM_NO_SUCH_COORDINATE, 1);
-    GOOD, s.effects[1] = vm_effect_gravity(1, 0, 1),
-          refused(&s, VM_BAD_MOTION, 1); /* has no torque about an axle */
-    GOOD, s.effects[1] = vm_effect_shaft(0, 1, 1), refused(&s, VM_BAD_MOTION, 1);
-    GOOD, s.effects[1].p[0] = VM_NAN, refused(&s, VM_NOT_FINITE, 1);
-    GOOD, s.effects[1] = s.effects[0], refused(&s, VM_TWO_MASS_LAWS, 1);
-    GOOD, s.effects[1] = s.effects[0], s.effects[0] = vm_effect_drive(0, 0, 1, 0), refused(&s, VM_BAD_ORDER, 1);
-    GOOD, s.bodies[0].mass_is_state = 1, refused(&s, VM_TWO_MASS_LAWS, 0);
-    GOOD, s.effects[1] = vm_effect_stream(1, 1, zero, 0), refused(&s, VM_MASS_IS_NO_STATE, 1);
-    GOOD, s.effects[1] = vm_effect_user(1, 0, NULL, NULL), refused(&s, VM_BAD_ARGUMENT, 1);
-    GOOD, s.events[0].body = 5, refused(&s, VM_NO_SUCH_BODY, 0);
-    GOOD, s.events[0].value = VM_NAN, refused(&s, VM_NOT_FINITE, 0);
-    GOOD, s.events[0].then = NULL, CHECK(vm_scene_check(&s.scene, NULL) == VM_OK); /* it only counts */
-    GOOD, s.events[0] = vm_then_user(s.events[0], NULL, NULL), refused(&s, VM_BAD_ARGUMENT, 0);
-    GOOD, s.events[0] = vm_then_switch(vm_event_at(1), 4, 1), refused(&s, VM_NO_SUCH_EFFECT, 0);
-    GOOD, s.events[0] = vm_then_attach(vm_event_at(1), 0, 1), refused(&s, VM_BAD_MOTION, 0);
-    GOOD, s.events[0] = vm_then_attach(vm_event_at(1), 0, 0), refused(&s, VM_SAME_BODY, 0);
-    GOOD, s.events[0] = vm_then_stop(vm_event_at(VM_NAN)), refused(&s, VM_NOT_FINITE, 0);
+    GOOD;
+    s.scene.bodies = NULL;
+    refused(&s, VM_BAD_ARGUMENT, -1);
+    GOOD;
+    s.scene.located = NULL;
+    refused(&s, VM_BAD_ARGUMENT, -1);
+    GOOD;
+    s.bodies[1].motion = 9;
+    refused(&s, VM_BAD_MOTION, 1);
+    GOOD;
+    s.bodies[0].start.mass = 0;
+    refused(&s, VM_BAD_MASS, 0);
+    GOOD;
+    s.bodies[0].start.v.x = VM_INFINITY;
+    refused(&s, VM_NOT_FINITE, 0);
+    GOOD;
+    s.bodies[1].angle = VM_NAN;
+    refused(&s, VM_NOT_FINITE, 1);
+    GOOD;
+    s.bodies[1] = vm_scene_plane(1, 0, zero, 0, zero, 0);
+    refused(&s, VM_BAD_INERTIA, 1);
+    GOOD;
+    s.effects[1].body = 2;
+    refused(&s, VM_NO_SUCH_BODY, 1);
+    GOOD;
+    s.effects[1].body = -1;
+    refused(&s, VM_NO_SUCH_BODY, 1);
+    GOOD;
+    s.effects[1].other = 7;
+    refused(&s, VM_NO_SUCH_BODY, 1);
+    GOOD;
+    s.effects[1].coordinate = 1;
+    refused(&s, VM_NO_SUCH_COORDINATE, 1);
+    GOOD;
+    s.effects[1] = vm_effect_gravity(1, 0, 1);
+    refused(&s, VM_BAD_MOTION, 1); /* has no torque about an axle */
+    GOOD;
+    s.effects[1] = vm_effect_shaft(0, 1, 1);
+    refused(&s, VM_BAD_MOTION, 1);
+    GOOD;
+    s.effects[1].p[0] = VM_NAN;
+    refused(&s, VM_NOT_FINITE, 1);
+    GOOD;
+    s.effects[1] = s.effects[0];
+    refused(&s, VM_TWO_MASS_LAWS, 1);
+    GOOD;
+    s.effects[1] = s.effects[0];
+    s.effects[0] = vm_effect_drive(0, 0, 1, 0);
+    refused(&s, VM_BAD_ORDER, 1);
+    GOOD;
+    s.bodies[0].mass_is_state = 1;
+    refused(&s, VM_TWO_MASS_LAWS, 0);
+    GOOD;
+    s.effects[1] = vm_effect_stream(1, 1, zero, 0);
+    refused(&s, VM_MASS_IS_NO_STATE, 1);
+    GOOD;
+    s.effects[1] = vm_effect_user(1, 0, NULL, NULL);
+    refused(&s, VM_BAD_ARGUMENT, 1);
+    GOOD;
+    s.events[0].body = 5;
+    refused(&s, VM_NO_SUCH_BODY, 0);
+    GOOD;
+    s.events[0].value = VM_NAN;
+    refused(&s, VM_NOT_FINITE, 0);
+    GOOD;
+    s.events[0].then = NULL;
+    CHECK(vm_scene_check(&s.scene, NULL) == VM_OK); /* it only counts */
+    GOOD;
+    s.events[0] = vm_then_user(s.events[0], NULL, NULL);
+    refused(&s, VM_BAD_ARGUMENT, 0);
+    GOOD;
+    s.events[0] = vm_then_switch(vm_event_at(1), 4, 1);
+    refused(&s, VM_NO_SUCH_EFFECT, 0);
+    GOOD;
+    s.events[0] = vm_then_attach(vm_event_at(1), 0, 1);
+    refused(&s, VM_BAD_MOTION, 0);
+    GOOD;
+    s.events[0] = vm_then_attach(vm_event_at(1), 0, 0);
+    refused(&s, VM_SAME_BODY, 0);
+    GOOD;
+    s.events[0] = vm_then_stop(vm_event_at(VM_NAN));
+    refused(&s, VM_NOT_FINITE, 0);
 }
 
 /* Two numbers a body on a line or an axle, one more where the mass is a state: nothing of what is not asked for */
@@ -559,16 +675,20 @@ static void check_sizes(void)
     vm_body free_body;
     vm_scene scene;
     int i;
-    memset(&free_body, 0, sizeof free_body), memset(&scene, 0, sizeof scene);
-    free_body.mass = 1, free_body.inertia = inertia;
+    memset(&free_body, 0, sizeof free_body);
+    memset(&scene, 0, sizeof scene);
+    free_body.mass = 1;
+    free_body.inertia = inertia;
     for (i = 0; i < 7; i++) bodies[i] = vm_scene_line(1, 0, 0);
-    scene.bodies = bodies, scene.n_bodies = 7;
+    scene.bodies = bodies;
+    scene.n_bodies = 7;
     CHECK(vm_scene_size(&scene) == 7 * 2);
     bodies[0] = vm_scene_with_mass_state(bodies[0]);
     CHECK(vm_scene_size(&scene) == 7 * 2 + 1);
     bodies[1] = vm_scene_axle(1, 0, 0);
     CHECK(vm_scene_size(&scene) == 7 * 2 + 1);
-    bodies[2] = vm_scene_plane(1, 1, zero, 0, zero, 0), bodies[3] = vm_scene_point(1, zero, zero);
+    bodies[2] = vm_scene_plane(1, 1, zero, 0, zero, 0);
+    bodies[3] = vm_scene_point(1, zero, zero);
     CHECK(vm_scene_size(&scene) == 5 * 2 + 1 + 2 * 6);
     bodies[4] = vm_scene_free(&free_body);
     CHECK(vm_scene_size(&scene) == 4 * 2 + 1 + 2 * 6 + 13 && vm_scene_check(&scene, NULL) == VM_OK);

@@ -85,7 +85,12 @@ static vm_vdp vdp(double alpha, double b, double c, double reactive, int method)
 {
     vm_vdp v;
     memset(&v, 0, sizeof v);
-    v.alpha = R(alpha), v.k = 1, v.b = R(b), v.c = R(c), v.reactive = R(reactive), v.method = method;
+    v.alpha = R(alpha);
+    v.k = 1;
+    v.b = R(b);
+    v.c = R(c);
+    v.reactive = R(reactive);
+    v.method = method;
     v.mass = vm_slow_mass_linear;
     CHECK(vm_vdp_init(&v) == VM_OK);
     return v;
@@ -94,7 +99,8 @@ static vm_vdp vdp(double alpha, double b, double c, double reactive, int method)
 static vm_linear_mass linear(double mass, double rate)
 {
     vm_linear_mass m;
-    m.mass = R(mass), m.rate = R(rate);
+    m.mass = R(mass);
+    m.rate = R(rate);
     return m;
 }
 
@@ -156,17 +162,21 @@ static void test_vdp_equations(void)
             double sd;
             jacobi_sncndn(4 * K * R(j + 0.25) / 64, k2, &sn, &cn, &dn);
             sd = (double)(sn * sn * dn * dn);
-            squares += sd / 64, fourths += sd * (double)(cn * cn) / 64;
+            squares += sd / 64;
+            fourths += sd * (double)(cn * cn) / 64;
             bracket += ((1 - (double)k2) + (double)k2 * pow((double)cn, 4)) / 64;
             if (j == 1) one = sd * (double)(cn * cn);
         }
-        v.mass_ctx = &mass, y[0] = R(uniform(0.5, 2)), A = (double)y[0];
+        v.mass_ctx = &mass;
+        y[0] = R(uniform(0.5, 2));
+        A = (double)y[0];
         CHECK(vm_vdp_averaged_rhs(0, y, d, &v) == VM_OK);
         /* A' bracket = -c A^3 fourths/m - A (m'/m - m'/(2m) + (alpha-1)/2 A'/A - b/m) squares */
         want = (-c * A * A * A * fourths / m - A * (rate / (2 * m) - b / m) * squares) /
                (bracket + (alpha - 1) / 2 * squares);
         check_error("(406), (409)", "(410)", "eps", fabs((double)d[0] - want) / eps, 60, alpha, A);
-        p = 1 / (A * A), dp = -2 * (double)d[0] / (A * A * A); /* (414) */
+        p = 1 / (A * A);
+        dp = -2 * (double)d[0] / (A * A * A); /* (414) */
         want = (rate - 2 * b) / m * (double)(v.a2 / v.a1) * p + 2 * (double)v.a3 * c / ((double)v.a1 * m);
         check_error("(415)", "of (410)", "eps", fabs(dp - want) / eps / (1 + p), 8, alpha, A);
         ERRATUM("(406)", fabs(one / fourths - 1) > 0.5, check_holds("(406), (409)"));
@@ -199,7 +209,8 @@ static void test_vdp_reference(void)
     vm_vdp ateb, jacobi;
     size_t i;
     for (i = 0; i < sizeof rows / sizeof *rows; i++) {
-        ateb = vdp(rows[i][0], 0.01, 0.01, 1, VM_VDP_ATEB), jacobi = vdp(rows[i][0], 0.01, 0.01, 1, VM_VDP_JACOBI);
+        ateb = vdp(rows[i][0], 0.01, 0.01, 1, VM_VDP_ATEB);
+        jacobi = vdp(rows[i][0], 0.01, 0.01, 1, VM_VDP_JACOBI);
         near("a1 (411)", "R6", (double)jacobi.a1, rows[i][1], 3e-15, 3e-6);
         near("a2 (412)", "R6", (double)jacobi.a2, rows[i][2], 3e-15, 3e-6);
         near("a3 (413)", "R6", (double)jacobi.a3, rows[i][3], 3e-15, 6e-6);
@@ -209,7 +220,8 @@ static void test_vdp_reference(void)
     }
     for (i = 0; i < 3; i++) {
         const double m0 = growing[i][0];
-        ateb = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_ATEB), jacobi = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_JACOBI);
+        ateb = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_ATEB);
+        jacobi = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_JACOBI);
         near("A_S (425)", "Jacobi", (double)vm_vdp_steady(&jacobi, R(0.01 * m0), NULL), growing[i][1], 3e-15, 6e-6);
         near("A_S (425)", "Ateb", (double)vm_vdp_steady(&ateb, R(0.01 * m0), NULL), growing[i][2], 3e-15, 6e-6);
         CHECK(growing[i][3] > 0.996 * growing[i][1] - 1e-3);
@@ -304,7 +316,8 @@ static vm_point vdp_direct(vm_vdp v, double m0, double x0, double t1)
     vm_linear_mass m = linear(m0, 0.01 * m0);
     vm_real y[2];
     long n;
-    y[0] = R(x0), y[1] = 0;
+    y[0] = R(x0);
+    y[1] = 0;
     v.mass_ctx = &m;
     n = track(vm_vdp_rhs, &v, 2, t1, 3e-10, y, 0, 1, VM_TURNING_POINTS);
     points[n - 1].x = VM_FABS(points[n - 1].x);
@@ -320,8 +333,10 @@ static void test_vdp_direct(void)
     vm_point p;
     a3 = (double)v.a3;
 
-    p = vdp_direct(v, 0.5, 0.5, T400), M = 1 + 0.01 * (double)p.t; /* (420): m0 is missing in the second term */
-    A = (double)vm_vdp_amplitude(&v, p.t, R(0.5), linear(0.5, 0.005)), q = 1.5 * a2 / 0.5;
+    p = vdp_direct(v, 0.5, 0.5, T400);
+    M = 1 + 0.01 * (double)p.t; /* (420): m0 is missing in the second term */
+    A = (double)vm_vdp_amplitude(&v, p.t, R(0.5), linear(0.5, 0.005));
+    q = 1.5 * a2 / 0.5;
     near("(420)", "direct", A, (double)p.x, 1e-5, steep);
     ERRATUM("(420)",
             printed_fails("(420)", pow(pow(M, -q) * (4 + 2 * a3 / q * (pow(M, q) - 1)), -0.5), (double)p.x, 0.108),
@@ -334,7 +349,8 @@ static void test_vdp_direct(void)
     ERRATUM("case a), 2b=m0", fabs(1.5 / (double)p.x - 1) > 0.18, check_holds("(421), q = 0"));
     CHECK(vm_vdp_steady(&v, R(0.02), NULL) == 0);
 
-    p = vdp_direct(v, 3, 1, T400), M = 1 + 0.01 * (double)p.t,
+    p = vdp_direct(v, 3, 1, T400);
+    M = 1 + 0.01 * (double)p.t;
     q = -1 * a2 / 3; /* case c): the exponent in the bracket */
     A = (double)vm_vdp_amplitude(&v, p.t, 1, linear(3, 0.03));
     near("case c)", "direct", A, (double)p.x, 1e-5, steep);
@@ -354,7 +370,8 @@ static void test_vdp_direct(void)
     near("(431)", "stated", (double)p.x, 0.42187, 5e-5, 5e-3);
 
     v = vdp(5. / 3, 0, 0.01, 1, VM_VDP_ATEB); /* (433), (434): b = 0; in (433) m' has the wrong sign */
-    p = vdp_direct(v, 1, 1, T400), M = 1 + 0.01 * (double)p.t;
+    p = vdp_direct(v, 1, 1, T400);
+    M = 1 + 0.01 * (double)p.t;
     A = (double)vm_vdp_amplitude(&v, p.t, 1, linear(1, 0.01));
     near("(434)", "direct", A, (double)p.x, 2e-5, steep);
     near("(434)", "as printed", A, sqrt(a2 / ((a2 + 2 * a3) * pow(M, a2) - 2 * a3)), 1e-14, 1e-6);
@@ -376,7 +393,9 @@ static void test_vdp_methods(void)
             vm_vdp v = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_ATEB);
             vm_real y[2];
             long n, p;
-            y[0] = R(starts[j]), y[1] = 0, v.mass_ctx = &m;
+            y[0] = R(starts[j]);
+            y[1] = 0;
+            v.mass_ctx = &m;
             rough = 1;
             n = track(vm_vdp_rhs, &v, 2, T400, 1e-11, y, 0, 1, VM_TURNING_POINTS);
             rough = 0;
@@ -411,7 +430,9 @@ static void test_vdp_cycle(void)
         long n;
         if (is_float && alphas[i] < 1) continue;
         rough = alphas[i] < 3;
-        y[0] = vm_vdp_steady(&v, 0, NULL), y[1] = 0, v.mass_ctx = &m;
+        y[0] = vm_vdp_steady(&v, 0, NULL);
+        y[1] = 0;
+        v.mass_ctx = &m;
         n = track(vm_vdp_rhs, &v, 2, 300, alphas[i] < 1 ? 1e-12 : 1e-10, y, 0, 1, VM_TURNING_POINTS);
         near("(438)", "stays", fabs((double)points[n - 1].x), (double)vm_vdp_steady(&v, 0, NULL), 2e-6, 4e-3);
     }
@@ -429,7 +450,8 @@ static void test_vdp_no_reactive(void)
     int i;
     for (i = 0; i < 2; i++) {
         const double m0 = cases[i][0], x0 = cases[i][1], e = 2 * a2 / m0; /* (428) as printed */
-        p = vdp_direct(v, m0, x0, T400), M = pow(1 + 0.01 * (double)p.t, e);
+        p = vdp_direct(v, m0, x0, T400);
+        M = pow(1 + 0.01 * (double)p.t, e);
         A = (double)vm_vdp_amplitude(&v, p.t, R(x0), linear(m0, 0.01 * m0));
         printed = sqrt(2 * M * x0 * x0 * a2 / (2 * a2 + 2 * a3 * x0 * x0 * (M - 1)));
         near("(427), (429)", "direct", A, (double)p.x, 2e-5, steep);
@@ -444,7 +466,8 @@ static void test_vdp_no_reactive(void)
     ERRATUM("(430)", printed_fails("(430)", sqrt(a2 / a3), (double)p.x, 1 - 1.9612 / 2.402), check_holds("(430)"));
 
     v = vdp(5. / 3, 0.01, 0, 0, VM_VDP_ATEB);
-    p = vdp_direct(v, 1, 0.3, T400), M = 1 + 0.01 * (double)p.t;
+    p = vdp_direct(v, 1, 0.3, T400);
+    M = 1 + 0.01 * (double)p.t;
     A = (double)vm_vdp_amplitude(&v, p.t, R(0.3), linear(1, 0.01));
     near("(432)", "direct", A, (double)p.x, 2e-5, steep);
     near("(432)", "stated", (double)p.x, 0.83961, 3e-5, 5e-3);
@@ -454,7 +477,8 @@ static void test_vdp_no_reactive(void)
             check_holds("(432)"));
 
     v = vdp(5. / 3, 0, 0.01, 0, VM_VDP_ATEB);
-    p = vdp_direct(v, 1, 1, 2000), M = 1 + 0.01 * (double)p.t;
+    p = vdp_direct(v, 1, 1, 2000);
+    M = 1 + 0.01 * (double)p.t;
     near("(435)", "direct", (double)vm_vdp_amplitude(&v, p.t, 1, linear(1, 0.01)), (double)p.x, 2e-5, steep);
     near("(435)", "stated", (double)p.x, 1.23999, 3e-5, 5e-3);
     ERRATUM("(435)",
@@ -477,8 +501,11 @@ static void vdp_errors(double alpha, double e, double errors[2])
     vm_real rate = R(e), y[2], slow[2];
     vm_vdp v = vdp(alpha, 2 * e, 3 * e, 1, VM_VDP_ATEB);
     long i, n;
-    v.mass = quadratic_mass, v.mass_ctx = &rate, v.k = R(1.5);
-    y[0] = slow[0] = R(0.75), y[1] = slow[1] = 0;
+    v.mass = quadratic_mass;
+    v.mass_ctx = &rate;
+    v.k = R(1.5);
+    y[0] = slow[0] = R(0.75);
+    y[1] = slow[1] = 0;
     n = track(vm_vdp_rhs, &v, 2, 2 / e, rough ? 1e-13 : 1e-10, y, 0, 1, VM_TURNING_POINTS);
     errors[0] = errors[1] = 0;
     for (i = 0; i < n; i++) {
@@ -530,9 +557,14 @@ static vm_laval make_rotor(vm_linear_mass *m, vm_power_force *p, loads *l)
 {
     vm_laval r;
     memset(&r, 0, sizeof r);
-    r.mass = vm_slow_mass_linear, r.mass_ctx = m;
-    r.stiffness = vm_laval_power, r.stiffness_ctx = p;
-    if (l) r.force = load, r.force_ctx = l;
+    r.mass = vm_slow_mass_linear;
+    r.mass_ctx = m;
+    r.stiffness = vm_laval_power;
+    r.stiffness_ctx = p;
+    if (l) {
+        r.force = load;
+        r.force_ctx = l;
+    }
     r.reactive = 1;
     return r;
 }
@@ -551,15 +583,26 @@ static void test_rotor_equations(void)
         double mass, F, ux, uy, fx, fy, ax, ay;
         vm_real y[4], d[4] = {0}, rho, phi;
         vm_complex f;
-        p.k = R(k), p.alpha = R(alpha);
-        l.gamma = uniform(-1, 1), l.c1 = uniform(-1, 1), l.c2 = uniform(-1, 1), l.c3 = uniform(-1, 1);
-        y[0] = R(uniform(-2, 2)), y[1] = R(uniform(-2, 2)), y[2] = R(uniform(-2, 2)), y[3] = R(uniform(-2, 2));
-        ux = uniform(-1, 1), uy = uniform(-1, 1), r.u = complex(ux, uy);
+        p.k = R(k);
+        p.alpha = R(alpha);
+        l.gamma = uniform(-1, 1);
+        l.c1 = uniform(-1, 1);
+        l.c2 = uniform(-1, 1);
+        l.c3 = uniform(-1, 1);
+        y[0] = R(uniform(-2, 2));
+        y[1] = R(uniform(-2, 2));
+        y[2] = R(uniform(-2, 2));
+        y[3] = R(uniform(-2, 2));
+        ux = uniform(-1, 1);
+        uy = uniform(-1, 1);
+        r.u = complex(ux, uy);
         CHECK(vm_laval_rhs(R(t), y, d, &r) == VM_OK);
         vm_laval_polar(vmi_complex(y[0], y[1]), &rho, &phi);
-        mass = (double)(m.mass + m.rate * R(t)), F = k * pow((double)rho, alpha);
+        mass = (double)(m.mass + m.rate * R(t));
+        F = k * pow((double)rho, alpha);
         f = load(R(t), vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]), &l);
-        fx = (double)f.re, fy = (double)f.im;
+        fx = (double)f.re;
+        fy = (double)f.im;
         ax = (fx + (double)m.rate * (ux - (double)y[2]) - F * cos((double)phi)) / mass; /* (445) */
         ay = (fy + (double)m.rate * (uy - (double)y[3]) - F * sin((double)phi)) / mass; /* (446) */
         check_error("(449)-(451)", "(441)-(448)", "eps",
@@ -584,19 +627,29 @@ static void test_rotor_modes(void)
         double A1, A2, th1, th2, w, mass, rate, s1, s2, dA1, dA2, dth1, dth2, worst = 0;
         vm_real y[5], motion[4], back[4], d[5] = {0};
         vm_complex f, turn1, turn2;
-        p.k = R(uniform(0.5, 2)), p.alpha = 1;
-        l.gamma = uniform(-1, 1), l.c1 = uniform(-1, 1), l.c2 = uniform(-1, 1), l.c3 = uniform(-1, 1);
+        p.k = R(uniform(0.5, 2));
+        p.alpha = 1;
+        l.gamma = uniform(-1, 1);
+        l.c1 = uniform(-1, 1);
+        l.c2 = uniform(-1, 1);
+        l.c3 = uniform(-1, 1);
         for (k = 0; k < 4; k++) motion[k] = R(uniform(-2, 2));
         CHECK(vm_laval_split(&r, R(t), motion, R(phi), y) == VM_OK && vm_laval_join(&r, R(t), y, back) == VM_OK);
         for (k = 0; k < 4; k++) worst = fmax(worst, fabs((double)(back[k] - motion[k])));
         check_error("(456)-(461)", "back", "eps", worst / eps, 40, t, phi);
         CHECK(vm_laval_exact_rhs(R(t), y, d, &r) == VM_OK);
-        mass = (double)(m.mass + m.rate * R(t)), rate = (double)m.rate, w = sqrt((double)p.k / mass);
-        A1 = hypot((double)y[0], (double)y[1]), th1 = atan2((double)y[1], (double)y[0]);
-        A2 = hypot((double)y[2], (double)y[3]), th2 = -atan2((double)y[3], (double)y[2]);
-        s1 = th1 + phi, s2 = th2 + phi;
+        mass = (double)(m.mass + m.rate * R(t));
+        rate = (double)m.rate;
+        w = sqrt((double)p.k / mass);
+        A1 = hypot((double)y[0], (double)y[1]);
+        th1 = atan2((double)y[1], (double)y[0]);
+        A2 = hypot((double)y[2], (double)y[3]);
+        th2 = -atan2((double)y[3], (double)y[2]);
+        s1 = th1 + phi;
+        s2 = th2 + phi;
         f = load(R(t), vmi_complex(motion[0], motion[1]), vmi_complex(motion[2], motion[3]), &l);
-        turn1 = vmi_c_times(f, complex(cos(s1), -sin(s1))), turn2 = vmi_c_times(f, complex(cos(s2), sin(s2)));
+        turn1 = vmi_c_times(f, complex(cos(s1), -sin(s1)));
+        turn2 = vmi_c_times(f, complex(cos(s2), sin(s2)));
         dA1 = (double)turn1.im / (2 * w * mass) - rate / (4 * mass) * (A1 - A2 * cos(s1 + s2));   /* (470) */
         dth1 = (-(double)turn1.re / (2 * w * mass) - rate * A2 / (4 * mass) * sin(s1 + s2)) / A1; /* (471) */
         dA2 = -(double)turn2.im / (2 * w * mass) + rate / (4 * mass) * (A1 * cos(s1 + s2) - A2);  /* (472) */
@@ -646,8 +699,12 @@ static double rotor_error(double e)
     vm_real direct[4] = {R(0.8), R(0.1), R(-0.3), R(0.5)}, y[5], got[4];
     double t1 = 2 / e, worst = 0;
     int k;
-    l.gamma = 0.3 * e, l.c1 = -0.2 * e, l.c2 = 0.1 * e, l.c3 = 0.4 * e;
-    r.gyro = R(0.15 * e), r.u = complex(0.2, 0.1);
+    l.gamma = 0.3 * e;
+    l.c1 = -0.2 * e;
+    l.c2 = 0.1 * e;
+    l.c3 = 0.4 * e;
+    r.gyro = R(0.15 * e);
+    r.u = complex(0.2, 0.1);
     CHECK(vm_laval_split(&r, 0, direct, 0, y) == VM_OK);
     solve(vm_laval_averaged_rhs, &r, 5, 0, t1, 1e-9, y);
     solve(vm_laval_rhs, &r, 4, 0, t1, 1e-9, direct);
@@ -672,7 +729,8 @@ static void test_rotor_linear(void)
     vm_laval r = make_rotor(NULL, &p, NULL);
     double worst = 0;
     long i, n;
-    r.mass = quadratic_mass, r.mass_ctx = &e;
+    r.mass = quadratic_mass;
+    r.mass_ctx = &e;
     for (i = 1; i <= 400; i++) {
         const double t = 0.5 * (double)i, tau = 0.01 * t;
         const double law = (double)vm_osc_amplitude_law(R((1 + tau) * (1 + tau)), 0, 1, 1) *
@@ -684,7 +742,8 @@ static void test_rotor_linear(void)
     check_error("(480)-(482)", "direct", "", worst, is_float ? 0.02 : 0.0055, 0, 0);
     CHECK(is_float || worst > 0.0045);
     CHECK(last == 0);
-    y[0] = 1, y[1] = y[2] = y[3] = 0;
+    y[0] = 1;
+    y[1] = y[2] = y[3] = 0;
     n = track(vm_laval_rhs, &r, 4, 203, 1e-9, y, 0, 2, VM_ZERO_CROSSINGS);
     for (i = 1; i + 1 < n; i++) /* after (482): the period grows with the mass, printed: it falls */
         CHECK(points[i + 1].t - points[i].t > points[i].t - points[i - 1].t);
@@ -727,7 +786,11 @@ static void test_rotor_thrust(void)
         const double uy = uniform(0.2, 1), h = A * (cos(psi) * v2 - sin(psi) * v1);
         double moment, want = 0.1 * A * (uy * cos(psi) - ux * sin(psi)), printed = -0.1 * A * ux * sin(psi);
         vm_real y[4], d[4] = {0};
-        y[0] = R(A * cos(psi)), y[1] = R(A * sin(psi)), y[2] = R(v1), y[3] = R(v2), r.u = complex(ux, uy);
+        y[0] = R(A * cos(psi));
+        y[1] = R(A * sin(psi));
+        y[2] = R(v1);
+        y[3] = R(v2);
+        r.u = complex(ux, uy);
         CHECK(vm_laval_rhs(0, y, d, &r) == VM_OK);
         moment = 0.1 * h + (double)(y[0] * d[3] - y[1] * d[2]); /* d/dt (m Im(conj z z')), m = 1 */
         check_error("(502), (503)", "moment of thrust", "eps", fabs(moment - want) / eps, 100, psi, uy);
@@ -746,15 +809,23 @@ static void circular_errors(double alpha, double gyro, double reactive, int turn
     vm_real direct[4], y[2] = {R(1.2), R(0.3)}, d[2] = {0}, rho, phi, W;
     const double t1 = 2 / e;
     vm_complex z, v;
-    p.k = R(1.3), p.alpha = R(alpha);
+    p.k = R(1.3);
+    p.alpha = R(alpha);
     l.gamma = turning || alpha == 1 ? 0 : 0.3 * e; /* where alpha = 1 in resonance with the motion across */
-    l.c1 = -0.2 * e, l.c2 = turning > 1 ? 0 : 0.15 * e, l.c3 = turning > 1 ? 0 : 0.1 * e;
-    r.gyro = R(gyro), r.reactive = R(reactive);
+    l.c1 = -0.2 * e;
+    l.c2 = turning > 1 ? 0 : 0.15 * e;
+    l.c3 = turning > 1 ? 0 : 0.1 * e;
+    r.gyro = R(gyro);
+    r.reactive = R(reactive);
     if (!turning) r.u = complex(0.1, 0.2);
     W = vm_laval_frequency(&r, y[0], 1, 1);
     CHECK(vm_laval_forward_rhs(0, y, d, &r) == VM_OK); /* the circle under load turns at psi', not at W */
-    z = vmi_c_scale(y[0], vmi_c_turn(y[1])), v = vmi_c_times(vmi_complex(d[0] / y[0], d[1]), z);
-    direct[0] = z.re, direct[1] = z.im, direct[2] = v.re, direct[3] = v.im;
+    z = vmi_c_scale(y[0], vmi_c_turn(y[1]));
+    v = vmi_c_times(vmi_complex(d[0] / y[0], d[1]), z);
+    direct[0] = z.re;
+    direct[1] = z.im;
+    direct[2] = v.re;
+    direct[3] = v.im;
     near_eps("m W^2 - 2 g W = F'", "after (516)", (double)(W * W - 2 * r.gyro * W),
              (double)p.k * pow(1.2, alpha - 1), 20);
     solve(vm_laval_forward_rhs, &r, 2, 0, t1, 1e-10, y);
@@ -800,7 +871,8 @@ static double orbit(vm_laval *r, double rate, double t, int sense, double tolera
 {
     vm_linear_mass m = linear(1, rate);
     vm_real y[4] = {1, 0, 0, 0};
-    r->mass = vm_slow_mass_linear, r->mass_ctx = &m;
+    r->mass = vm_slow_mass_linear;
+    r->mass_ctx = &m;
     y[3] = vm_laval_frequency(r, 1, 1, sense);
     solve(vm_laval_rhs, r, 4, 0, t, tolerance, y);
     return hypot((double)y[0], (double)y[1]);
@@ -816,14 +888,17 @@ static void test_rotor_law(void)
     vm_real y[4];
     double h, A, moment, worst = 0, printed = 0;
     int i;
-    y[0] = y[1] = y[3] = VM_SQRT(VM_C(0.5)), y[2] = -y[0];
+    y[0] = y[1] = y[3] = VM_SQRT(VM_C(0.5));
+    y[2] = -y[0];
     moment = (double)vm_laval_momentum(&r, 1, vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]));
     for (i = 1; i <= 500; i++) {
         double rho, mass = 1 + 0.01 * i;
         solve(vm_laval_rhs, &r, 4, i - 1, i, 1e-11, y);
-        rho = hypot((double)y[0], (double)y[1]), A = (double)vm_laval_amplitude(&r, 1, 1, R(mass));
+        rho = hypot((double)y[0], (double)y[1]);
+        A = (double)vm_laval_amplitude(&r, 1, 1, R(mass));
         near("(509)", "power", A, pow(mass, -1. / 6), 3e-15, 3e-6);
-        worst = fmax(worst, fabs(A / rho - 1)), printed = fmax(printed, fabs(pow(mass, -0.2) / rho - 1));
+        worst = fmax(worst, fabs(A / rho - 1));
+        printed = fmax(printed, fabs(pow(mass, -0.2) / rho - 1));
         h = (double)vm_laval_momentum(&r, R(mass), vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]));
         check_error("(514), (515)", "momentum", "", fabs(h / moment - 1), is_float ? 5e-3 : 2e-11, i, 0);
         if (i == 10) {
@@ -832,14 +907,16 @@ static void test_rotor_law(void)
             near("(514), (515)", "E3, rho", rho, 0.9835789298689738402, 1e-11, 1e-4);
             near("(513)", "E3", A, 0.9842404717097668119, 1e-14, 3e-6);
         }
-        if (i == 100)
-            near("(513)", "stated, t = 100", rho, 0.891258, 1e-6, 1e-3),
-                near("(513)", "law", A, 0.890899, 1e-6, 1e-6);
+        if (i == 100) {
+            near("(513)", "stated, t = 100", rho, 0.891258, 1e-6, 1e-3);
+            near("(513)", "law", A, 0.890899, 1e-6, 1e-6);
+        }
         if (i == 500) /* taken literally A1 would stay */
             ERRATUM("(500)", printed_fails("(500)", 1, rho, 1 / 0.741633 - 1), check_holds("(491)-(506)"));
-        if (i == 500)
-            near("(513)", "stated, t = 500", rho, 0.741633, 1e-6, 3e-3),
-                near("(513)", "law", A, 0.741836, 1e-6, 1e-6);
+        if (i == 500) {
+            near("(513)", "stated, t = 500", rho, 0.741633, 1e-6, 3e-3);
+            near("(513)", "law", A, 0.741836, 1e-6, 1e-6);
+        }
     }
     check_error("(509), (513)", "direct, t <= 500", "", worst, is_float ? 5e-3 : 7e-4, 0, 0);
     check_error("(513)", "fifth root as printed", "", fabs(printed - 0.058), is_float ? 3e-3 : 5e-4, printed, 0);
@@ -887,7 +964,8 @@ static void test_rotor_gyro(void)
         { /* the averaged equations, and the angular momentum of the exact ones */
             vm_linear_mass m = linear(1, 0.01);
             vm_real slow[2] = {1, 0}, y[4] = {1, 0, 0, 0};
-            r.mass = vm_slow_mass_linear, r.mass_ctx = &m;
+            r.mass = vm_slow_mass_linear;
+            r.mass_ctx = &m;
             solve(sense > 0 ? vm_laval_forward_rhs : vm_laval_backward_rhs, &r, 2, 0, 300, 1e-10, slow);
             near("A^2 (m W - g)", "averaged", (double)slow[0], A, 1e-11, 1e-5);
             CHECK((slow[1] > 0) == (sense > 0));
@@ -912,7 +990,9 @@ static void test_rotor_gyro(void)
             vm_linear_mass m = linear(1, 0);
             vm_real y[4] = {1, 0, 0, 0}, d[4] = {0};
             const double W = (double)vm_laval_frequency(&r, 1, 1, sense);
-            r.mass = vm_slow_mass_linear, r.mass_ctx = &m, y[3] = R(W);
+            r.mass = vm_slow_mass_linear;
+            r.mass_ctx = &m;
+            y[3] = R(W);
             CHECK(vm_laval_rhs(0, y, d, &r) == VM_OK);
             near_eps("W", "of a circle", -(double)d[2], W * W, 40);
             ERRATUM("gyroscopic remark: frequency", fabs(g + sense * sqrt(g * g + 1.5 * 1.5) - W) > 0.1,
@@ -926,8 +1006,11 @@ static void test_rotor_gyro(void)
 static vm_pair make_pair(double alpha, double k, double reactive, vm_linear_mass *m)
 {
     vm_pair p;
-    p.alpha = R(alpha), p.k = R(k), p.reactive = R(reactive);
-    p.mass = vm_slow_mass_linear, p.mass_ctx = m;
+    p.alpha = R(alpha);
+    p.k = R(k);
+    p.reactive = R(reactive);
+    p.mass = vm_slow_mass_linear;
+    p.mass_ctx = m;
     return p;
 }
 
@@ -967,7 +1050,8 @@ static void test_pair_below_ripple(void)
     CHECK(vm_pair_split(&p, R(1.9999), fast, modes) == VM_DOMAIN && modes[0] == 7 && modes[3] == 7);
     CHECK(vm_pair_join(&p, R(1.9999), weak, back) == VM_DOMAIN && back[0] == 7 && back[3] == 7);
     CHECK(vm_pair_split(&p, 0, fast, modes) == VM_OK && vm_pair_join(&p, 0, weak, back) == VM_OK);
-    p.k = R(1e-6), back[0] = 7;
+    p.k = R(1e-6);
+    back[0] = 7;
     CHECK(vm_pair_at(&p, 1, slow, heavy, back) == VM_DOMAIN && back[0] == 7);
     CHECK(vm_pair_at(&p, 1, slow, steady, back) == VM_OK && back[0] - back[0] == 0);
 }
@@ -1069,7 +1153,8 @@ static void grow(vm_real t, vm_forced_now *now, void *ctx)
 {
     const growth *g = (const growth *)ctx;
     const double m = g->exponential ? exp(g->rate * (double)t) : 1 + g->rate * (double)t;
-    now->mass = R(m), now->mass_rate = R(g->exponential ? g->rate * m : g->rate);
+    now->mass = R(m);
+    now->mass_rate = R(g->exponential ? g->rate * m : g->rate);
 }
 
 /* alpha, b, r, eps, nu with k = 1, F = 1: all of them with eps put in */
@@ -1077,9 +1162,15 @@ static vm_forced make_forced(double alpha, double b, double reactive, double e, 
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
-    f.alpha = R(alpha), f.b = R(e * b), f.reactive = R(reactive);
-    f.now.mass = 1, f.now.k = 1, f.now.nu = R(nu), f.now.force = R(e);
-    f.drift = grow, f.drift_ctx = g;
+    f.alpha = R(alpha);
+    f.b = R(e * b);
+    f.reactive = R(reactive);
+    f.now.mass = 1;
+    f.now.k = 1;
+    f.now.nu = R(nu);
+    f.now.force = R(e);
+    f.drift = grow;
+    f.drift_ctx = g;
     CHECK(vm_forced_init(&f) == VM_OK);
     return f;
 }
@@ -1112,10 +1203,10 @@ static void test_fourier(void)
     }
     for (i = 0; i < sizeof spec / sizeof *spec; i++) {
         const vm_forced f = make_forced(spec[i][0], 1, 1, 1, 1, &g);
-        near_eps("Pi", "stated", (double)f.pi, spec[i][1], 4),
-            near_eps("c1", "stated", (double)f.c[0], spec[i][2], 6);
-        near_eps("s1", "stated", (double)f.s[0], spec[i][3], 8),
-            near_eps("Om1", "stated", (double)f.Om1, spec[i][4], 6);
+        near_eps("Pi", "stated", (double)f.pi, spec[i][1], 4);
+        near_eps("c1", "stated", (double)f.c[0], spec[i][2], 6);
+        near_eps("s1", "stated", (double)f.s[0], spec[i][3], 8);
+        near_eps("Om1", "stated", (double)f.Om1, spec[i][4], 6);
         near_eps("G", "stated", (double)f.G, spec[i][5], 12);
     }
     near_eps("c1", "alpha = 0", (double)make_forced(0, 1, 1, 1, 1, &g).c[0], 32 / (pi * pi * pi), 6);
@@ -1125,7 +1216,9 @@ static void test_fourier(void)
 /* The exact equations of A and psi against the equation of motion, by the chain rule */
 static void drift_all(vm_real t, vm_forced_now *now, void *ctx)
 {
-    (void)t, (void)ctx, (void)now; /* the rates stand in now */
+    (void)t;
+    (void)ctx;
+    (void)now; /* the rates stand in now */
 }
 
 static void test_forced_exact(void)
@@ -1137,13 +1230,24 @@ static void test_forced_exact(void)
         const double a = (double)f.alpha;
         double sa, ca, A, psi, v, dx, dv, scale;
         vm_real s, c, y[3], d[3] = {0}, motion[3], dm[3] = {0};
-        f.drift = drift_all, f.now.mass_rate = R(uniform(-1, 1)), f.now.k_rate = R(uniform(-1, 1));
-        f.now.k = R(uniform(0.5, 2)), f.now.mass = R(uniform(0.5, 2)), f.now.force = R(uniform(-1, 1));
-        y[0] = R(uniform(0.5, 1.5)), y[1] = R(uniform(-4, 4)), y[2] = R(uniform(0, 6));
+        f.drift = drift_all;
+        f.now.mass_rate = R(uniform(-1, 1));
+        f.now.k_rate = R(uniform(-1, 1));
+        f.now.k = R(uniform(0.5, 2));
+        f.now.mass = R(uniform(0.5, 2));
+        f.now.force = R(uniform(-1, 1));
+        y[0] = R(uniform(0.5, 1.5));
+        y[1] = R(uniform(-4, 4));
+        y[2] = R(uniform(0, 6));
         CHECK(vm_forced_exact_rhs(0, y, d, &f) == VM_OK);
-        ateb_saca(y[1], f.alpha, &s, &c), sa = (double)s, ca = (double)c, A = (double)y[0], psi = (double)d[1];
+        ateb_saca(y[1], f.alpha, &s, &c);
+        sa = (double)s;
+        ca = (double)c;
+        A = (double)y[0];
+        psi = (double)d[1];
         if (fabs(sa) < 0.05) continue;
-        vmi_slow_motion(y[0], y[1], f.now.k, f.now.mass, f.alpha, &motion[0], &motion[1]), motion[2] = y[2];
+        vmi_slow_motion(y[0], y[1], f.now.k, f.now.mass, f.alpha, &motion[0], &motion[1]);
+        motion[2] = y[2];
         v = (double)motion[1];
         CHECK(vm_forced_rhs(0, motion, dm, &f) == VM_OK);
         dx = (double)d[0] * ca - 2 / (a + 1) * A * sa * psi;
@@ -1184,9 +1288,15 @@ static void test_forced_reference(void)
         growth g;
         vm_forced f = make_forced(rows[i].alpha, rows[i].b, rows[i].r, rows[i].e, rows[i].nu, &g);
         vm_real y[3] = {1, 0, 0}, slow[3] = {1, 0, 0};
-        g.rate = rows[i].rate, g.exponential = rows[i].exponential;
+        g.rate = rows[i].rate;
+        g.exponential = rows[i].exponential;
         if (i == 4) y[1] = R(0.5);
-        if (i == 8) f.now.k = 2, f.now.force = R(0.15), y[0] = R(0.5), y[1] = R(-0.25);
+        if (i == 8) {
+            f.now.k = 2;
+            f.now.force = R(0.15);
+            y[0] = R(0.5);
+            y[1] = R(-0.25);
+        }
         rough = rows[i].alpha < 3 && rows[i].alpha != 1;
         solve(vm_forced_rhs, &f, 3, 0, rows[i].T, 1e-13, y);
         check_error("x(T), x'(T)", "direct", "",
@@ -1209,7 +1319,8 @@ static void forced_errors(double alpha, double r, double m1, double e, int plain
     vm_real y[3] = {1, 0, 0}, slow[3] = {1, 0, 0}, got[3] = {0}, A, psi, B;
     const int n = (int)(3 / e / 0.5);
     int i;
-    g.rate = e * m1, g.exponential = 0;
+    g.rate = e * m1;
+    g.exponential = 0;
     f = make_forced(alpha, 0.5, r, e, 1.05 * (double)vm_osc_omega_trig(R(alpha)), &g);
     if (!plain) CHECK(vm_forced_split(&f, 0, y, slow) == VM_OK);
     errors[0] = errors[1] = 0;
@@ -1285,12 +1396,15 @@ static void test_forced_steady(void)
         for (k = 0; k < 3; k++) {
             if (rows[i][k + 1] != 0) near("steady", "A", (double)s[k].A, rows[i][k + 1], 3e-14, 3e-5);
             CHECK(s[k].stable == (k != 1) && (s[k].det < 0) == (k == 1) && s[k].trace < 0);
-            y[0] = s[k].A, y[1] = s[k].delta, y[2] = 0; /* it stays */
+            y[0] = s[k].A;
+            y[1] = s[k].delta;
+            y[2] = 0; /* it stays */
             CHECK(vm_forced_averaged_rhs(0, y, d, (void *)&f) == VM_OK);
             check_error("steady", "A' = delta' = 0", "eps",
                         fmax(fabs((double)d[0]), fabs((double)(d[1] * s[k].A))) / eps, 8, alpha, (double)s[k].A);
             found = vm_forced_curve(&f, 0, s[k].A, c); /* one at the lowest amplitude: the other nu would be < 0 */
-            CHECK(found == 2 || (k == 0 && found == 1)), CHECK(found < 2 || c[0].nu < c[1].nu);
+            CHECK(found == 2 || (k == 0 && found == 1));
+            CHECK(found < 2 || c[0].nu < c[1].nu);
             if (found == 1) c[1] = c[0];
             j = fabs((double)(c[0].nu - f.now.nu)) < fabs((double)(c[1].nu - f.now.nu)) ? 0 : 1;
             near("curve", "nu(A)", (double)c[j].nu, (double)f.now.nu, 1e-14, 1e-5);
@@ -1328,7 +1442,8 @@ static void test_forced_steady_random(void)
             const double A = exp(x), w = (double)f.Om1 * pow(A, (alpha - 1) / 2),
                          p = (double)(2 * f.b) / (alpha + 3);
             const double excess = log(A * w * hypot(w - (double)f.now.nu, p) / (double)(f.now.force * f.G));
-            changes += before != 0 && (excess > 0) != (before > 0), before = excess;
+            changes += before != 0 && (excess > 0) != (before > 0);
+            before = excess;
         }
         CHECK(n == changes);
         threes += n == 3;
@@ -1336,12 +1451,20 @@ static void test_forced_steady_random(void)
             const double h = 1e-5, A = (double)s[k].A;
             double a, b, c, d;
             y[2] = 0;
-            y[0] = R(A * (1 + h)), y[1] = s[k].delta, vm_forced_averaged_rhs(0, y, up, &f);
-            y[0] = R(A * (1 - h)), vm_forced_averaged_rhs(0, y, down, &f);
-            a = (double)(up[0] - down[0]) / (2 * h * A), c = (double)(up[1] - down[1]) / (2 * h * A);
-            y[0] = s[k].A, y[1] = R((double)s[k].delta + h), vm_forced_averaged_rhs(0, y, up, &f);
-            y[1] = R((double)s[k].delta - h), vm_forced_averaged_rhs(0, y, down, &f);
-            b = (double)(up[0] - down[0]) / (2 * h), d = (double)(up[1] - down[1]) / (2 * h);
+            y[0] = R(A * (1 + h));
+            y[1] = s[k].delta;
+            vm_forced_averaged_rhs(0, y, up, &f);
+            y[0] = R(A * (1 - h));
+            vm_forced_averaged_rhs(0, y, down, &f);
+            a = (double)(up[0] - down[0]) / (2 * h * A);
+            c = (double)(up[1] - down[1]) / (2 * h * A);
+            y[0] = s[k].A;
+            y[1] = R((double)s[k].delta + h);
+            vm_forced_averaged_rhs(0, y, up, &f);
+            y[1] = R((double)s[k].delta - h);
+            vm_forced_averaged_rhs(0, y, down, &f);
+            b = (double)(up[0] - down[0]) / (2 * h);
+            d = (double)(up[1] - down[1]) / (2 * h);
             x = a * a + d * d + fabs(b * c) + 1e-4;
             check_error("stability", "trace", "rel", fabs(a + d - (double)s[k].trace) / sqrt(x), 1e-7, alpha, A);
             check_error("stability", "det", "rel", fabs(a * d - b * c - (double)s[k].det) / x, 3e-7, alpha, A);
@@ -1380,17 +1503,21 @@ static double forced_period(vm_forced *f, vm_real *y, double derivative[2][2], d
     double re = 0, im = 0;
     int i, k;
     for (i = 0; i < 48; i++) {
-        re += (double)z[0] * cos(2 * pi * i / 48) / 24, im -= (double)z[0] * sin(2 * pi * i / 48) / 24;
+        re += (double)z[0] * cos(2 * pi * i / 48) / 24;
+        im -= (double)z[0] * sin(2 * pi * i / 48) / 24;
         solve(vm_forced_rhs, f, 3, T * i / 48, T * (i + 1) / 48, 1e-11, z);
     }
     for (k = 0; k < 2; k++) {
         vm_real up[3] = {y[0], y[1], 0}, down[3] = {y[0], y[1], 0};
-        up[k] += R(h), down[k] -= R(h);
-        solve(vm_forced_rhs, f, 3, 0, T, 1e-11, up), solve(vm_forced_rhs, f, 3, 0, T, 1e-11, down);
-        derivative[0][k] = (double)(up[0] - down[0]) / (2 * h),
+        up[k] += R(h);
+        down[k] -= R(h);
+        solve(vm_forced_rhs, f, 3, 0, T, 1e-11, up);
+        solve(vm_forced_rhs, f, 3, 0, T, 1e-11, down);
+        derivative[0][k] = (double)(up[0] - down[0]) / (2 * h);
         derivative[1][k] = (double)(up[1] - down[1]) / (2 * h);
     }
-    y[0] = z[0], y[1] = z[1];
+    y[0] = z[0];
+    y[1] = z[1];
     *phase = atan2(im, re);
     return hypot(re, im);
 }
@@ -1406,12 +1533,14 @@ static double shoot(vm_forced *f, const vm_steady *s, double multipliers[2], dou
         vm_real z[2] = {y[0], y[1]};
         double a, b, det;
         harmonic = forced_period(f, z, d, phase);
-        a = (double)(z[0] - y[0]), b = (double)(z[1] - y[1]);
+        a = (double)(z[0] - y[0]);
+        b = (double)(z[1] - y[1]);
         det = (d[0][0] - 1) * (d[1][1] - 1) - d[0][1] * d[1][0];
         y[0] -= R((a * (d[1][1] - 1) - b * d[0][1]) / det);
         y[1] -= R((b * (d[0][0] - 1) - a * d[1][0]) / det);
     }
-    multipliers[0] = d[0][0] + d[1][1], multipliers[1] = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+    multipliers[0] = d[0][0] + d[1][1];
+    multipliers[1] = d[0][0] * d[1][1] - d[0][1] * d[1][0];
     return harmonic;
 }
 
@@ -1489,7 +1618,9 @@ static void test_forced_capture(void)
             vm_real y[3], A = 0, psi;
             double mean = 0, on_backbone = 0;
             CHECK(vm_forced_passage(&f, 0, 0, &p) == VM_OK);
-            y[0] = p.A, y[1] = p.delta, y[2] = 0;
+            y[0] = p.A;
+            y[1] = p.delta;
+            y[2] = 0;
             if (direct) vmi_slow_motion(p.A, p.delta * f.pi / VM_PI, 1, 1, 3, &y[0], &y[1]);
             for (k = 0; k < 2000; k++) {
                 const double t = T * (k + 1) / 2000, m = 1 + g.rate * t;
@@ -1536,7 +1667,9 @@ static void test_forced_jump(void)
                 vmi_slow_phase(y[0], y[1], 1, R(m), 3, &A, &psi);
                 after += (double)A * pow(m, 1. / 6) / 400;
             }
-            low = fmin(low, after), high = fmax(high, after), off += after / 24;
+            low = fmin(low, after);
+            high = fmax(high, after);
+            off += after / 24;
         }
         check_error("jump", "direct", "formula", fabs((high - low) / 2 / (double)p.jump - 1), is_float ? 0.25 : 0.2,
                     rows[i][0], 0);
@@ -1551,7 +1684,8 @@ static void cosine_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
     vm_real s, c;
     (void)ctx;
     vmi_sincos(t, &s, &c);
-    *x = c, *v = -s;
+    *x = c;
+    *v = -s;
 }
 
 static vm_real decay(vm_real t, void *ctx) { return vmi_exp(-*(const vm_real *)ctx * t, 0); }
@@ -1614,7 +1748,8 @@ static void test_envelopes(void)
     near("(398)", "E1, x'(10)", (double)y[1], -0.1999729378502724774, 2e-12, 1e-3);
     solve(vm_vdp_rhs, &v, 2, 10, 20, 1e-12, y);
     near("(398)", "E1, x(20)", (double)y[0], 0.1626996653923250896, 1e-11, 1e-3);
-    y[0] = 1, y[1] = 0;
+    y[0] = 1;
+    y[1] = 0;
     n = track(vm_vdp_rhs, &v, 2, 50, 1e-10, y, 0, 1, VM_TURNING_POINTS);
     near("(399)", "envelope error", (double)vm_envelope_error(VM_TURNING_POINTS, n, points, power_law, &sixth),
          1.4e-4, 0.05, 15);
@@ -1675,7 +1810,9 @@ static void test_hard(void)
         near("(525)", "drift's rate", (double)y[2], 0.5, 1e-14, 1e-5);
     }
     memset(&r, 0, sizeof r);
-    r.stiffness = vm_laval_power, r.stiffness_ctx = &p, r.reactive = 1;
+    r.stiffness = vm_laval_power;
+    r.stiffness_ctx = &p;
+    r.reactive = 1;
     for (p.alpha = 0; p.alpha < 10000; p.alpha = p.alpha * 3 + VM_C(0.1)) { /* the mass 1e6-fold and to 1e-3 */
         near("(509)", "mass to 1e6", (double)vm_laval_amplitude(&r, 1, 1, R(1e6)),
              pow(1e6, -1 / ((double)p.alpha + 3)), 3e-15, 2e-6);
@@ -1699,24 +1836,38 @@ static void test_bad_input(void)
     vm_passage passage;
     int i;
     CHECK(vm_vdp_init(NULL) == VM_BAD_ARGUMENT && vm_forced_init(NULL) == VM_BAD_ARGUMENT);
-    w = v, w.method = 3, CHECK(vm_vdp_init(&w) == VM_BAD_ARGUMENT);
-    w = v, w.alpha = -1, w.a3 = 9, before = w;
+    w = v;
+    w.method = 3;
+    CHECK(vm_vdp_init(&w) == VM_BAD_ARGUMENT);
+    w = v;
+    w.alpha = -1;
+    w.a3 = 9;
+    before = w;
     CHECK(vm_vdp_init(&w) == VM_DOMAIN && memcmp(&w, &before, sizeof w) == 0);
-    w = v, w.b = VM_NAN, CHECK(vm_vdp_init(&w) == VM_NOT_FINITE);
+    w = v;
+    w.b = VM_NAN;
+    CHECK(vm_vdp_init(&w) == VM_NOT_FINITE);
     for (i = 0; i < 4; i++) {
-        w = v, w.k = R(bad[i]), CHECK(vm_vdp_init(&w) == (i < 2 ? VM_DOMAIN : VM_NOT_FINITE));
+        w = v;
+        w.k = R(bad[i]);
+        CHECK(vm_vdp_init(&w) == (i < 2 ? VM_DOMAIN : VM_NOT_FINITE));
         CHECK(is_nan(vm_vdp_amplitude(&v, 1, 1, linear(bad[i], 0.1))));
         CHECK(is_nan(vm_laval_amplitude(&r, R(bad[i]), 1, 2)) && is_nan(vm_laval_amplitude(&r, 1, R(bad[i]), 2)) &&
               is_nan(vm_laval_amplitude(&r, 1, 1, R(bad[i]))));
         CHECK(is_nan(vm_laval_frequency(&r, 1, R(bad[i]), 1)));
-        p.k = R(bad[i]),
+        p.k = R(bad[i]);
         CHECK(vm_pair_at(&p, 1, y, linear(1, 0), d) == (i < 2 ? VM_DOMAIN : VM_NOT_FINITE));
-        p.k = 1, CHECK(vm_pair_at(&p, 1, y, linear(bad[i], 0), d) == (i < 2 ? VM_BAD_MASS : VM_NOT_FINITE));
-        other = f, other.now.k = R(bad[i]),
+        p.k = 1;
+        CHECK(vm_pair_at(&p, 1, y, linear(bad[i], 0), d) == (i < 2 ? VM_BAD_MASS : VM_NOT_FINITE));
+        other = f;
+        other.now.k = R(bad[i]);
         CHECK(vm_forced_init(&other) == (i < 2 ? VM_DOMAIN : VM_NOT_FINITE));
-        other = f, other.now.nu = R(bad[i]),
+        other = f;
+        other.now.nu = R(bad[i]);
         CHECK(vm_forced_init(&other) == (i < 2 ? VM_DOMAIN : VM_NOT_FINITE));
-        other = f, other.drift = NULL, other.now.mass = R(bad[i]);
+        other = f;
+        other.drift = NULL;
+        other.now.mass = R(bad[i]);
         CHECK(vm_forced_init(&other) == (i < 2 ? VM_BAD_MASS : VM_NOT_FINITE));
         CHECK(vm_forced_steady(&other, 0, s) == (i < 2 ? VM_BAD_MASS : VM_NOT_FINITE));
         CHECK(vm_forced_rhs(0, y, d, &other) < 0 && vm_forced_exact_rhs(0, y, d, &other) < 0 &&
@@ -1743,18 +1894,24 @@ static void test_bad_input(void)
     y[1] = VM_NAN;
     CHECK(vm_pair_at(&p, 0, y, m, d) == VM_NOT_FINITE && vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE);
     for (i = 0; i < 3; i++) {
-        y[0] = 1, y[1] = y[2] = 0, y[i] = VM_NAN;
+        y[0] = 1;
+        y[1] = y[2] = 0;
+        y[i] = VM_NAN;
         CHECK(vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE && vm_forced_join(&f, 0, y, d) == VM_NOT_FINITE);
     }
     CHECK(vm_forced_curve(&f, 0, 0, s) == VM_DOMAIN);
-    other = f, other.now.force = 0, CHECK(vm_forced_steady(&other, 0, s) == 0);
-    v.mass = NULL, p.mass = NULL; /* no laws */
+    other = f;
+    other.now.force = 0;
+    CHECK(vm_forced_steady(&other, 0, s) == 0);
+    v.mass = NULL;
+    p.mass = NULL; /* no laws */
     CHECK(vm_vdp_rhs(0, y, d, &v) == VM_BAD_ARGUMENT && vm_pair_rhs(0, y, d, &p) == VM_BAD_ARGUMENT);
     CHECK(vm_pair_split(&p, 0, y, d) == VM_BAD_ARGUMENT && vm_pair_join(&p, 0, y, d) == VM_BAD_ARGUMENT);
     r.stiffness = NULL;
     CHECK(is_nan(vm_laval_frequency(&r, 1, 1, 1)) && is_nan(vm_laval_amplitude(&r, 1, 1, 2)));
     CHECK(vm_laval_averaged_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
-    r.mass = NULL, CHECK(vm_laval_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
+    r.mass = NULL;
+    CHECK(vm_laval_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
     CHECK(is_nan(vm_adiabaticity(1, VM_INFINITY, 1, 1, 0, 0, 0, 3)) &&
           is_nan(vm_adiabaticity(1, 1, VM_INFINITY, 1, 0, 0, 0, 3)));
     for (i = 0; i < 5; i++) CHECK(d[i] == 7); /* untouched by all of these */

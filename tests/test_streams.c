@@ -17,13 +17,21 @@ static vm_vec3 random_vector(double size)
 static vm_inertia tensor(double xx, double yy, double zz, double xy, double xz, double yz)
 {
     vm_inertia i;
-    i.xx = R(xx), i.yy = R(yy), i.zz = R(zz), i.xy = R(xy), i.xz = R(xz), i.yz = R(yz);
+    i.xx = R(xx);
+    i.yy = R(yy);
+    i.zz = R(zz);
+    i.xy = R(xy);
+    i.xz = R(xz);
+    i.yz = R(yz);
     return i;
 }
 static vm_quat quaternion(double w, double x, double y, double z)
 {
     vm_quat q;
-    q.w = R(w), q.x = R(x), q.y = R(y), q.z = R(z);
+    q.w = R(w);
+    q.x = R(x);
+    q.y = R(y);
+    q.z = R(z);
     return q;
 }
 static double size_of(vm_vec3 a) { return sqrt((double)vmi_dot(a, a)); }
@@ -37,7 +45,10 @@ static int solve_events(ode_rhs f, void *ctx, int n, vm_real *y, double t, doubl
     rk45_options o = rk45_defaults(NULL);
     rk45 s;
     int status, k;
-    o.rtol = PICK(256, 16) * VM_EPSILON, o.atol = o.rtol / 100, o.events = events, o.n_events = n_events;
+    o.rtol = PICK(256, 16) * VM_EPSILON;
+    o.atol = o.rtol / 100;
+    o.events = events;
+    o.n_events = n_events;
     status = is_float ? rk45_init(&s, f, ctx, n, R(t), y, &o, work) : rk87_init(&s, f, ctx, n, R(t), y, &o, work);
     if (status >= 0) status = is_float ? rk45_solve(&s, R(end)) : rk87_solve(&s, R(end));
     if (status == ODE_BAD_ARGUMENT) return status;
@@ -57,16 +68,23 @@ static vm_body case_e1(void)
 {
     vm_body b;
     memset(&b, 0, sizeof b);
-    b.mass = 6, b.inertia = tensor(2, 1.5, 1.1, .1, -.2, .05), b.q.w = 1;
-    b.v = vector(.1, .2, -.1), b.omega = vector(.3, -.4, .6);
+    b.mass = 6;
+    b.inertia = tensor(2, 1.5, 1.1, .1, -.2, .05);
+    b.q.w = 1;
+    b.v = vector(.1, .2, -.1);
+    b.omega = vector(.3, -.4, .6);
     return b;
 }
 static vm_stream case_e1_stream(void)
 {
     vm_stream s;
     memset(&s, 0, sizeof s);
-    s.rate = R(-.5), s.motion = VM_ABSOLUTE, s.at = vector(.5, -.3, .4), s.velocity = vector(1, -.4, .3);
-    s.spin = vector(.4, -.9, .2), s.gyration = tensor(.3, .5, .2, 0, 0, 0);
+    s.rate = R(-.5);
+    s.motion = VM_ABSOLUTE;
+    s.at = vector(.5, -.3, .4);
+    s.velocity = vector(1, -.4, .3);
+    s.spin = vector(.4, -.9, .2);
+    s.gyration = tensor(.3, .5, .2, 0, 0, 0);
     return s;
 }
 
@@ -108,9 +126,13 @@ static void test_e1(void)
         CHECK(size_of(at_centre.moment) == 0 && size_of(at_centre.drift) == 0); /* a stream at the mass centre */
     }
     /* (151), (152), (227)-(229): the rates of the momenta, of which (228) and (229) print I' Omega_2 */
-    flow.n = 1, flow.streams = (vm_stream *)&s, flow.force = force, flow.moment = torque;
+    flow.n = 1;
+    flow.streams = (vm_stream *)&s;
+    flow.force = force;
+    flow.moment = torque;
     CHECK(vm_flow_start(&flow, &b, y) == VM_OK && vm_rhs(0, y, dy, &flow) == 0);
-    rates[0] = vmi_load3(dy + VM_Y_P), rates[1] = vmi_load3(dy + VM_Y_H);
+    rates[0] = vmi_load3(dy + VM_Y_P);
+    rates[1] = vmi_load3(dy + VM_Y_H);
     check_error("(151),(227) (Mv)'", "E1", "abs", apart(rates[0], vmi_add(force, vmi_scale(s.rate, s.velocity))),
                 64 * bound, 0, 0);
     spin_rate = vmi_add(vmi_add(torque, loads.moment), vmi_scale(s.rate, vmi_inertia_times(&s.gyration, s.spin)));
@@ -134,8 +156,11 @@ static void test_components(void)
     vm_reactive loads;
     vm_vec3 dv = vector(0, 0, 0), dw = dv, F = vector(2, -3, .5), M = vector(.25, .75, -.5);
     double A = 2, B = 1.5, C = 1.25, p = .25, q = -.5, r = .75, p2 = 1, q2 = -.75, r2 = .5, k = -.5;
-    b.inertia = tensor(A, B, C, 0, 0, 0), b.omega = vector(p, q, r), s.spin = vector(p2, q2, r2);
-    s.at = vector(0, 0, 0), s.gyration = tensor(.25, .5, .125, 0, 0, 0);
+    b.inertia = tensor(A, B, C, 0, 0, 0);
+    b.omega = vector(p, q, r);
+    s.spin = vector(p2, q2, r2);
+    s.at = vector(0, 0, 0);
+    s.gyration = tensor(.25, .5, .125, 0, 0, 0);
     CHECK(!vm_reactive_loads(&b, s.at, 1, &s, &loads) && !vm_accelerations(&b, &loads, F, M, &dv, &dw));
     check_error("(161),(162)", "principal", "abs",
                 apart(vmi_scale(6, dv), vector(2 + k * (1 - .1), -3 + k * (-.4 - .2), .5 + k * (.3 + .1))),
@@ -172,16 +197,20 @@ static void tank_init_as(tank *k, int own)
     const vm_vec3 at = vector(.5, -.3, .4);
     const vm_inertia contents = own ? tensor(.35, .55, .25, .05, .05, .05) : tensor(0, 0, 0, 0, 0, 0);
     memset(k, 0, sizeof *k);
-    k->empty = 4, k->contents = 2;
+    k->empty = 4;
+    k->contents = 2;
     k->body = case_e1();
     k->body.mass = R(k->empty + k->contents);
     k->body.inertia = vmi_inertia_plus(vmi_inertia_plus(k->body.inertia, R(k->contents), contents),
                                        R(k->empty * k->contents / (k->empty + k->contents)),
                                        vmi_inertia_of_point(at));
-    k->stream.rate = R(-.5), k->stream.at = at, k->stream.velocity = vector(.7, .2, -.5);
+    k->stream.rate = R(-.5);
+    k->stream.at = at;
+    k->stream.velocity = vector(.7, .2, -.5);
     if (own) k->stream.spin = vector(.8, -.5, .3);
     k->stream.gyration = contents;
-    k->flow.n = 1, k->flow.streams = &k->stream;
+    k->flow.n = 1;
+    k->flow.streams = &k->stream;
     k->flow.centre = vmi_scale(R(k->contents / (k->empty + k->contents)), at);
 }
 
@@ -264,10 +293,12 @@ static void test_printed_tanks(void)
         tank_init_as(&k, own);
         CHECK(!vm_flow_start(&k.flow, &k.body, y) && solve(drift_rhs, &k, VM_RHS + 3, y, 0, 3) >= 0);
         CHECK(!vm_flow_body(&k.flow, VM_RHS, y, &b));
-        turn = vmi_rotation(b.q), omega = vmi_times_transposed(&turn, b.omega);
+        turn = vmi_rotation(b.q);
+        omega = vmi_times_transposed(&turn, b.omega);
         for (p.k = &k, p.full = 0; p.full < 2; p.full++) {
             double error;
-            vmi_store3(z, k.body.omega), vmi_store3(z + 3, k.body.v);
+            vmi_store3(z, k.body.omega);
+            vmi_store3(z + 3, k.body.v);
             CHECK(solve(printed_rhs, &p, 6, z, 0, 3) >= 0);
             error = largest(vmi_sub(vmi_load3(z), omega));
             if (p.full)
@@ -301,9 +332,14 @@ static void test_one_dimension(void)
         vm_stream1 s;
         vm_flow1 flow = {0};
         vm_real y[VM_RHS1], x = 0, v = 0;
-        s.rate = R(cases[i].rate), s.velocity = R(cases[i].u), s.motion = cases[i].motion;
-        flow.n = 1, flow.streams = &s;
-        y[0] = 0, y[1] = R(cases[i].m0 * cases[i].x0), y[2] = R(cases[i].m0);
+        s.rate = R(cases[i].rate);
+        s.velocity = R(cases[i].u);
+        s.motion = cases[i].motion;
+        flow.n = 1;
+        flow.streams = &s;
+        y[0] = 0;
+        y[1] = R(cases[i].m0 * cases[i].x0);
+        y[2] = R(cases[i].m0);
         CHECK(solve(vm_rhs1, &flow, VM_RHS1, y, 0, cases[i].t) >= 0);
         CHECK(!vm_linear_flow(R(cases[i].t), 0, R(cases[i].x0), R(cases[i].m0), 0, &s, &x, &v));
         check_error(cases[i].name, "vm_rhs1", "abs", fabs((double)(y[1] / y[2]) - cases[i].v), bound, 0, 0);
@@ -344,7 +380,8 @@ static void test_closed_forms(void)
                       line[i].m0 / least * line[i].t;
         vm_stream1 s;
         vm_real x = 0, v = 0;
-        s.rate = R(line[i].rate), s.velocity = R(line[i].w),
+        s.rate = R(line[i].rate);
+        s.velocity = R(line[i].w);
         s.motion = line[i].relative ? VM_RELATIVE : VM_ABSOLUTE;
         CHECK(!vm_linear_flow(R(line[i].t), R(line[i].x0), R(line[i].v0), R(line[i].m0), R(line[i].force), &s, &x,
                               &v));
@@ -367,9 +404,13 @@ static void test_closed_forms(void)
                               grow * fabs(jets[i].r) * jets[i].t);
         vm_jet j;
         vm_vec3 omega = vector(0, 0, 0);
-        j.rate = R(jets[i].rate), j.axial = R(jets[i].C), j.transverse = R(jets[i].A);
-        j.gyration_axial = R(jets[i].axial), j.gyration_transverse = R(jets[i].transverse);
-        j.gyration_out = R(jets[i].out), j.nozzle = R(jets[i].nozzle);
+        j.rate = R(jets[i].rate);
+        j.axial = R(jets[i].C);
+        j.transverse = R(jets[i].A);
+        j.gyration_axial = R(jets[i].axial);
+        j.gyration_transverse = R(jets[i].transverse);
+        j.gyration_out = R(jets[i].out);
+        j.nozzle = R(jets[i].nozzle);
         CHECK(!vm_jet_damping(R(jets[i].t), &j, vector(jets[i].p, jets[i].q, jets[i].r), &omega));
         check_error("vm_jet_damping", "random", "eps*",
                     hypot((double)omega.x - jets[i].x, (double)omega.y - jets[i].y) / eps / scale, 8, tau,
@@ -400,16 +441,20 @@ static void scene_init(scene *k)
     int i;
     memset(k, 0, sizeof *k);
     k->body = case_e1();
-    k->body.q = quaternion(.5, -.4, .7, .2), k->body.r = vector(1, -2, .5);
+    k->body.q = quaternion(.5, -.4, .7, .2);
+    k->body.r = vector(1, -2, .5);
     for (i = 0; i < 4; i++) {
         vm_stream *s = k->streams + i;
         s->motion = i;
         s->rate = R(i % 2 ? .3 + .1 * i : -.4 + .05 * i);
         s->at = vector(.5 - .2 * i, .1 * i - .3, .4 - .3 * i);
-        s->velocity = vector(.7 * i - 1, .2 + i, .5 - .4 * i), s->spin = vector(.8 - i, .5, .3 * i);
+        s->velocity = vector(.7 * i - 1, .2 + i, .5 - .4 * i);
+        s->spin = vector(.8 - i, .5, .3 * i);
         s->gyration = tensor(.1, .12 + .01 * i, .09, .005 * i, -.02, .015);
     }
-    k->flow.n = 4, k->flow.streams = k->streams, k->flow.update = scene_loads,
+    k->flow.n = 4;
+    k->flow.streams = k->streams;
+    k->flow.update = scene_loads;
     k->flow.centre = vector(.1, .05, -.1);
 }
 
@@ -456,27 +501,37 @@ static int shed_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     vmi_mat3 turn;
     int i;
     if (status || vm_flow_body(&k->flow, VM_RHS, y, &b)) return status ? status : -1;
-    turn = vmi_rotation(b.q), p = vmi_scale(-1, F), l = vmi_scale(-1, vmi_add(M, vmi_cross(b.r, F)));
+    turn = vmi_rotation(b.q);
+    p = vmi_scale(-1, F);
+    l = vmi_scale(-1, vmi_add(M, vmi_cross(b.r, F)));
     work = (double)(vmi_dot(F, b.v) + vmi_dot(M, b.omega));
     for (i = 0; i < 4; i++) {
         const vm_stream *s = k->streams + i;
         const vm_vec3 d = vmi_times(&turn, vmi_sub(s->at, vmi_load3(y + VM_Y_CENTRE)));
         const vm_vec3 point = vmi_add(b.v, vmi_cross(b.omega, d));
         vm_vec3 u = s->velocity, spin = s->spin, own, relative;
-        if (i == VM_RELATIVE)
-            u = vmi_add(point, vmi_times(&turn, u)), spin = vmi_add(b.omega, vmi_times(&turn, spin));
-        if (i == VM_CARRIED) u = point, spin = b.omega;
+        if (i == VM_RELATIVE) {
+            u = vmi_add(point, vmi_times(&turn, u));
+            spin = vmi_add(b.omega, vmi_times(&turn, spin));
+        }
+        if (i == VM_CARRIED) {
+            u = point;
+            spin = b.omega;
+        }
         if (i == VM_AT_REST) u = spin = vector(0, 0, 0);
         own = vmi_times(&turn, vmi_inertia_times(&s->gyration, vmi_times_transposed(&turn, spin)));
         p = vmi_sub(p, vmi_scale(s->rate, u));
         l = vmi_sub(l, vmi_scale(s->rate, vmi_add(vmi_cross(vmi_add(b.r, d), u), own)));
         energy -= (double)(s->rate * (vmi_dot(u, u) + vmi_dot(spin, own))) / 2;
-        u = vmi_sub(u, point), relative = vmi_sub(spin, b.omega);
+        u = vmi_sub(u, point);
+        relative = vmi_sub(spin, b.omega);
         own = vmi_times(&turn, vmi_inertia_times(&s->gyration, vmi_times_transposed(&turn, relative)));
         work -= (double)(s->rate * (vmi_dot(u, u) + vmi_dot(relative, own))) / 2;
     }
-    vmi_store3(dydt + SHED_P, p), vmi_store3(dydt + SHED_L, l);
-    dydt[SHED_T] = R(energy), dydt[WORK] = R(work);
+    vmi_store3(dydt + SHED_P, p);
+    vmi_store3(dydt + SHED_L, l);
+    dydt[SHED_T] = R(energy);
+    dydt[WORK] = R(work);
     return 0;
 }
 
@@ -512,7 +567,8 @@ static void test_balance_of_tolerance(void)
         rk45_options o = rk45_defaults(NULL);
         rk45 s;
         scene_init(&k);
-        o.rtol = R(tolerance), o.atol = R(1e-3 * tolerance);
+        o.rtol = R(tolerance);
+        o.atol = R(1e-3 * tolerance);
         CHECK(vm_flow_start(&k.flow, &k.body, y) == VM_OK);
         balances(&k.flow, y, &p0, &h0, &e0);
         CHECK(rk45_init(&s, vm_rhs_balanced, &k.flow, VM_RHS_BALANCED, 0, y, &o, work) >= 0 &&
@@ -532,7 +588,8 @@ static void test_small_jumps(void)
     int i, sign;
     vm_real y[VM_RHS_BALANCED] = {0}, dy[VM_RHS_BALANCED];
     scene_init(&k);
-    k.flow.update = NULL, k.flow.centre = vector(0, 0, 0);
+    k.flow.update = NULL;
+    k.flow.centre = vector(0, 0, 0);
     for (i = 0; i < 4; i++)
         for (sign = -1; sign < 2; sign += 2) {
             const double dt = PICK(1e-6, 1e-2);
@@ -543,19 +600,32 @@ static void test_small_jumps(void)
             double dT;
             vmi_mat3 turn = vmi_rotation(k.body.q);
             s->rate = R(.5 * sign);
-            k.flow.n = 1, k.flow.streams = s, k.flow.force = F, k.flow.moment = M;
+            k.flow.n = 1;
+            k.flow.streams = s;
+            k.flow.force = F;
+            k.flow.moment = M;
             CHECK(!vm_flow_start(&k.flow, &k.body, y) && !vm_rhs_balanced(0, y, dy, &k.flow));
             d = vmi_times(&turn, s->at);
-            part.mass = R(.5 * dt), part.r = vmi_add(k.body.r, d);
+            part.mass = R(.5 * dt);
+            part.r = vmi_add(k.body.r, d);
             part.inertia = vmi_stream_own(part.mass, &s->gyration);
-            part.v = vmi_vec3(0, 0, 0), part.omega = vmi_vec3(0, 0, 0);
-            if (i == VM_RELATIVE || i == VM_CARRIED)
-                part.v = vmi_add(k.body.v, vmi_cross(k.body.omega, d)), part.omega = k.body.omega;
-            if (i == VM_RELATIVE)
-                part.v = vmi_add(part.v, vmi_times(&turn, s->velocity)),
+            part.v = vmi_vec3(0, 0, 0);
+            part.omega = vmi_vec3(0, 0, 0);
+            if (i == VM_RELATIVE || i == VM_CARRIED) {
+                part.v = vmi_add(k.body.v, vmi_cross(k.body.omega, d));
+                part.omega = k.body.omega;
+            }
+            if (i == VM_RELATIVE) {
+                part.v = vmi_add(part.v, vmi_times(&turn, s->velocity));
                 part.omega = vmi_add(part.omega, vmi_times(&turn, s->spin));
-            if (i == VM_ABSOLUTE) part.v = s->velocity, part.omega = s->spin;
-            outer.linear = vmi_scale(R(dt), F), outer.couple = vmi_scale(R(dt), M), outer.at = k.body.r;
+            }
+            if (i == VM_ABSOLUTE) {
+                part.v = s->velocity;
+                part.omega = s->spin;
+            }
+            outer.linear = vmi_scale(R(dt), F);
+            outer.couple = vmi_scale(R(dt), M);
+            outer.at = k.body.r;
             CHECK((sign > 0 ? vm_attach : vm_separate)(&k.body, &part, &outer, &after) == VM_OK);
             dK = vmi_scale(R(1 / dt), vmi_sub(vm_momentum(&after), vm_momentum(&k.body)));
             dL = vmi_scale(R(1 / dt), vmi_sub(vmi_spin_momentum(&after), vmi_spin_momentum(&k.body)));
@@ -587,7 +657,8 @@ static void tank_by_jumps(long jumps, vm_vec3 *omega, vm_vec3 *v, vm_vec3 *r)
     long i;
     vmi_mat3 turn;
     tank_init(&k);
-    b = k.body, centre = k.flow.centre;
+    b = k.body;
+    centre = k.flow.centre;
     k.flow.n = 0; /* free motion between the jumps */
     for (i = 0; i < 2 * jumps; i++) {
         vm_real work[RK4_WORK(VM_RHS)], t = 0;
@@ -598,7 +669,8 @@ static void tank_by_jumps(long jumps, vm_vec3 *omega, vm_vec3 *v, vm_vec3 *r)
             vm_body part = b;
             const vm_vec3 d = vmi_sub(k.stream.at, centre);
             turn = vmi_rotation(b.q);
-            part.mass = R(.5 * h), part.r = vmi_add(b.r, vmi_times(&turn, d));
+            part.mass = R(.5 * h);
+            part.r = vmi_add(b.r, vmi_times(&turn, d));
             part.v = vmi_add(b.v, vmi_times(&turn, vmi_add(k.stream.velocity,
                                                            vmi_cross(vmi_times_transposed(&turn, b.omega), d))));
             part.omega = vmi_add(b.omega, vmi_times(&turn, k.stream.spin));
@@ -608,7 +680,9 @@ static void tank_by_jumps(long jumps, vm_vec3 *omega, vm_vec3 *v, vm_vec3 *r)
         }
     }
     turn = vmi_rotation(b.q);
-    *omega = vmi_times_transposed(&turn, b.omega), *v = vmi_times_transposed(&turn, b.v), *r = b.r;
+    *omega = vmi_times_transposed(&turn, b.omega);
+    *v = vmi_times_transposed(&turn, b.v);
+    *r = b.r;
 }
 
 static void test_jump_limit(void)
@@ -626,7 +700,9 @@ static void test_jump_limit(void)
     solve(vm_rhs, &k.flow, VM_RHS, y, 0, 3);
     vm_flow_body(&k.flow, VM_RHS, y, &b);
     turn = vmi_rotation(b.q);
-    exact[0] = vmi_times_transposed(&turn, b.omega), exact[1] = vmi_times_transposed(&turn, b.v), exact[2] = b.r;
+    exact[0] = vmi_times_transposed(&turn, b.omega);
+    exact[1] = vmi_times_transposed(&turn, b.v);
+    exact[2] = b.r;
     for (i = 0; i < 3; i++) tank_by_jumps(jumps << i, omega + i, v + i, r + i);
     for (j = 0; j < 3; j++) {
         const vm_vec3 *x = j == 0 ? omega : j == 1 ? v : r;
@@ -685,12 +761,17 @@ static void test_mass_centre(int with_store)
     int i;
     scene_init(&k);
     k.flow.update = NULL;
-    store.at = vector(-.2, .3, .1), store.gyration = tensor(.1, .2, .15, 0, .01, 0);
-    if (with_store) k.streams[0].from = &store, k.streams[3].from = &store;
+    store.at = vector(-.2, .3, .1);
+    store.gyration = tensor(.1, .2, .15, 0, .01, 0);
+    if (with_store) {
+        k.streams[0].from = &store;
+        k.streams[3].from = &store;
+    }
     CHECK(vm_flow_start(&k.flow, &k.body, y) == VM_OK);
     for (i = 0; i < VM_RHS; i++) z[0][i] = z[1][i] = y[i];
     m.k = &k;
-    X0 = vmi_scale(y[VM_Y_MASS], vmi_load3(y)), P0 = vmi_load3(y + VM_Y_P);
+    X0 = vmi_scale(y[VM_Y_MASS], vmi_load3(y));
+    P0 = vmi_load3(y + VM_Y_P);
     balances(&k.flow, y, &p, &h, &e);
     CHECK(solve(first_moment_rhs, &m, VM_RHS_BALANCED + 3, y, 0, 3) >= 0);
     X = vmi_add(vmi_scale(y[VM_Y_MASS], vmi_load3(y)), vmi_load3(y + VM_RHS_BALANCED));
@@ -721,11 +802,17 @@ static void test_translation(void)
     vm_real y[VM_RHS], z[VM_RHS_TRANSLATION], dy[VM_RHS], dz[VM_RHS_TRANSLATION];
     int i;
     scene_init(&k);
-    k.body.q = quaternion(1, 0, 0, 0), k.body.omega = vector(0, 0, 0);
-    k.flow.update = NULL, k.flow.force = vector(1, 2, 3), k.flow.centre = vector(0, 0, 0);
+    k.body.q = quaternion(1, 0, 0, 0);
+    k.body.omega = vector(0, 0, 0);
+    k.flow.update = NULL;
+    k.flow.force = vector(1, 2, 3);
+    k.flow.centre = vector(0, 0, 0);
     for (i = 0; i < 4; i++) k.streams[i].at = vector(0, 0, 0);
     CHECK(!vm_flow_start(&k.flow, &k.body, y));
-    for (i = 0; i < 3; i++) z[i] = y[i], z[3 + i] = y[VM_Y_P + i];
+    for (i = 0; i < 3; i++) {
+        z[i] = y[i];
+        z[3 + i] = y[VM_Y_P + i];
+    }
     z[6] = y[VM_Y_MASS];
     CHECK(!vm_rhs(0, y, dy, &k.flow) && !vm_rhs_translation(0, z, dz, &k.flow));
     for (i = 0; i < 3; i++) {
@@ -742,8 +829,14 @@ static void test_line(void)
     vm_flow1 flow = {0};
     vm_real y[VM_RHS1] = {1, 3, 2}, dy[VM_RHS1]; /* v = 1.5 */
     int i;
-    for (i = 0; i < 4; i++) s[i].rate = R(.5 * i - 1), s[i].velocity = R(2 + i), s[i].motion = i;
-    flow.n = 4, flow.streams = s, flow.force = R(.25);
+    for (i = 0; i < 4; i++) {
+        s[i].rate = R(.5 * i - 1);
+        s[i].velocity = R(2 + i);
+        s[i].motion = i;
+    }
+    flow.n = 4;
+    flow.streams = s;
+    flow.force = R(.25);
     CHECK(!vm_rhs1(0, y, dy, &flow));
     check_error("(175),(176)", "4 streams", "eps",
                 (fabs((double)dy[1] - (.25 - 1 * (1.5 + 2) - .5 * 3 + 0 * 1.5 + .5 * 0)) + fabs((double)dy[2] + 1) +
@@ -762,23 +855,49 @@ static void test_plane(void)
     vm_real y[VM_RHS], dy[VM_RHS], z[VM_RHS2], dz[VM_RHS2];
     const double angle = 2.3;
     int i;
-    memset(s3, 0, sizeof s3), memset(s2, 0, sizeof s2);
-    b = case_e1(), b.v.z = 0, b.omega = vector(0, 0, .6), b.inertia = tensor(2, 1.5, 1.1, .1, 0, 0);
+    memset(s3, 0, sizeof s3);
+    memset(s2, 0, sizeof s2);
+    b = case_e1();
+    b.v.z = 0;
+    b.omega = vector(0, 0, .6);
+    b.inertia = tensor(2, 1.5, 1.1, .1, 0, 0);
     b.q = quaternion(cos(angle / 2), 0, 0, sin(angle / 2));
     for (i = 0; i < 4; i++) {
-        s2[i].rate = R(i % 2 ? .3 : -.2 - .1 * i), s2[i].motion = i, s2[i].x = R(.3 - .2 * i),
+        s2[i].rate = R(i % 2 ? .3 : -.2 - .1 * i);
+        s2[i].motion = i;
+        s2[i].x = R(.3 - .2 * i);
         s2[i].y = R(.1 + .15 * i);
-        s2[i].vx = R(1 - i), s2[i].vy = R(.5 * i), s2[i].spin = R(.4 + i), s2[i].gyration = R(.1 + .02 * i);
-        s3[i].rate = s2[i].rate, s3[i].motion = i, s3[i].at = vmi_vec3(s2[i].x, s2[i].y, 0);
-        s3[i].velocity = vmi_vec3(s2[i].vx, s2[i].vy, 0), s3[i].spin.z = s2[i].spin,
+        s2[i].vx = R(1 - i);
+        s2[i].vy = R(.5 * i);
+        s2[i].spin = R(.4 + i);
+        s2[i].gyration = R(.1 + .02 * i);
+        s3[i].rate = s2[i].rate;
+        s3[i].motion = i;
+        s3[i].at = vmi_vec3(s2[i].x, s2[i].y, 0);
+        s3[i].velocity = vmi_vec3(s2[i].vx, s2[i].vy, 0);
+        s3[i].spin.z = s2[i].spin;
         s3[i].gyration.zz = s2[i].gyration;
     }
-    flow.n = flow2.n = 4, flow.streams = s3, flow2.streams = s2, flow.centre = vector(.05, -.1, 0);
-    flow.force = vector(.5, -.25, 0), flow.moment.z = R(.125), flow2.fx = R(.5), flow2.fy = R(-.25),
+    flow.n = flow2.n = 4;
+    flow.streams = s3;
+    flow2.streams = s2;
+    flow.centre = vector(.05, -.1, 0);
+    flow.force = vector(.5, -.25, 0);
+    flow.moment.z = R(.125);
+    flow2.fx = R(.5);
+    flow2.fy = R(-.25);
     flow2.moment = R(.125);
     CHECK(!vm_flow_start(&flow, &b, y));
-    z[0] = y[0], z[1] = y[1], z[2] = R(angle), z[3] = y[VM_Y_P], z[4] = y[VM_Y_P + 1], z[5] = y[VM_Y_H + 2];
-    z[6] = y[VM_Y_MASS], z[7] = y[VM_Y_CENTRE], z[8] = y[VM_Y_CENTRE + 1], z[9] = y[VM_Y_INERTIA + 2];
+    z[0] = y[0];
+    z[1] = y[1];
+    z[2] = R(angle);
+    z[3] = y[VM_Y_P];
+    z[4] = y[VM_Y_P + 1];
+    z[5] = y[VM_Y_H + 2];
+    z[6] = y[VM_Y_MASS];
+    z[7] = y[VM_Y_CENTRE];
+    z[8] = y[VM_Y_CENTRE + 1];
+    z[9] = y[VM_Y_INERTIA + 2];
     CHECK(!vm_rhs(0, y, dy, &flow) && !vm_rhs2(0, z, dz, &flow2));
     {
         const vm_real space[VM_RHS2] = {
@@ -823,7 +942,9 @@ static void test_carried(void)
     vm_real y[VM_RHS2] = {0, 0, 0, 0, 0, 0, 6, 0, 0, 1};
     const double omega = 1;
     double x = omega, t, h = 1e-3;
-    y[5] = 1, flow.n = 1, flow.streams = &s;
+    y[5] = 1;
+    flow.n = 1;
+    flow.streams = &s;
     CHECK(solve(vm_rhs2, &flow, VM_RHS2, y, 0, 2) >= 0);
     check_error("(166) omega stays", "plane", "abs", fabs((double)(y[5] / y[9]) - 1), PICK(1e-12, 1e-5), 0, 0);
     ERRATUM("(166)", hypot((double)y[3], (double)y[4]) > .1, /* momentum was given off, though carried */
@@ -843,7 +964,8 @@ static int tank_law(vm_real t, const vm_real *y, vm_flow *flow)
     const tank *k = (const tank *)flow->ctx;
     const double contents = k->contents - .5 * (double)t, mass = k->empty + contents;
     (void)y;
-    flow->mass = R(mass), flow->centre = vmi_scale(R(contents / mass), k->stream.at);
+    flow->mass = R(mass);
+    flow->centre = vmi_scale(R(contents / mass), k->stream.at);
     flow->inertia = vmi_inertia_plus(case_e1().inertia, R(contents), k->stream.gyration);
     flow->inertia = vmi_inertia_plus(flow->inertia, R(k->empty * contents / mass),
                                      vmi_inertia_of_point(k->stream.at));
@@ -860,10 +982,13 @@ static void test_given(void)
         vm_real full[VM_RHS], given[VM_RHS];
         vm_body a, b;
         tank_init(&k);
-        k.stream.motion = motion, k.flow.force = vector(.3, -1, .5), k.flow.moment = vector(.1, .2, -.3);
+        k.stream.motion = motion;
+        k.flow.force = vector(.3, -1, .5);
+        k.flow.moment = vector(.1, .2, -.3);
         CHECK(!vm_flow_start(&k.flow, &k.body, full) && !vm_flow_start(&k.flow, &k.body, given));
         CHECK(solve(vm_rhs, &k.flow, VM_RHS, full, 0, 3) >= 0 && !vm_flow_body(&k.flow, VM_RHS, full, &a));
-        k.flow.update = tank_law, k.flow.ctx = &k;
+        k.flow.update = tank_law;
+        k.flow.ctx = &k;
         CHECK(solve(vm_rhs_given, &k.flow, VM_RHS_GIVEN, given, 0, 3) >= 0);
         tank_law(3, given, &k.flow);
         for (i = VM_RHS_GIVEN; i < VM_RHS; i++) given[i] = VM_NAN; /* not looked at */
@@ -872,8 +997,11 @@ static void test_given(void)
                     apart(a.r, b.r) + apart(a.v, b.v) + apart(a.omega, b.omega), bound, motion, 0);
         if (motion == VM_CARRIED) {
             vmi_mat3 turn;
-            vmi_store3(given, k.body.r), given[3] = 1, given[4] = given[5] = given[6] = 0;
-            vmi_store3(given + VM_Y_P, k.body.v), vmi_store3(given + VM_Y_H, k.body.omega);
+            vmi_store3(given, k.body.r);
+            given[3] = 1;
+            given[4] = given[5] = given[6] = 0;
+            vmi_store3(given + VM_Y_P, k.body.v);
+            vmi_store3(given + VM_Y_H, k.body.omega);
             CHECK(solve(vm_rhs_carried, &k.flow, VM_RHS_GIVEN, given, 0, 3) >= 0);
             turn = vmi_rotation(vmi_stream_load_quat(given + VM_Y_Q));
             check_error("(166)", "vm_rhs_carried", "abs",
@@ -892,7 +1020,9 @@ static void test_at_rest(void)
     vm_real y[VM_RHS], z[VM_RHS], dy[VM_RHS], dz[VM_RHS];
     vm_vec3 moment, d;
     tank_init(&k);
-    k.stream.motion = VM_AT_REST, k.flow.force = vector(1, 2, 3), k.flow.moment = vector(.1, .2, .3);
+    k.stream.motion = VM_AT_REST;
+    k.flow.force = vector(1, 2, 3);
+    k.flow.moment = vector(.1, .2, .3);
     CHECK(!vm_flow_start(&k.flow, &k.body, y) && !vm_rhs(0, y, dy, &k.flow));
     CHECK(!vm_reactive_loads(&k.body, k.flow.centre, 1, &k.stream, &loads));
     d = vmi_sub(k.stream.at, k.flow.centre);
@@ -926,13 +1056,25 @@ static void test_jet_damping(void)
         vm_real y[VM_RHS];
         vm_vec3 omega = vector(0, 0, 0);
         memset(&s, 0, sizeof s);
-        b = case_e1(), b.inertia = tensor(6, 6, 1, 0, 0, 0), b.omega = vector(.3, -.2, 4);
-        jet.rate = R(.5 * sign), jet.axial = 1, jet.transverse = 6, jet.nozzle = R(1.5), jet.gyration_axial = R(.2);
-        jet.gyration_transverse = R(.75), jet.gyration_out = R(.125);
-        store.at = vector(0, 0, 0), store.gyration = tensor(.75, .75, .2, 0, 0, 0);
-        s.rate = jet.rate, s.at = vector(0, 0, -1.5), s.velocity = vector(0, 0, -2000), s.from = &store;
+        b = case_e1();
+        b.inertia = tensor(6, 6, 1, 0, 0, 0);
+        b.omega = vector(.3, -.2, 4);
+        jet.rate = R(.5 * sign);
+        jet.axial = 1;
+        jet.transverse = 6;
+        jet.nozzle = R(1.5);
+        jet.gyration_axial = R(.2);
+        jet.gyration_transverse = R(.75);
+        jet.gyration_out = R(.125);
+        store.at = vector(0, 0, 0);
+        store.gyration = tensor(.75, .75, .2, 0, 0, 0);
+        s.rate = jet.rate;
+        s.at = vector(0, 0, -1.5);
+        s.velocity = vector(0, 0, -2000);
+        s.from = &store;
         s.gyration = tensor(.125, .125, .2, 0, 0, 0);
-        flow.n = 1, flow.streams = &s;
+        flow.n = 1;
+        flow.streams = &s;
         b.mass = 1000; /* no propellant: the mass centre stays where it is */
         CHECK(!vm_flow_start(&flow, &b, y) && solve(vm_rhs, &flow, VM_RHS, y, 0, 3) >= 0);
         CHECK(!vm_flow_body(&flow, VM_RHS, y, &b) && !vm_jet_damping(3, &jet, vector(.3, -.2, 4), &omega));
@@ -955,8 +1097,12 @@ static void test_running_out(void)
     double t;
     memset(&dry, 0, sizeof dry);
     tank_init(&k);
-    k.stream.at = k.flow.centre = vector(0, 0, 0), k.stream.gyration = tensor(.05, .05, .05, 0, 0, 0);
-    dry.g = vm_flow_mass_left, dry.ctx = &k.flow, dry.direction = -1, dry.action = ODE_STOP,
+    k.stream.at = k.flow.centre = vector(0, 0, 0);
+    k.stream.gyration = tensor(.05, .05, .05, 0, 0, 0);
+    dry.g = vm_flow_mass_left;
+    dry.ctx = &k.flow;
+    dry.direction = -1;
+    dry.action = ODE_STOP;
     k.flow.least_mass = R(.25);
     CHECK(!vm_flow_start(&k.flow, &k.body, y));
     CHECK(solve_events(vm_rhs, &k.flow, VM_RHS, y, 0, 100, &dry, 1, &t) == ODE_EVENT);
@@ -970,7 +1116,8 @@ static void test_running_out(void)
     /* the inertia first */
     k.body.inertia = tensor(2, 1.5, 1.2, 0, 0, 0); /* what leaves is like the body: all moments end at t = 6 */
     k.stream.gyration = tensor(2 / 3., .5, .4, 0, 0, 0);
-    dry.g = vm_flow_inertia_left, k.flow.least_inertia = R(.01);
+    dry.g = vm_flow_inertia_left;
+    k.flow.least_inertia = R(.01);
     CHECK(!vm_flow_start(&k.flow, &k.body, y));
     memset(&dry.count, 0, sizeof dry.count);
     CHECK(solve_events(vm_rhs, &k.flow, VM_RHS, y, 0, 100, &dry, 1, &t) == ODE_EVENT);
@@ -983,7 +1130,8 @@ static void test_running_out(void)
         vm_flow1 line = {0};
         vm_stream1 s = {-1, 0, VM_CARRIED};
         vm_real z[VM_RHS1] = {0, 1, 1};
-        line.n = 1, line.streams = &s;
+        line.n = 1;
+        line.streams = &s;
         CHECK(solve(vm_rhs1, &line, VM_RHS1, z, 0, 2) < 0 && line.status == VM_BAD_MASS && z[2] > 0 &&
               z[2] < R(1e-3));
     }
@@ -1030,8 +1178,11 @@ static void test_cancelling(void)
     }
     /* jets against each other: no force, a couple */
     memset(pair, 0, sizeof pair);
-    pair[0].rate = pair[1].rate = R(-.5), pair[0].at = vector(0, 1, 0), pair[1].at = vector(0, -1, 0);
-    pair[0].velocity = vector(10, 0, 0), pair[1].velocity = vector(-10, 0, 0);
+    pair[0].rate = pair[1].rate = R(-.5);
+    pair[0].at = vector(0, 1, 0);
+    pair[1].at = vector(0, -1, 0);
+    pair[0].velocity = vector(10, 0, 0);
+    pair[1].velocity = vector(-10, 0, 0);
     k.body.omega = vector(0, 0, 0);
     k.body.q = quaternion(1, 0, 0, 0);
     CHECK(!vm_reactive_loads(&k.body, vector(0, 0, 0), 2, pair, &loads));
@@ -1051,8 +1202,11 @@ static void test_mass_ratios(void)
         vm_body b = case_e1();
         vm_real y[VM_RHS];
         memset(&s, 0, sizeof s);
-        s.rate = R(6 * change), s.motion = VM_AT_REST, s.gyration = tensor(.4, .4, .4, 0, 0, 0);
-        flow.n = 1, flow.streams = &s;
+        s.rate = R(6 * change);
+        s.motion = VM_AT_REST;
+        s.gyration = tensor(.4, .4, .4, 0, 0, 0);
+        flow.n = 1;
+        flow.streams = &s;
         b.inertia = tensor(2.4, 2.4, 2.4, 0, 0, 0);
         CHECK(!vm_flow_start(&flow, &b, y) && solve(vm_rhs, &flow, VM_RHS, y, 0, 1) >= 0);
         CHECK(!vm_flow_body(&flow, VM_RHS, y, &b));
@@ -1065,7 +1219,8 @@ static void test_mass_ratios(void)
         vm_stream1 s = {-1, 0, VM_AT_REST};
         vm_real z[VM_RHS1] = {0, 1, 1};
         const double least = PICK(1e-12, 1e-5);
-        line.n = 1, line.streams = &s;
+        line.n = 1;
+        line.streams = &s;
         CHECK(solve(vm_rhs1, &line, VM_RHS1, z, 0, 1 - least) >= 0);
         check_error("mass ratios", "to 1e-12", "rel", fabs((double)(z[2]) / least - 1), PICK(1e-3, .1), 0, 0);
     }
@@ -1083,7 +1238,8 @@ static void test_revolutions(void)
     vm_vec3 h;
     double norm, worst = 0;
     int i;
-    b.inertia = tensor(2, 2, 1, 0, 0, 0), b.omega = vector(.01 * speed, 0, speed);
+    b.inertia = tensor(2, 2, 1, 0, 0, 0);
+    b.omega = vector(.01 * speed, 0, speed);
     CHECK(!vm_flow_start(&flow, &b, y));
     h = vmi_load3(y + VM_Y_H);
     for (i = 0; i < 10; i++) {
@@ -1110,10 +1266,12 @@ static void test_precession(void)
     rk45 s;
     double energy, cosine, tolerance = PICK(1e-10, 1e-5), revolutions = PICK(1e4, 1e2);
     vmi_mat3 turn;
-    b.inertia = tensor(2, 2, 1, 0, 0, 0), b.omega = vector(.6, 0, 2 * (double)VM_PI);
+    b.inertia = tensor(2, 2, 1, 0, 0, 0);
+    b.omega = vector(.6, 0, 2 * (double)VM_PI);
     o.rtol = R(tolerance);
     CHECK(!vm_flow_start(&flow, &b, y));
-    energy = (double)vm_kinetic_energy(&b), cosine = (double)(y[VM_Y_H + 2]);
+    energy = (double)vm_kinetic_energy(&b);
+    cosine = (double)(y[VM_Y_H + 2]);
     CHECK((is_float ? rk45_init : rk87_init)(&s, vm_rhs_given, &flow, VM_RHS_GIVEN, 0, y, &o, work) >= 0);
     CHECK((is_float ? rk45_solve : rk87_solve)(&s, R(revolutions)) >= 0 &&
           !vm_flow_body(&flow, VM_RHS_GIVEN, s.y, &b));
@@ -1150,22 +1308,26 @@ static void test_order(void)
 /* Rates that switch: an event each, no smearing. The thrust ends at a speed and starts again at a height. */
 static vm_real below_speed(vm_real t, const vm_real *y, void *flow)
 {
-    (void)t, (void)flow;
+    (void)t;
+    (void)flow;
     return y[VM_Y_P] - 2 * y[VM_Y_MASS];
 }
 static vm_real below_place(vm_real t, const vm_real *y, void *flow)
 {
-    (void)t, (void)flow;
+    (void)t;
+    (void)flow;
     return y[VM_Y_R] - 10;
 }
 static void thrust_off(vm_real t, vm_real *y, void *flow)
 {
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     ((vm_flow *)flow)->streams[0].rate = 0;
 }
 static void thrust_on(vm_real t, vm_real *y, void *flow)
 {
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     ((vm_flow *)flow)->streams[0].rate = R(-.25);
 }
 
@@ -1177,18 +1339,26 @@ static void test_switching(void)
     vm_real y[VM_RHS];
     ode_event events[2];
     double t1, x1, t2, mass, v;
-    memset(&s, 0, sizeof s), memset(events, 0, sizeof events);
-    b.v = vector(0, 0, 0), b.omega = vector(0, 0, 0);
-    s.rate = R(-.5), s.velocity = vector(-8, 0, 0);
-    flow.n = 1, flow.streams = &s;
-    events[0].g = below_speed, events[0].change = thrust_off, events[1].g = below_place,
+    memset(&s, 0, sizeof s);
+    memset(events, 0, sizeof events);
+    b.v = vector(0, 0, 0);
+    b.omega = vector(0, 0, 0);
+    s.rate = R(-.5);
+    s.velocity = vector(-8, 0, 0);
+    flow.n = 1;
+    flow.streams = &s;
+    events[0].g = below_speed;
+    events[0].change = thrust_off;
+    events[1].g = below_place;
     events[1].change = thrust_on;
-    events[0].ctx = events[1].ctx = &flow, events[0].action = events[1].action = ODE_RESTART;
+    events[0].ctx = events[1].ctx = &flow;
+    events[0].action = events[1].action = ODE_RESTART;
     events[0].direction = events[1].direction = 1;
     CHECK(!vm_flow_start(&flow, &b, y));
     CHECK(solve_events(vm_rhs, &flow, VM_RHS, y, 0, 9, events, 2, NULL) >= 0);
     /* M = 6 exp(-v/8); x by Tsiolkovsky; on at x = 10 with v = 2 */
-    mass = 6 * exp(-.25), t1 = (6 - mass) / .5;
+    mass = 6 * exp(-.25);
+    t1 = (6 - mass) / .5;
     x1 = 8 * (t1 - mass / .5 * .25); /* integral of 8 ln(M0/M) */
     t2 = t1 + (10 - x1) / 2;
     v = 2 + 8 * log(mass / (mass - .25 * (9 - t2)));
@@ -1201,7 +1371,9 @@ static void test_switching(void)
 
 static int stopping(vm_real t, const vm_real *y, vm_flow *flow)
 {
-    (void)t, (void)y, (void)flow;
+    (void)t;
+    (void)y;
+    (void)flow;
     return 7;
 }
 
@@ -1214,7 +1386,8 @@ static void test_bad_input(void)
     vm_vec3 a, c;
     vm_body b;
     size_t i;
-    scene_init(&good), memset(&loads_kept, 0, sizeof loads_kept);
+    scene_init(&good);
+    memset(&loads_kept, 0, sizeof loads_kept);
     CHECK(!vm_flow_start(&good.flow, &good.body, kept) &&
           !vm_reactive_loads(&good.body, vector(0, 0, 0), 4, good.streams, &loads_kept));
     memcpy(y, kept, sizeof y);
@@ -1225,26 +1398,36 @@ static void test_bad_input(void)
          vm_reactive_loads(&k.body, vector(0, 0, 0), 4, k.streams, &loads) == (expected) && \
          !memcmp(&loads, &loads_kept, sizeof loads))
     for (i = 0; i < 3; i++) {
-        k = good, k.streams[2].rate = R(bad[i]);
+        k = good;
+        k.streams[2].rate = R(bad[i]);
         CHECK(REFUSED(VM_NOT_FINITE));
-        k = good, k.streams[1].velocity.y = R(bad[i]);
+        k = good;
+        k.streams[1].velocity.y = R(bad[i]);
         CHECK(REFUSED(VM_NOT_FINITE));
-        k = good, k.streams[3].gyration.xy = R(bad[i]);
+        k = good;
+        k.streams[3].gyration.xy = R(bad[i]);
         CHECK(REFUSED(VM_NOT_FINITE));
-        k = good, k.body.mass = R(bad[i]);
+        k = good;
+        k.body.mass = R(bad[i]);
         CHECK(REFUSED(VM_NOT_FINITE));
-        k = good, k.body.inertia.yz = R(bad[i]);
+        k = good;
+        k.body.inertia.yz = R(bad[i]);
         CHECK(REFUSED(VM_NOT_FINITE));
     }
-    k = good, k.body.mass = -1;
+    k = good;
+    k.body.mass = -1;
     CHECK(REFUSED(VM_BAD_MASS));
-    k = good, k.body.mass = 0;
+    k = good;
+    k.body.mass = 0;
     CHECK(REFUSED(VM_BAD_MASS));
-    k = good, k.body.inertia.xx = -1;
+    k = good;
+    k.body.inertia.xx = -1;
     CHECK(REFUSED(VM_BAD_INERTIA));
-    k = good, k.streams[0].motion = 4;
+    k = good;
+    k.streams[0].motion = 4;
     CHECK(REFUSED(VM_BAD_ARGUMENT));
-    k = good, k.body.inertia = tensor(1, 1, 0, 0, 0, 0); /* a rod */
+    k = good;
+    k.body.inertia = tensor(1, 1, 0, 0, 0, 0); /* a rod */
     k.flow.streams = k.streams;
     CHECK(vm_flow_start(&k.flow, &k.body, y) == VM_BAD_INERTIA);
     CHECK(vm_accelerations(&k.body, &loads, vector(0, 0, 0), vector(0, 0, 0), &a, &c) == VM_BAD_INERTIA);
@@ -1252,28 +1435,41 @@ static void test_bad_input(void)
     CHECK(vm_flow_start(&k.flow, &k.body, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_flow_body(NULL, VM_RHS, y, &b) == VM_BAD_ARGUMENT &&
           vm_flow_body(&k.flow, 12, y, &b) == VM_BAD_ARGUMENT);
-    k = good, k.flow.streams = k.streams, k.flow.n = -1;
+    k = good;
+    k.flow.streams = k.streams;
+    k.flow.n = -1;
     CHECK(vm_flow_start(&k.flow, &k.body, y) == VM_BAD_ARGUMENT);
-    y[VM_Y_MASS] = -1, k.flow.n = 0;
+    y[VM_Y_MASS] = -1;
+    k.flow.n = 0;
     b = k.body;
     CHECK(vm_flow_body(&k.flow, VM_RHS, y, &b) == VM_BAD_MASS && !memcmp(&b, &k.body, sizeof b));
     CHECK(vm_rhs(0, y, dy, &k.flow) == 0 && dy[0] != dy[0] && k.flow.status == VM_BAD_MASS);
-    y[VM_Y_MASS] = 1, y[VM_Y_INERTIA + 1] = 0, k.flow.status = VM_OK;
+    y[VM_Y_MASS] = 1;
+    y[VM_Y_INERTIA + 1] = 0;
+    k.flow.status = VM_OK;
     CHECK(vm_rhs(0, y, dy, &k.flow) == 0 && dy[0] != dy[0] && k.flow.status == VM_BAD_INERTIA);
     /* an unknown motion and the caller's own refusal stop a run, at the state it had */
     memcpy(y, kept, sizeof y);
-    k = good, k.flow.streams = k.streams, k.streams[1].motion = -1;
+    k = good;
+    k.flow.streams = k.streams;
+    k.streams[1].motion = -1;
     CHECK(solve(vm_rhs, &k.flow, VM_RHS, y, 0, 1) == ODE_RHS_STOPPED && !memcmp(y, kept, sizeof y));
-    k = good, k.flow.streams = k.streams, k.flow.update = stopping;
+    k = good;
+    k.flow.streams = k.streams;
+    k.flow.update = stopping;
     CHECK(solve(vm_rhs, &k.flow, VM_RHS, y, 0, 1) == ODE_RHS_STOPPED && !memcmp(y, kept, sizeof y));
     /* a rate that becomes infinite */
-    k = good, k.flow.streams = k.streams, k.streams[1].rate = R(INFINITY), k.flow.update = NULL;
+    k = good;
+    k.flow.streams = k.streams;
+    k.streams[1].rate = R(INFINITY);
+    k.flow.update = NULL;
     CHECK(solve(vm_rhs, &k.flow, VM_RHS, y, 0, 1) == ODE_NOT_FINITE && !memcmp(y, kept, sizeof y));
     {
         vm_jet jet = {-1, 1, 1, R(.5), R(.5), R(.5), 1};
         vm_stream1 s = {-1, 0, VM_AT_REST};
         vm_real x = 3, v = 4;
-        a = vector(1, 2, 3), c = a;
+        a = vector(1, 2, 3);
+        c = a;
         CHECK(vm_jet_damping(3, &jet, a, &c) == VM_BAD_INERTIA && (double)c.x == 1);
         CHECK(vm_jet_damping(R(NAN), &jet, a, &c) == VM_NOT_FINITE && (double)c.x == 1);
         CHECK(vm_linear_flow(2, 0, 0, 1, 0, &s, &x, &v) == VM_BAD_MASS && x == 3 && v == 4);
@@ -1284,7 +1480,8 @@ static void test_bad_input(void)
         CHECK(!vm_linear_flow(R(.5), VM_MAX, -VM_MAX, 1, VM_MAX, &s, &x, &v) && x < VM_MAX);
         jet.nozzle = 30;
         CHECK(vm_jet_damping(R(-1.9), &jet, a, &c) == VM_NOT_FINITE && (double)c.x == 1); /* grows too large */
-        jet.nozzle = 1, jet.transverse = R(INFINITY);
+        jet.nozzle = 1;
+        jet.transverse = R(INFINITY);
         CHECK(vm_jet_damping(1, &jet, a, &c) == VM_NOT_FINITE && (double)c.x == 1);
         CHECK(isnan(vm_levi_civita(0, 1, 2, R(INFINITY), 0)) && isnan(vm_tsiolkovsky(R(INFINITY), 2, 1, 1)));
     }
@@ -1299,15 +1496,19 @@ static void test_overflow(void)
     vm_flow flow;
     vm_vec3 dv = vector(1, 2, 3), domega = dv;
     vm_real y[VM_RHS] = {7};
-    memset(&flow, 0, sizeof flow), memset(&loads, 0, sizeof loads);
+    memset(&flow, 0, sizeof flow);
+    memset(&loads, 0, sizeof loads);
     loads.mass_rate = 7;
-    s.rate = VM_MAX, s.velocity.x = 2;
+    s.rate = VM_MAX;
+    s.velocity.x = 2;
     CHECK(vm_reactive_loads(&b, dv, 1, &s, &loads) == VM_NOT_FINITE && loads.mass_rate == 7);
     b.v.y = VM_MAX;
     CHECK(vm_flow_start(&flow, &b, y) == VM_NOT_FINITE && y[0] == 7 && flow.mass == 0);
     b = case_e1();
     loads.torque.z = VM_MAX;
-    b.inertia.zz = R(.5), b.inertia.xx = b.inertia.yy = R(.4), b.inertia.xy = b.inertia.xz = b.inertia.yz = 0;
+    b.inertia.zz = R(.5);
+    b.inertia.xx = b.inertia.yy = R(.4);
+    b.inertia.xy = b.inertia.xz = b.inertia.yz = 0;
     CHECK(vm_accelerations(&b, &loads, dv, dv, &dv, &domega) == VM_NOT_FINITE && dv.x == 1 && domega.x == 1);
 }
 
@@ -1322,7 +1523,11 @@ static void test_unknown_motion(void)
     vm_flow2 flow2 = {1, NULL, 0, 0, 0, NULL, NULL, 0};
     vm_real y[VM_RHS2] = {0, 1, 1, 1, 1, 1, 1, 0, 0, 1};
     memset(&flow, 0, sizeof flow);
-    s.motion = 4, flow.n = 1, flow.streams = &s, flow1.streams = &s1, flow2.streams = &s2;
+    s.motion = 4;
+    flow.n = 1;
+    flow.streams = &s;
+    flow1.streams = &s1;
+    flow2.streams = &s2;
     CHECK(solve(vm_rhs_translation, &flow, VM_RHS_TRANSLATION, y, 0, 1) == ODE_RHS_STOPPED);
     CHECK(solve(vm_rhs1, &flow1, VM_RHS1, y, 0, 1) == ODE_RHS_STOPPED);
     CHECK(solve(vm_rhs2, &flow2, VM_RHS2, y, 0, 1) == ODE_RHS_STOPPED);
@@ -1343,8 +1548,13 @@ static void test_bad_states(void)
     void *ctx[5];
     int i, k;
     memset(&s, 0, sizeof s);
-    ctx[0] = &flow1, ctx[1] = ctx[3] = ctx[4] = &flow, ctx[2] = &flow2;
-    flow.n = flow1.n = flow2.n = 1, flow.streams = &s, flow1.streams = &s1, flow2.streams = &s2;
+    ctx[0] = &flow1;
+    ctx[1] = ctx[3] = ctx[4] = &flow;
+    ctx[2] = &flow2;
+    flow.n = flow1.n = flow2.n = 1;
+    flow.streams = &s;
+    flow1.streams = &s1;
+    flow2.streams = &s2;
     flow.inertia = tensor(1, 1, 1, 0, 0, 0);
     for (i = 0; i < 5; i++) {
         static const double bad[] = {-1, 0, (double)NAN, (double)INFINITY};
@@ -1352,7 +1562,9 @@ static void test_bad_states(void)
             vm_real y[VM_RHS], kept[VM_RHS];
             int j, status, *told = i == 0 ? &flow1.status : i == 2 ? &flow2.status : &flow.status;
             for (j = 0; j < VM_RHS; j++) y[j] = kept[j] = 1;
-            *told = VM_OK, flow.mass = 1, s.rate = s1.rate = s2.rate = 1;
+            *told = VM_OK;
+            flow.mass = 1;
+            s.rate = s1.rate = s2.rate = 1;
             if (k == 3) s.rate = s1.rate = s2.rate = R(bad[k]);
             else if (mass[i] >= 0) y[mass[i]] = kept[mass[i]] = R(bad[k]);
             else flow.mass = R(bad[k]);
@@ -1365,7 +1577,9 @@ static void test_bad_states(void)
     {
         vm_real y[VM_RHS2] = {0, 0, 0, 0, 0, 1, 1, 0, 0, -1}, dy[VM_RHS2], z[VM_RHS_GIVEN] = {1}, dz[VM_RHS_GIVEN];
         CHECK(vm_rhs2(0, y, dy, &flow2) == 0 && dy[0] != dy[0] && flow2.status == VM_BAD_INERTIA);
-        flow.mass = 1, flow.inertia = tensor(1, 1, 0, 0, 0, 0), flow.status = VM_OK;
+        flow.mass = 1;
+        flow.inertia = tensor(1, 1, 0, 0, 0, 0);
+        flow.status = VM_OK;
         CHECK(vm_rhs_carried(0, z, dz, &flow) == 0 && dz[0] != dz[0] && flow.status == VM_BAD_INERTIA);
     }
 }
@@ -1379,13 +1593,16 @@ static double rod_length(double t) { return 2 - t / 4; }
 static void rod_masses(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
     const double l = rod_length((double)t);
-    (void)q, (void)ctx;
-    masses[0] = R(ROD_DENSITY * l), masses[1] = R(ROD_DENSITY * l * l * l / 12);
+    (void)q;
+    (void)ctx;
+    masses[0] = R(ROD_DENSITY * l);
+    masses[1] = R(ROD_DENSITY * l * l * l / 12);
 }
 static vm_real rod_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
     const vm_real half = R(rod_length((double)t) / 2);
-    (void)q, (void)ctx;
+    (void)q;
+    (void)ctx;
     return (masses[0] * half * half + masses[1]) * rates[0] * rates[0] / 2;
 }
 static int rod_forces(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q,
@@ -1411,7 +1628,8 @@ static void test_pendulum(void)
     size_t i;
     l.work = work;
     for (i = 0; i < sizeof table / sizeof *table; i++) {
-        q = 1, rate = R(.5);
+        q = 1;
+        rate = R(.5);
         CHECK(vm_lagrange_start(&l, 0, &q, &rate, y) == VM_OK);
         CHECK(solve(vm_lagrange_rhs, &l, 2, y, 0, table[i][0]) >= 0);
         CHECK(vm_lagrange_rates(&l, R(table[i][0]), y, &rate) == VM_OK);
@@ -1426,23 +1644,31 @@ static void test_pendulum(void)
 static const double J0 = 1, j_drum = .2, e_drum = .3, omega_b = 3;
 static void drum_masses(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     masses[0] = R(J0) + R(j_drum) * q[0];
 }
 static vm_real drum_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
-    (void)t, (void)q, (void)ctx;
+    (void)t;
+    (void)q;
+    (void)ctx;
     return masses[0] * rates[0] * rates[0] / 2;
 }
 static vm_real naive_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
-    (void)t, (void)masses, (void)ctx;
+    (void)t;
+    (void)masses;
+    (void)ctx;
     return (R(J0) + R(j_drum) * q[0]) * rates[0] * rates[0] / 2;
 }
 static int drum_forces(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q,
                        void *ctx)
 {
-    (void)t, (void)q, (void)masses, (void)ctx;
+    (void)t;
+    (void)q;
+    (void)masses;
+    (void)ctx;
     Q[0] += R(e_drum) * rates[0]; /* (mu v R - D) phi': the band's mu phi' u dr2/dphi with damping */
     return 0;
 }
@@ -1458,12 +1684,14 @@ static void test_drum(void)
                 0);
     check_error("(247) phi'", "drum F3", "abs", fabs((double)rate - 2.670201047218710981616), PICK(1e-12, 1e-5), 0,
                 0);
-    rates[0] = R(2.5), q = R(.75);
+    rates[0] = R(2.5);
+    q = R(.75);
     check_error("frozen dT/dq", "drum", "abs", fabs((double)vm_frozen_derivative(&l, 0, &q, rates, 0)), 0, 0, 0);
     l.energy = naive_energy; /* (247) as it may be read: off by j phi'^2/2 */
     check_error("naive dT/dq", "drum", "abs",
                 fabs((double)vm_frozen_derivative(&l, 0, &q, rates, 0) - .2 * 6.25 / 2), PICK(1e-12, 1e-5), 0, 0);
-    q = 0, rate = R(omega_b);
+    q = 0;
+    rate = R(omega_b);
     CHECK(!vm_lagrange_start(&l, 0, &q, &rate, y) && solve(vm_lagrange_rhs, &l, 2, y, 0, .5) >= 0);
     ERRATUM("(244)-(247)", fabs((double)y[0] - 1.409155091619267196387) > .05,
             check_holds("(247) phi") && check_holds("(247) phi'"));
@@ -1546,7 +1774,8 @@ static void test_euler_tank(void)
     int i;
     memset(&l, 0, sizeof l);
     tank_init(&l.k);
-    equations.ctx = &l, equations.work = work;
+    equations.ctx = &l;
+    equations.work = work;
     l.k.body.q = vm_euler_313(q[3], q[4], q[5]);
     CHECK(!vm_flow_start(&l.k.flow, &l.k.body, z) && solve(vm_rhs, &l.k.flow, VM_RHS, z, 0, 1) >= 0);
     CHECK(!vm_flow_body(&l.k.flow, VM_RHS, z, &b));
@@ -1556,7 +1785,8 @@ static void test_euler_tank(void)
     CHECK(!vm_euler_313_rates(q[3], q[4], l.k.body.omega, rates + 3));
     CHECK(!vm_lagrange_start(&equations, 0, q, rates, y));
     CHECK(solve(vm_lagrange_rhs, &equations, 12, y, 0, 1) >= 0);
-    turn = vmi_rotation(vm_euler_313(y[3], y[4], y[5])), other = vmi_rotation(b.q);
+    turn = vmi_rotation(vm_euler_313(y[3], y[4], y[5]));
+    other = vmi_rotation(b.q);
     check_error("(247) = vm_rhs", "place", "abs", apart(vmi_load3(y), b.r), PICK(1e-11, 1e-3), 0, 0);
     check_error("(247) = vm_rhs", "attitude", "abs", apart(turn.x, other.x) + apart(turn.y, other.y),
                 PICK(1e-11, 1e-3), 0, 0);
@@ -1581,7 +1811,8 @@ static void test_euler(void)
         vmi_mat3 turn = vmi_rotation(attitude);
         vm_vec3 axis[3], body_axis[3], back = vector(0, 0, 0), line = vector(cos(q[0]), sin(q[0]), 0);
         vm_real rates[3] = {0, 0, 0};
-        vm_euler_313_axes(R(q[0]), R(q[1]), axis), vm_euler_313_body_axes(R(q[1]), R(q[2]), body_axis);
+        vm_euler_313_axes(R(q[0]), R(q[1]), axis);
+        vm_euler_313_body_axes(R(q[1]), R(q[2]), body_axis);
         CHECK(!vm_euler_313_rates(R(q[0]), R(q[1]), omega, rates));
         for (k = 0; k < 3; k++) {
             back = vmi_add(back, vmi_scale(rates[k], axis[k]));
@@ -1626,13 +1857,15 @@ static void test_euler(void)
 /* dT/dq to what the header says: a mass on an arm, T = m (1 + sin q)^2 q'^2/2 with m of q, which is frozen */
 static void arm_masses(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     masses[0] = 2 + q[0] * q[0];
 }
 static vm_real arm_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
     const vm_real arm = 1 + R(sin((double)q[0]));
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return masses[0] * arm * arm * rates[0] * rates[0] / 2;
 }
 static void test_frozen_derivative(void)
@@ -1654,7 +1887,10 @@ static void test_frozen_derivative(void)
 static vm_real moving_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
     const vm_real v = rates[0] + R(.5) + R(1e-3) * rates[1];
-    (void)t, (void)q, (void)masses, (void)ctx;
+    (void)t;
+    (void)q;
+    (void)masses;
+    (void)ctx;
     return v * v + R(1e-6) * rates[1] * rates[1];
 }
 static void test_moving_frame(void)
@@ -1674,7 +1910,10 @@ static void test_moving_frame(void)
 
 static vm_real flat_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
-    (void)t, (void)q, (void)masses, (void)ctx;
+    (void)t;
+    (void)q;
+    (void)masses;
+    (void)ctx;
     return rates[0] * rates[0] / 2; /* nothing for the second coordinate */
 }
 
@@ -1696,18 +1935,24 @@ static void test_lagrange_refusals(void)
    one. Both were integrated on when a pivot had only to differ from 0. */
 static void leaking_mass(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
-    (void)q, (void)ctx;
+    (void)q;
+    (void)ctx;
     masses[0] = 2 - t;
 }
 static vm_real leaking_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
-    (void)t, (void)q, (void)ctx;
+    (void)t;
+    (void)q;
+    (void)ctx;
     return masses[0] * rates[0] * rates[0] / 2;
 }
 static vm_real one_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
     const vm_real v = rates[0] / 3 + rates[1] / 7;
-    (void)t, (void)q, (void)masses, (void)ctx;
+    (void)t;
+    (void)q;
+    (void)masses;
+    (void)ctx;
     return v * v / 2;
 }
 static void test_mass_matrices(void)
@@ -1720,7 +1965,10 @@ static void test_mass_matrices(void)
     y[1] = 0; /* at rest: q' = 0 on either side of t = 2 */
     CHECK(solve_events(vm_lagrange_rhs, &l, 2, y, 0, 3, NULL, 0, &stopped) == ODE_RHS_STOPPED && stopped <= 2);
     CHECK(vm_lagrange_rates(&l, 3, y, rates) == VM_SINGULAR && rates[0] == 1);
-    l.n = 2, l.n_masses = 0, l.masses = NULL, l.energy = one_energy;
+    l.n = 2;
+    l.n_masses = 0;
+    l.masses = NULL;
+    l.energy = one_energy;
     CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_SINGULAR && rates[0] == 1);
 }
 

@@ -49,7 +49,8 @@ static void test_oscillator(void)
         check_error("Omega_a T/(2 pi)", "", "eps",
                     fabs((double)(vm_osc_omega_trig(R(alpha)) * T) / 6.283185307179586 - 1) / (double)VM_EPSILON, 4,
                     alpha, 0);
-        K = jacobi_K(vm_osc_m_jacobi(R(alpha))), kp = VM_SQRT(1 - vm_osc_m_jacobi(R(alpha)));
+        K = jacobi_K(vm_osc_m_jacobi(R(alpha)));
+        kp = VM_SQRT(1 - vm_osc_m_jacobi(R(alpha)));
         check_error("Omega_1 T/(4 K)", "", "eps",
                     fabs((double)(vm_osc_omega_jacobi(R(alpha)) * T / (4 * K)) - 1) / (double)VM_EPSILON, 12, alpha,
                     0);

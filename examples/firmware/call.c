@@ -15,8 +15,10 @@ static rk45 run;
 
 static int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0];
+    (void)t;
+    (void)ctx;
+    dydt[0] = y[1];
+    dydt[1] = -y[0] * y[0] * y[0];
     return 0;
 }
 #endif
@@ -27,7 +29,10 @@ static vm_body2 whole = {2, 3, 0, 0, 0, 0, 0, 1}, part = {1, (vm_real)0.1, 1, 0,
 static int __attribute__((noinline, noclone)) call(vm_real u, vm_real m, vm_real alpha, vm_real n)
 {
     vm_real a = 0, b = 0, c = 0;
-    (void)u, (void)m, (void)alpha, (void)n;
+    (void)u;
+    (void)m;
+    (void)alpha;
+    (void)n;
     CALL;
     output = a + b + c;
     return 0;

@@ -25,15 +25,22 @@ int main(int argc, char **argv)
 
     effects[GRAVEL].off = 1; /* until the first event */
     memset(&scene, 0, sizeof scene);
-    scene.bodies = bodies, scene.n_bodies = 1;
-    scene.effects = effects, scene.n_effects = 4;
-    scene.events = events, scene.n_events = 2, scene.located = located;
+    scene.bodies = bodies;
+    scene.n_bodies = 1;
+    scene.effects = effects;
+    scene.n_effects = 4;
+    scene.events = events;
+    scene.n_events = 2;
+    scene.located = located;
     status = vm_scene_start(&scene, t, y, &culprit);
     if (status < 0) return printf("%s %d: %s\n", culprit.kind, culprit.index, vm_strerror(status)), 1;
     if (csv) fprintf(csv, "t (s),\"x (mm)\",\"mass (kg)\"\n");
     for (next = 0.01; next <= 20 && status >= 0; next += 0.01) {
         status = vm_scene_run(&scene, &t, next, y, work, NULL);
-        if (fabs(y[0]) > widest) widest = fabs(y[0]), when = t;
+        if (fabs(y[0]) > widest) {
+            widest = fabs(y[0]);
+            when = t;
+        }
         if (csv) fprintf(csv, "%.2f,%.6f,%.4f\n", t, 1000 * y[0], y[2]);
     }
     printf("widest at t = %.2f s: %.2f mm; the gravel stops at t = %.6f s with %.6f kg in all\n", when,

@@ -16,7 +16,9 @@ static int weight(vm_real t, const vm_real *y, vm_flow1 *rocket)
 static vm_real propellant(vm_real t, const vm_real *y, void *ctx) { return (void)t, (void)ctx, y[2] - 40; }
 static void burnt_out(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)y, ((vm_flow1 *)ctx)->streams[0].rate = 0;
+    (void)t;
+    (void)y;
+    ((vm_flow1 *)ctx)->streams[0].rate = 0;
 }
 
 int main(int argc, char **argv)
@@ -32,9 +34,14 @@ int main(int argc, char **argv)
 
     memset(&empty, 0, sizeof empty);
     memset(&options, 0, sizeof options); /* zero is the default */
-    empty.g = propellant, empty.ctx = &rocket, empty.direction = -1;
-    empty.action = ODE_RESTART, empty.change = burnt_out;
-    options.rtol = 1e-10, options.events = &empty, options.n_events = 1;
+    empty.g = propellant;
+    empty.ctx = &rocket;
+    empty.direction = -1;
+    empty.action = ODE_RESTART;
+    empty.change = burnt_out;
+    options.rtol = 1e-10;
+    options.events = &empty;
+    options.n_events = 1;
     status = rk45_init(&s, vm_rhs1, &rocket, 3, 0, y, &options, work);
     if (csv) fprintf(csv, "t (s),\"height (10 km)\",\"velocity (km/s)\",\"mass (100 kg)\"\n");
     for (t = 0; t <= 60 && status >= 0; t += 0.5) {

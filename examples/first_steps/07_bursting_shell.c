@@ -17,11 +17,22 @@ int main(int argc, char **argv)
     int k, status;
 
     piece[0] = piece[1] = piece[2] = shell;
-    piece[0].mass = 3, piece[0].r.y = 0.15, piece[0].v.x = 260, piece[0].v.y = 90, piece[0].v.z = 80;
-    piece[1].mass = 2, piece[1].r.y = -0.15, piece[1].v.x = 120, piece[1].v.y = -80;
-    for (k = 0; k < 2; k++)
-        piece[k].inertia.xx = piece[k].inertia.zz = 0.01, piece[k].inertia.yy = 0.008, piece[k].omega.y = 150;
-    pair[0] = piece[0], pair[1] = piece[1];
+    piece[0].mass = 3;
+    piece[0].r.y = 0.15;
+    piece[0].v.x = 260;
+    piece[0].v.y = 90;
+    piece[0].v.z = 80;
+    piece[1].mass = 2;
+    piece[1].r.y = -0.15;
+    piece[1].v.x = 120;
+    piece[1].v.y = -80;
+    for (k = 0; k < 2; k++) {
+        piece[k].inertia.xx = piece[k].inertia.zz = 0.01;
+        piece[k].inertia.yy = 0.008;
+        piece[k].omega.y = 150;
+    }
+    pair[0] = piece[0];
+    pair[1] = piece[1];
     status = vm_separate_all(&shell, 2, pair, NULL, &piece[2]);
     printf("%s: the rest of %g kg flies at (%.4f, %.4f, %.4f) m/s, spins at (%.4f, %.4f, %.4f) rad/s\n",
            vm_strerror(status), piece[2].mass, piece[2].v.x, piece[2].v.y, piece[2].v.z, piece[2].omega.x,

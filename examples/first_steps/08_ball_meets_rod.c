@@ -13,8 +13,11 @@ int main(int argc, char **argv)
     double at;
     int status = VM_OK;
 
-    rod.mass = mass, rod.inertia = mass * length * length / 12; /* along y, at rest */
-    ball.mass = 0.5, ball.inertia = 1e-4, ball.vx = 3;          /* flies along x */
+    rod.mass = mass;
+    rod.inertia = mass * length * length / 12; /* along y, at rest */
+    ball.mass = 0.5;
+    ball.inertia = 1e-4;
+    ball.vx = 3;          /* flies along x */
     if (csv) fprintf(csv, "where it hits (m from the middle),\"omega (rad/s)\",\"v (m/s)\",\"energy lost (J)\"\n");
     puts("hits at (m)  spin (rad/s)  mass centre's v (m/s)  energy lost (J)");
     for (at = 0; at <= 0.5001; at += 0.01) {

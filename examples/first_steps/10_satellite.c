@@ -31,9 +31,15 @@ int main(int argc, char **argv)
     if (status >= 0) status = vm_free_at(&before, jump, &now);
     /* the panel sits on the satellite's y axis, and leaves with a push against the place where it sat, unturned */
     panel = now;
-    panel.mass = 25, panel.inertia.xx = 2, panel.inertia.yy = 0.5, panel.inertia.zz = 2.4;
-    offset = turned(now.q, offset), panel.v = turned(now.q, push);
-    panel.r.x += offset.x, panel.r.y += offset.y, panel.r.z += offset.z;
+    panel.mass = 25;
+    panel.inertia.xx = 2;
+    panel.inertia.yy = 0.5;
+    panel.inertia.zz = 2.4;
+    offset = turned(now.q, offset);
+    panel.v = turned(now.q, push);
+    panel.r.x += offset.x;
+    panel.r.y += offset.y;
+    panel.r.z += offset.z;
     panel.omega.x = panel.omega.y = panel.omega.z = 0;
     vm_to_absolute(&now, &panel, &panel);
     if (status >= 0) status = vm_separate(&now, &panel, NULL, &rest);

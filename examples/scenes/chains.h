@@ -16,7 +16,9 @@ static inline void chain_heap(stage *s)
 /* N = M + mu x hangs, J/R^2 is the drum's; straight: the whole chain moves, (M + mu l + J/R^2) x'' = N g */
 static inline vm_real hanging(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    (void)t, (void)v, (void)ctx;
+    (void)t;
+    (void)v;
+    (void)ctx;
     return REAL((2 + 1.5 * (double)x) * gravity);
 }
 
@@ -35,7 +37,9 @@ static inline vm_mass_now winding_inertia(vm_real t, vm_real phi, vm_real omega,
 {
     const double l = 3 - 0.3 * (double)phi;
     vm_mass_now now = {0, 0, 0, 0};
-    (void)t, (void)omega, (void)ctx;
+    (void)t;
+    (void)omega;
+    (void)ctx;
     now.mass = REAL(2 * l * l + 0.5 * l * l * l);
     now.by_x = REAL(-0.3 * (4 * l + 1.5 * l * l));
     return now;

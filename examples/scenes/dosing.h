@@ -13,7 +13,8 @@ static inline void belt_feed(const vm_effect *e, vm_real t, const vm_real *y, vm
     const double R = belt_R, m = ((double)e->load->mass - 12) / (R * R), theta = (double)y[e->x];
     const double opening = 1 - theta / belt_gate, q = belt_q * (opening < 0 ? 0 : opening > 2 ? 2 : opening);
     const double omega = (double)y[e->v], balance = belt_q / belt_nu + belt_q * belt_w / gravity;
-    (void)t, (void)scene;
+    (void)t;
+    (void)scene;
     e->load->mass_rate += REAL(R * R * (q - belt_nu * m));
     e->load->force[0] += REAL(gravity * R * (m - balance) + q * (R * belt_w - R * R * omega));
 }

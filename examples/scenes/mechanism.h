@@ -10,7 +10,9 @@ static inline vm_mass_now crank_inertia(vm_real t, vm_real theta, vm_real omega,
 {
     const double x1 = crank_r * sin((double)theta), x = crank_r * (1 - cos((double)theta));
     vm_mass_now now = {0, 0, 0, 0};
-    (void)t, (void)omega, (void)ctx;
+    (void)t;
+    (void)omega;
+    (void)ctx;
     now.mass = REAL(crank_J +
                     (crank_mass + crank_mu * x) * x1 * x1); /* no reactive torque: what changes it is below */
     return now;
@@ -20,7 +22,8 @@ static inline vm_real crank_torque(vm_real t, vm_real theta, vm_real omega, void
 {
     const double x1 = crank_r * sin((double)theta), x2 = crank_r * cos((double)theta), w = (double)omega;
     const double M = crank_mass + crank_mu * crank_r * (1 - cos((double)theta));
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return REAL(900 - (M * x1 * x2 + (x1 > 0 ? crank_mu * x1 * x1 * x1 : 0)) * w * w);
 }
 

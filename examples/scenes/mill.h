@@ -19,8 +19,9 @@ static inline mill_now mill_at(const mill_data *a, double s1)
 {
     const double pi = 3.14159265358979324, rho = 7800, core = 0.25, strip = rho * a->h1 * 4, kap = a->h1 / a->h2;
     mill_now m;
-    m.r1 = sqrt(0.75 * 0.75 - a->h1 * s1 / pi), m.r3 = sqrt(0.25 * 0.25 + a->h1 * s1 / pi);
-    m.J1 = 25 + pi / 2 * rho * (pow(m.r1, 4) - pow(core, 4)),
+    m.r1 = sqrt(0.75 * 0.75 - a->h1 * s1 / pi);
+    m.r3 = sqrt(0.25 * 0.25 + a->h1 * s1 / pi);
+    m.J1 = 25 + pi / 2 * rho * (pow(m.r1, 4) - pow(core, 4));
     m.J3 = 25 + pi / 2 * rho * (pow(m.r3, 4) - pow(core, 4));
     m.G = m.J1 / (m.r1 * m.r1) + kap * m.J3 / (m.r3 * m.r3) + strip + kap * (rho * a->h2 * 4);
     return m;
@@ -29,7 +30,8 @@ static inline mill_now mill_at(const mill_data *a, double s1)
 static inline vm_mass_now mill_mass(vm_real t, vm_real s1, vm_real v1, void *ctx)
 {
     vm_mass_now now = {0, 0, 0, 0};
-    (void)t, (void)v1;
+    (void)t;
+    (void)v1;
     now.mass = REAL(mill_at((const mill_data *)ctx, (double)s1).G);
     return now;
 }

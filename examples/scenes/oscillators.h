@@ -35,8 +35,11 @@ static inline vm_mass_now squared(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_real c = REAL(0.1), root = 1 + c * t;
     vm_mass_now now = {0, 0, 0, 0};
-    (void)x, (void)v, (void)ctx;
-    now.mass = root * root, now.by_t = 2 * c * root;
+    (void)x;
+    (void)v;
+    (void)ctx;
+    now.mass = root * root;
+    now.by_t = 2 * c * root;
     return now;
 }
 

@@ -8,8 +8,13 @@
 static inline vm_band reel_band(int by_layer, double speed, double share)
 {
     vm_band b;
-    b.radius = REAL(0.2), b.thickness = REAL(0.01), b.width = REAL(0.5), b.density = 800;
-    b.speed = REAL(speed), b.share = REAL(share), b.by_layer = by_layer;
+    b.radius = REAL(0.2);
+    b.thickness = REAL(0.01);
+    b.width = REAL(0.5);
+    b.density = 800;
+    b.speed = REAL(speed);
+    b.share = REAL(share);
+    b.by_layer = by_layer;
     return b;
 }
 

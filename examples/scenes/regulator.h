@@ -29,7 +29,8 @@ static inline void regulator(stage *s)
 static inline void mercury_coupling(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const vm_real w = y[e->v], k = REAL(mercury_nA * mercury_R * mercury_R);
-    (void)t, (void)scene;
+    (void)t;
+    (void)scene;
     e->load->mass += k * y[e->other_x];
     e->load->force[0] -= k * y[e->other_v] * w;
     e->other_load->force[0] += k * w * w / 2;

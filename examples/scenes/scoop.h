@@ -12,7 +12,8 @@ static inline vm_mass_now scoop_inertia(vm_real t, vm_real phi, vm_real omega, v
 {
     vm_mass_now now = {0, 0, 0, 0};
     const int full = *(const int *)ctx;
-    (void)t, (void)omega;
+    (void)t;
+    (void)omega;
     now.mass = REAL(6000 + (full ? soil((double)phi) * scoop_L * scoop_L : 0));
     now.by_x = full && (double)phi < 0.6 ? REAL(scoop_m1 * scoop_L * scoop_L) : 0;
     return now;
@@ -21,14 +22,16 @@ static inline vm_mass_now scoop_inertia(vm_real t, vm_real phi, vm_real omega, v
 static inline vm_real scoop_torque(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const int full = *(const int *)ctx;
-    (void)t, (void)omega;
+    (void)t;
+    (void)omega;
     return REAL(30000 - (full && (double)phi < 0.6 ? 8000 : 0) -
                 gravity * (1500 + (full ? soil((double)phi) : 0) * scoop_L) * sin((double)phi));
 }
 
 static inline int scoop_opens(vm_real t, vm_real *y, void *ctx) /* no jump of velocity */
 {
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     *(int *)ctx = 0;
     return VM_OK;
 }

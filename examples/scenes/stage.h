@@ -19,7 +19,9 @@ typedef struct stage {
 static inline void stage_clear(stage *s, double end)
 {
     memset(s, 0, sizeof *s);
-    s->scene.bodies = s->bodies, s->scene.effects = s->effects, s->scene.events = s->events;
+    s->scene.bodies = s->bodies;
+    s->scene.effects = s->effects;
+    s->scene.events = s->events;
     s->scene.located = s->located;
     vm_scene_keep_book(&s->scene, &s->book);
     s->end = (vm_real)end;
@@ -64,7 +66,9 @@ static inline int stage_run(stage *s, double t_end) /* on to t_end */
 /* What an event does whose law has a kink there: nothing, but that the integrator begins anew */
 static inline int stage_kink(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)y, (void)ctx;
+    (void)t;
+    (void)y;
+    (void)ctx;
     return VM_OK;
 }
 

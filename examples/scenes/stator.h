@@ -17,7 +17,8 @@ static inline void stator_shaft(const vm_effect *e, vm_real t, const vm_real *y,
 {
     const vm_real *r = y + e->x, k = e->load->mass;
     vm_real sine, cosine;
-    (void)t, (void)scene;
+    (void)t;
+    (void)scene;
     vmi_sincos(r[2], &sine, &cosine);
     e->load->force[0] -= k * (r[0] + REAL(stator_s) * cosine);
     e->load->force[1] -= k * (r[1] + REAL(stator_s) * sine);

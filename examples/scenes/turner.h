@@ -23,7 +23,8 @@ static inline double turner_load(const turner_data *a, double phi)
 static inline int turner_next(vm_real t, vm_real *y, void *ctx)
 {
     turner_data *a = (turner_data *)ctx;
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     a->stage = a->stage == FULL ? POURING : EMPTY;
     return VM_OK;
 }
@@ -32,7 +33,8 @@ static inline vm_mass_now turner_inertia(vm_real t, vm_real phi, vm_real omega, 
 {
     const turner_data *a = (const turner_data *)ctx;
     vm_mass_now now = {0, 0, 0, 0};
-    (void)t, (void)omega;
+    (void)t;
+    (void)omega;
     now.mass = REAL(a->J + turner_load(a, (double)phi) * a->rho2);
     now.by_x = a->stage == POURING ? REAL(-a->m0 / (a->fb - a->fa) * a->rho2) : 0;
     return now;
@@ -41,7 +43,8 @@ static inline vm_mass_now turner_inertia(vm_real t, vm_real phi, vm_real omega, 
 static inline vm_real turner_torque(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const turner_data *a = (const turner_data *)ctx;
-    (void)t, (void)omega;
+    (void)t;
+    (void)omega;
     return REAL(a->torque - gravity * (a->S0 + turner_load(a, (double)phi) * a->e) * sin((double)phi + a->phase));
 }
 

@@ -49,7 +49,9 @@ static inline vm_mass_now vessel_inertia(vm_real t, vm_real phi, vm_real omega, 
 {
     const metal f = metal_at((double)phi);
     vm_mass_now now = {0, 0, 0, 0};
-    (void)t, (void)omega, (void)ctx;
+    (void)t;
+    (void)omega;
+    (void)ctx;
     now.mass = REAL(5000 + f.inertia);
     now.by_x = REAL(-vessel_rho_b * f.L * f.L * f.L * f.L / 4);
     return now;
@@ -72,7 +74,8 @@ static inline double hook_force(double t)
 static inline vm_real hook_torque(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const double arm = vessel_a * cos((double)phi) + vessel_h * sin((double)phi);
-    (void)omega, (void)ctx;
+    (void)omega;
+    (void)ctx;
     return REAL(vessel_weight((double)phi, 0, 0) + hook_force((double)t) * arm);
 }
 
@@ -94,7 +97,9 @@ static inline vm_mass_now trunnion_inertia(vm_real t, vm_real phi, vm_real omega
     const double px = trunnion_x, py = trunnion_y, pp = px * px + py * py, L = f.L;
     const double ep = -px * cos((double)phi) - py * sin((double)phi);
     vm_mass_now now = {0, 0, 0, 0};
-    (void)t, (void)omega, (void)ctx;
+    (void)t;
+    (void)omega;
+    (void)ctx;
     now.mass = REAL(2030 + f.inertia - 2 * (px * f.Sx + py * f.Sy) + pp * f.m);
     now.by_x = REAL(-vessel_rho_b * (L * L * L * L / 4 - L * L * L * ep * 2 / 3 + pp * L * L / 2));
     return now;
@@ -105,7 +110,8 @@ static inline vm_real trunnion_torque(vm_real t, vm_real phi, vm_real omega, voi
     const metal f = metal_at((double)phi);
     const double pp = trunnion_x * trunnion_x + trunnion_y * trunnion_y;
     const double poured = vessel_rho_b * f.L * f.L / 2 * (double)omega; /* kg/s */
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return REAL(vessel_weight((double)phi, trunnion_x, trunnion_y) - poured * pp * (double)omega);
 }
 

@@ -10,13 +10,16 @@ static const double scale_J0 = 4, scale_R = 0.6, scale_D = 12, scale_q = 2, scal
 static inline void scale_weight(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const double theta = (double)y[e->x], m = ((double)e->load->mass - scale_J0) / (scale_R * scale_R);
-    (void)t, (void)scene;
+    (void)t;
+    (void)scene;
     e->load->force[0] += REAL(gravity * ((m * scale_R - scale_D) * cos(theta) - scale_e * sin(theta)));
 }
 
 static inline vm_real scale_jet(vm_real t, vm_real theta, vm_real omega, void *ctx) /* what the liquid falls with */
 {
-    (void)t, (void)omega, (void)ctx;
+    (void)t;
+    (void)omega;
+    (void)ctx;
     return REAL(scale_q * scale_w * scale_R * cos((double)theta));
 }
 

@@ -56,8 +56,12 @@ static void sample(uint64_t seed, uint64_t i, block *sum)
     r.state = mix(seed + mix(i));
     memset(&whole, 0, sizeof whole);
     whole.mass = 100;
-    whole.inertia.xx = 30, whole.inertia.yy = 40, whole.inertia.zz = 50;
-    whole.q.w = between(&r, -1, 1), whole.q.x = between(&r, -1, 1), whole.q.y = between(&r, -1, 1);
+    whole.inertia.xx = 30;
+    whole.inertia.yy = 40;
+    whole.inertia.zz = 50;
+    whole.q.w = between(&r, -1, 1);
+    whole.q.x = between(&r, -1, 1);
+    whole.q.y = between(&r, -1, 1);
     whole.q.z = between(&r, -1, 1);
     whole.omega = inside(&r, 1);
     part = whole;
@@ -74,7 +78,8 @@ static void sample(uint64_t seed, uint64_t i, block *sum)
     spin = sqrt((double)vmi_dot(rest.omega, rest.omega));
     bin = (int)(spin * 4);
     sum->bins[bin < BINS ? bin : BINS - 1]++;
-    sum->spin += spin, sum->spin_squared += spin * spin;
+    sum->spin += spin;
+    sum->spin_squared += spin * spin;
     sum->energy += (double)(vm_kinetic_energy(&rest) + vm_kinetic_energy(&part) - vm_kinetic_energy(&whole));
 }
 
@@ -95,8 +100,10 @@ static void report(const block *blocks, long count, long samples)
     int bin;
     memset(&total, 0, sizeof total);
     for (k = 0; k < count; k++) {
-        total.refused += blocks[k].refused, total.energy += blocks[k].energy;
-        total.spin += blocks[k].spin, total.spin_squared += blocks[k].spin_squared;
+        total.refused += blocks[k].refused;
+        total.energy += blocks[k].energy;
+        total.spin += blocks[k].spin;
+        total.spin_squared += blocks[k].spin_squared;
         for (bin = 0; bin < BINS; bin++) total.bins[bin] += blocks[k].bins[bin];
     }
     done = (double)samples - total.refused;
@@ -116,8 +123,10 @@ static long restore(const char *file_name, const double *key, block *blocks, lon
     if (!file) return 0;
     if (fread(found, sizeof *found, 2, file) == 2 && found[0] == key[0] && found[1] == key[1])
         while (fread(&b, sizeof b, 1, file) == 1)
-            if (b.number >= 0 && b.number < (double)count && blocks[(long)b.number].number < 0)
-                blocks[(long)b.number] = b, restored++;
+            if (b.number >= 0 && b.number < (double)count && blocks[(long)b.number].number < 0) {
+                blocks[(long)b.number] = b;
+                restored++;
+            }
     fclose(file);
     return restored;
 }

@@ -36,7 +36,8 @@ int motion(double alpha, double rate, double reactive, double end, int n)
     if (n > MOST || vm_osc_plan_init(&plan, &problem) < 0) return 0;
     for (i = 0; i < n; i++) {
         if (vm_osc_plan_at(&plan, end * i / (n - 1), 1e-3, &now) < 0) return i;
-        points[2 * i] = now.x, points[2 * i + 1] = now.amplitude;
+        points[2 * i] = now.x;
+        points[2 * i + 1] = now.amplitude;
     }
     return n;
 }

@@ -25,7 +25,8 @@ void golden_line(const char *line)
 static void leave(uint32_t status)
 {
     uint32_t block[2];
-    block[0] = 0x20026u, block[1] = status; /* ADP_Stopped_ApplicationExit */
+    block[0] = 0x20026u;
+    block[1] = status; /* ADP_Stopped_ApplicationExit */
     semihosting(0x20, block);               /* SYS_EXIT_EXTENDED */
     for (;;) {}
 }

@@ -26,7 +26,8 @@ __attribute__((used)) void start(void)
     char *p;
     long block[2];
     for (p = bss_start; p < bss_end;) *p++ = 0;
-    block[0] = 0x20026, block[1] = main();
+    block[0] = 0x20026;
+    block[1] = main();
     semihosting(0x20, block);
     for (;;) {}
 }

@@ -51,7 +51,8 @@ static void read_tables(void)
 #else
 static int cubic(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     dydt[0] = y[1];
     dydt[1] = -y[0] * y[0] * y[0];
     return 0;

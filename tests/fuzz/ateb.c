@@ -157,7 +157,8 @@ static void check_beta(void)
     if (B > VM_MIN / VM_EPSILON && B < VM_MAX / 4) /* B(a + 1, b) = B(a, b) a/(a + b) */
         HOLDS(close_to(ateb_beta(a + 1, b), B * (a / (a + b)), 8 + ((double)(a + b))) || a + 1 > R(1e5));
     if (!(a >= R(1e-3) && a <= R(1e4) && b >= R(1e-3) && b <= R(1e4))) { /* less accurate */
-        p = ateb_beta_inc(x, a, b), q = ateb_beta_inc_inv(x, a, b);
+        p = ateb_beta_inc(x, a, b);
+        q = ateb_beta_inc_inv(x, a, b);
         HOLDS(p >= 0 && p <= 1 && q >= 0 && q <= 1);
         return;
     }

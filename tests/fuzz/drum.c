@@ -35,10 +35,14 @@ static void check_lambert(void)
 static vm_drum draw_drum(void)
 {
     vm_drum d;
-    d.radius = MOSTLY(draw_log(0.1, 2)), d.mass = MOSTLY(draw_log(0.1, 100)),
+    d.radius = MOSTLY(draw_log(0.1, 2));
+    d.mass = MOSTLY(draw_log(0.1, 100));
     d.inertia = MOSTLY(draw_log(0.1, 100));
-    d.band = MOSTLY(draw_byte() % 8 ? draw_log(1e-3, 1) : 0), d.speed = MOSTLY(draw_in(-3, 3));
-    d.damping = MOSTLY(draw_in(0, 1)), d.stiffness = MOSTLY(draw_log(1, 1e4)), d.omega = MOSTLY(draw_log(0.1, 30));
+    d.band = MOSTLY(draw_byte() % 8 ? draw_log(1e-3, 1) : 0);
+    d.speed = MOSTLY(draw_in(-3, 3));
+    d.damping = MOSTLY(draw_in(0, 1));
+    d.stiffness = MOSTLY(draw_log(1, 1e4));
+    d.omega = MOSTLY(draw_log(0.1, 30));
     return d;
 }
 
@@ -118,7 +122,11 @@ static void check_shaft(void)
         if (vm_drum_rhs_reduced(0, y, dydt, &d) == 0) HOLDS(vmi_all_finite(6, dydt));
         if (vm_drum_rhs_angle(phi, y, dydt, &d) == 0 && vm_drum_rate(phi, &d) > R(1e-3))
             HOLDS(vmi_all_finite(4, dydt));
-    } else vm_drum_rhs(0, y, dydt, &d), vm_drum_rhs_reduced(0, y, dydt, &d), vm_drum_rhs_angle(phi, y, dydt, &d);
+    } else {
+        vm_drum_rhs(0, y, dydt, &d);
+        vm_drum_rhs_reduced(0, y, dydt, &d);
+        vm_drum_rhs_angle(phi, y, dydt, &d);
+    }
     STAIN(s);
     if (vm_drum_shaft_init(&d, &s)) {
         HOLDS(UNTOUCHED(s));

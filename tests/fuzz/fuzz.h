@@ -28,7 +28,10 @@ static struct {
 
 static void fuzz_begin(const char *target, const unsigned char *bytes, size_t size)
 {
-    fuzz.target = target, fuzz.at = bytes, fuzz.end = bytes + size, fuzz.n_drawn = fuzz.wild = 0;
+    fuzz.target = target;
+    fuzz.at = bytes;
+    fuzz.end = bytes + size;
+    fuzz.n_drawn = fuzz.wild = 0;
 }
 
 /* A property is violated: says which, and what was drawn; libFuzzer takes the abort and keeps the input. */
@@ -78,7 +81,8 @@ static vm_real draw_log(double low, double high)
 {
     int from, to, k;
     double x;
-    frexp(low, &from), frexp(high, &to);
+    frexp(low, &from);
+    frexp(high, &to);
     k = from + (int)(draw_bits(2) % (uint64_t)(to - from + 1));
     x = ldexp(0.5 + draw_unit() / 2, k);
     return drawn(x < low ? low : x > high ? high : x);

@@ -48,7 +48,8 @@ static vm_real time_itself(vm_real t, const vm_real *y, void *ctx)
 
 static void turned_back(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     y[0] = -y[0];
 }
 
@@ -66,8 +67,10 @@ static void draw_system(run_of *r)
     memset(r, 0, sizeof *r);
     r->system.n = 1 + draw_below(4);
     if (draw_byte() % 16 == 0) r->system.n = MOST;
-    r->system.kind = draw_below(8), r->system.stop_after = draw_byte() % 8 ? 0 : (int)draw_byte() + 1;
-    r->system.a = MOSTLY(draw_in(-2, 2)), r->system.b = MOSTLY(draw_in(-2, 2));
+    r->system.kind = draw_below(8);
+    r->system.stop_after = draw_byte() % 8 ? 0 : (int)draw_byte() + 1;
+    r->system.a = MOSTLY(draw_in(-2, 2));
+    r->system.b = MOSTLY(draw_in(-2, 2));
     for (i = 0; i < r->system.n; i++) r->y[i] = draw_byte() % 64 ? draw_in(-2, 2) : draw_any();
 }
 
@@ -75,16 +78,22 @@ static void draw_options(run_of *r)
 {
     rk45_options *o = &r->options;
     int i;
-    if (draw_byte() & 1) o->rtol = MOSTLY(draw_log(1e-12, 1e-1)), o->atol = MOSTLY(draw_log(1e-12, 1e-1));
+    if (draw_byte() & 1) {
+        o->rtol = MOSTLY(draw_log(1e-12, 1e-1));
+        o->atol = MOSTLY(draw_log(1e-12, 1e-1));
+    }
     if (draw_byte() % 8 == 0) o->h0 = MOSTLY(draw_in(-1, 1));
     if (draw_byte() % 8 == 0) o->h_max = MOSTLY(draw_log(1e-2, 10));
     if (draw_byte() % 8 == 0) o->h_min = MOSTLY(draw_log(1e-9, 1e-3));
     o->max_steps = 1 + draw_byte() * 8;
-    o->n_events = draw_below(3), o->events = r->events;
+    o->n_events = draw_below(3);
+    o->events = r->events;
     for (i = 0; i < o->n_events; i++) {
         r->level[i] = MOSTLY(draw_in(-1, 3));
-        r->events[i].g = i ? time_itself : first_component, r->events[i].ctx = &r->level[i];
-        r->events[i].direction = draw_below(3) - 1, r->events[i].action = draw_below(3);
+        r->events[i].g = i ? time_itself : first_component;
+        r->events[i].ctx = &r->level[i];
+        r->events[i].direction = draw_below(3) - 1;
+        r->events[i].action = draw_below(3);
         r->events[i].checks = draw_below(6) - 1;
         if (draw_byte() & 1) r->events[i].change = turned_back;
     }
@@ -105,19 +114,25 @@ static void check_rk4(void)
     const long steps = draw_below(70) - 2;
     int status, n, i;
     draw_system(&r);
-    n = r.system.n, t = t0 = MOSTLY(draw_in(-3, 3)), h = MOSTLY(draw_in(-1, 1));
-    memcpy(before, r.y, sizeof before), memcpy(other, r.y, sizeof other), memset(low, 0, sizeof low);
+    n = r.system.n;
+    t = t0 = MOSTLY(draw_in(-3, 3));
+    h = MOSTLY(draw_in(-1, 1));
+    memcpy(before, r.y, sizeof before);
+    memcpy(other, r.y, sizeof other);
+    memset(low, 0, sizeof low);
     status = rk4_solve(system_rhs, &r.system, n, &t, t_end, steps, r.y, r.work);
     HOLDS(known(status) && r.system.calls <= (steps > 0 ? 4 * steps : 0));
     if (status == ODE_BAD_ARGUMENT) HOLDS(same_bits(t, t0) && same_state(n, before, r.y));
     if (status == ODE_OK) HOLDS(t == t_end && steps > 0 && vmi_all_finite(n, r.y));
     HOLDS(status == ODE_BAD_ARGUMENT || vmi_all_finite(n, r.y) || !vmi_all_finite(n, before));
-    r.system.calls = 0, t = t0;
+    r.system.calls = 0;
+    t = t0;
     i = rk4_solve_compensated(system_rhs, &r.system, n, &t, t_end, steps, other, low, r.work);
     HOLDS(i == status || fuzz.wild); /* one may overflow a rounding before the other */
     if (status == ODE_OK && r.system.kind < 2 && is_finite(r.system.a))
         HOLDS(within(other[0], r.y[0], 1e3 * EPS * larger(larger(1, fabs((double)r.y[0])), 64)));
-    memcpy(before, r.y, sizeof before), r.system.calls = 0;
+    memcpy(before, r.y, sizeof before);
+    r.system.calls = 0;
     status = rk4_step(system_rhs, &r.system, n, t0, h, r.y, r.work);
     HOLDS(known(status) && r.system.calls <= 4);
     if (status < 0) HOLDS(same_state(n, before, r.y));
@@ -161,8 +176,11 @@ static void check_adaptive(void)
     vm_real t0, t_end, far_y[MOST];
     int high = draw_below(2), with = draw_below(2), status, n;
     long i, before;
-    draw_system(&r), draw_options(&r);
-    n = r.system.n, t0 = MOSTLY(draw_in(-2, 2)), t_end = MOSTLY(draw_in(-5, 5));
+    draw_system(&r);
+    draw_options(&r);
+    n = r.system.n;
+    t0 = MOSTLY(draw_in(-2, 2));
+    t_end = MOSTLY(draw_in(-5, 5));
     STAIN(s);
     status = start(&s, &r, high, t0);
     HOLDS(known(status));
@@ -213,7 +231,10 @@ static void check_accuracy(void)
     const int high = draw_below(2);
     const vm_real tolerance = draw_log(IS_FLOAT ? 1e-4 : 1e-9, 1e-3), t = draw_in(-5, 5);
     memset(&r, 0, sizeof r);
-    r.system.n = 2, r.y[0] = draw_in(-2, 2), r.y[1] = draw_in(-2, 2), r.options.rtol = r.options.atol = tolerance;
+    r.system.n = 2;
+    r.y[0] = draw_in(-2, 2);
+    r.y[1] = draw_in(-2, 2);
+    r.options.rtol = r.options.atol = tolerance;
     HOLDS(start(&s, &r, high, 0) >= 0 && solve(&s, high, draw_below(2), 2, t) == ODE_OK);
     HOLDS(within(s.y[0], R((double)r.y[0] * cos((double)t) + (double)r.y[1] * sin((double)t)),
                  200 * (double)tolerance + 500 * EPS));
@@ -226,7 +247,9 @@ static void check_defaults(void)
 {
     rk45_options o, d;
     memset(&o, 0, sizeof o);
-    o.rtol = draw_any(), o.atol = draw_any(), o.max_steps = (long)draw_byte() - 10;
+    o.rtol = draw_any();
+    o.atol = draw_any();
+    o.max_steps = (long)draw_byte() - 10;
     d = rk45_defaults(&o);
     HOLDS(is_nan(o.rtol) || d.rtol >= 0);
     d = rk45_defaults(NULL);

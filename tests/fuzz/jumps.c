@@ -40,8 +40,10 @@ static double sway(int n, const vm_body *const *bodies, vm_vec3 about, double gr
 {
     double unused[6] = {0, 0, 0, 0, 0, 0}, turning = 0, inertia = 0, energy = 0;
     int i;
-    for (i = 0; i < n; i++)
-        inertia += growth * add_body_inertia(unused, 1, bodies[i], about), turning += size3(bodies[i]->omega);
+    for (i = 0; i < n; i++) {
+        inertia += growth * add_body_inertia(unused, 1, bodies[i], about);
+        turning += size3(bodies[i]->omega);
+    }
     for (i = 0; i < n; i++) {
         const double v = size3(bodies[i]->v), reach = size3(bodies[i]->r) + size3(about);
         energy += (double)bodies[i]->mass * v * (v + turning * reach);
@@ -81,15 +83,21 @@ static void check_quiet(const vm_body *whole, vm_body part)
     double share, noise, T, scale;
     const vm_body *all[3];
     vm_body rest, change;
-    part.omega = whole->omega, part.v = vmi_add(whole->v, vmi_cross(whole->omega, d));
+    part.omega = whole->omega;
+    part.v = vmi_add(whole->v, vmi_cross(whole->omega, d));
     if (vm_separate(whole, &part, NULL, &rest) < 0 || !tame_body(&rest) || !tame_body(&part)) return;
-    share = (double)(part.mass / rest.mass), change = rest, change.omega = vmi_sub(rest.omega, whole->omega);
+    share = (double)(part.mass / rest.mass);
+    change = rest;
+    change.omega = vmi_sub(rest.omega, whole->omega);
     noise = share * (double)whole->mass * size3(d) * speed + trace_of(&rest.inertia) * turning;
     HOLDS(size3(vm_angular_momentum(&change, change.r)) <= 16 * EPS * noise);
     HOLDS(within3(rest.v, vmi_add(whole->v, vmi_cross(whole->omega, vmi_sub(rest.r, whole->r))),
                   16 * EPS * (1 + share) * (speed + turning * size3(rest.r))));
     T = (double)vm_kinetic_energy(&rest) + (double)vm_kinetic_energy(&part) - (double)vm_kinetic_energy(whole);
-    all[0] = whole, all[1] = &part, all[2] = &rest, scale = sway(3, all, whole->r, 1 + share);
+    all[0] = whole;
+    all[1] = &part;
+    all[2] = &rest;
+    scale = sway(3, all, whole->r, 1 + share);
     HOLDS(fabs(T) <= 16 * EPS * scale);
     HOLDS(fabs((double)vm_energy_gain(whole, 1, &part, NULL, &rest)) <= 16 * EPS * scale);
 }
@@ -114,7 +122,8 @@ static void check_separate(void)
     tame_all = tame_body(&whole) && tame_body(&part) && tame_body(&rest) &&
                (!external || (tame3(external->linear) && tame3(external->couple) && tame3(external->at)));
     if (!tame_all) return;
-    both[0] = rest, both[1] = part;
+    both[0] = rest;
+    both[1] = part;
     check_balance(1, &whole, 2, both, external, status == VM_NULL_AXIS);
     check_parts(1, &whole, 2, both, (double)(whole.mass / rest.mass));
     check_quiet(&whole, part);
@@ -141,7 +150,10 @@ static void check_attach(void)
     vm_body added[3], before[4], whole;
     int status, i, tame_all = tame_body(&body);
     before[0] = body;
-    for (i = 0; i < n; i++) before[i + 1] = added[i] = draw_body(1), tame_all &= tame_body(&added[i]);
+    for (i = 0; i < n; i++) {
+        before[i + 1] = added[i] = draw_body(1);
+        tame_all &= tame_body(&added[i]);
+    }
     STAIN(whole);
     status = vm_attach_all(&body, n, added, external, &whole);
     if (status < 0) {
@@ -160,7 +172,8 @@ static void check_attach(void)
         double scale;
         for (i = 0; i < n; i++) T += (double)vm_kinetic_energy(&added[i]);
         for (i = 0; i <= n; i++) all[i] = before + i;
-        all[n + 1] = &whole, scale = sway(n + 2, all, whole.r, 1);
+        all[n + 1] = &whole;
+        scale = sway(n + 2, all, whole.r, 1);
         HOLDS(loss >= -16 * EPS * scale && fabs(T - (double)vm_kinetic_energy(&whole) - loss) <= 16 * EPS * scale);
     }
 }
@@ -180,7 +193,8 @@ static void check_inertia(void)
     vm_vec3 centre, centre2;
     double sum[6] = {0, 0, 0, 0, 0, 0}, scale, reduced;
     int i;
-    STAIN(whole), STAIN(centre);
+    STAIN(whole);
+    STAIN(centre);
     if (vm_combine_inertia(ma, &a, mb, &b, d, &whole, &centre) < 0) {
         HOLDS(UNTOUCHED(whole) && UNTOUCHED(centre));
         return;
@@ -190,14 +204,19 @@ static void check_inertia(void)
     HOLDS(vm_inertia_possible(&whole) && size3(centre) <= size3(d) * (1 + 4 * EPS));
     scale = trace_of(&moved);
     check_tensors(&back, &a, 8 * EPS * scale);
-    add_inertia(sum, 1, &a), add_point_inertia(sum, (double)ma, (double)d.x, (double)d.y, (double)d.z);
+    add_inertia(sum, 1, &a);
+    add_point_inertia(sum, (double)ma, (double)d.x, (double)d.y, (double)d.z);
     add_inertia(sum, -1, &moved);
     for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 8 * EPS * scale);
-    reduced = (double)ma * (double)mb / ((double)ma + (double)mb), memset(sum, 0, sizeof sum);
-    add_inertia(sum, 1, &a), add_inertia(sum, 1, &b), add_inertia(sum, -1, &whole);
+    reduced = (double)ma * (double)mb / ((double)ma + (double)mb);
+    memset(sum, 0, sizeof sum);
+    add_inertia(sum, 1, &a);
+    add_inertia(sum, 1, &b);
+    add_inertia(sum, -1, &whole);
     add_point_inertia(sum, reduced, (double)d.x, (double)d.y, (double)d.z);     /* Steiner's share of both */
     for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 64 * EPS * trace_of(&whole)); /* as check_parts */
-    STAIN(part), STAIN(centre2);
+    STAIN(part);
+    STAIN(centre2);
     if (vm_split_inertia(ma + mb, &whole, mb, &b, vmi_sub(d, centre), &part, &centre2) < 0) HOLDS(UNTOUCHED(part));
     else check_tensors(&part, &a, 64 * EPS * trace_of(&whole) * (1 + (double)(mb / ma)));
 }
@@ -253,7 +272,8 @@ static void check_parts2(const vm_body2 *whole, const vm_body2 *a, const vm_body
     const vm_body2 *parts[2];
     double sum = (double)whole->inertia, scale = sum;
     int i;
-    parts[0] = a, parts[1] = b;
+    parts[0] = a;
+    parts[1] = b;
     for (i = 0; i < 2; i++) {
         const vm_body2 *p = parts[i];
         const double dx = (double)p->x - (double)whole->x, dy = (double)p->y - (double)whole->y, d = hypot(dx, dy);
@@ -275,8 +295,12 @@ static void check_plane(void)
     const vm_real spin = draw_in(-3, 3), v[2] = {draw_in(-3, 3), draw_in(-3, 3)};
     vm_body in_space;
     int status;
-    if (draw_byte() % 8) part.mass = whole.mass * draw_in(0, 1), part.inertia = part.mass * draw_in(0, 0.1);
-    part.x = whole.x + draw_in(-0.3, 0.3), part.y = whole.y + draw_in(-0.3, 0.3);
+    if (draw_byte() % 8) {
+        part.mass = whole.mass * draw_in(0, 1);
+        part.inertia = part.mass * draw_in(0, 0.1);
+    }
+    part.x = whole.x + draw_in(-0.3, 0.3);
+    part.y = whole.y + draw_in(-0.3, 0.3);
     STAIN(rest);
     status = vm_separate2(&whole, &part, external, &rest);
     if (status < 0) HOLDS(UNTOUCHED(rest));

@@ -5,7 +5,8 @@
 /* dv/dqdot and domega/dqdot of a free body's own mass centre, six coordinates */
 static void free_coordinates(vm_vec3 *dr, vm_vec3 *turn)
 {
-    memset(dr, 0, 6 * sizeof *dr), memset(turn, 0, 6 * sizeof *turn);
+    memset(dr, 0, 6 * sizeof *dr);
+    memset(turn, 0, 6 * sizeof *turn);
     dr[0].x = dr[1].y = dr[2].z = turn[3].x = turn[4].y = turn[5].z = 1;
 }
 
@@ -38,11 +39,18 @@ static void check_hit(void)
     const vm_real null[6] = {0, 0, 0, 0, 0, 0};
     int i, status;
     free_coordinates(dr, turn);
-    memset(matrix, 0, sizeof matrix), memset(p, 0, sizeof p), memset(Q, 0, sizeof Q);
-    vm_lagrange_mass(6, &body, dr, turn, matrix), vm_lagrange_momentum(6, &body, dr, turn, p);
+    memset(matrix, 0, sizeof matrix);
+    memset(p, 0, sizeof p);
+    memset(Q, 0, sizeof Q);
+    vm_lagrange_mass(6, &body, dr, turn, matrix);
+    vm_lagrange_momentum(6, &body, dr, turn, p);
     vm_lagrange_impulse(6, &impulse, body.r, dr, turn, Q);
-    rates[0] = body.v.x, rates[1] = body.v.y, rates[2] = body.v.z;
-    rates[3] = body.omega.x, rates[4] = body.omega.y, rates[5] = body.omega.z;
+    rates[0] = body.v.x;
+    rates[1] = body.v.y;
+    rates[2] = body.v.z;
+    rates[3] = body.omega.x;
+    rates[4] = body.omega.y;
+    rates[5] = body.omega.z;
     if (tame_body(&body) && body.mass > 0 && vm_inertia_possible(&body.inertia))
         check_quadratic(&body, matrix, rates, p);
     STAIN(after);
@@ -70,9 +78,16 @@ static void check_singular(void)
     vm_real before[4], after[4], qdot[2], part[2], out[2], work[VM_LAGRANGE_WORK(2)];
     const int n = draw_below(3);
     int i, status;
-    for (i = 0; i < 4; i++) before[i] = draw_in(-1, 1), after[i] = MOSTLY(draw_in(-1, 1));
-    before[2] = before[1], after[2] = after[1];
-    for (i = 0; i < 2; i++) qdot[i] = MOSTLY(draw_in(-3, 3)), part[i] = MOSTLY(draw_in(-3, 3));
+    for (i = 0; i < 4; i++) {
+        before[i] = draw_in(-1, 1);
+        after[i] = MOSTLY(draw_in(-1, 1));
+    }
+    before[2] = before[1];
+    after[2] = after[1];
+    for (i = 0; i < 2; i++) {
+        qdot[i] = MOSTLY(draw_in(-3, 3));
+        part[i] = MOSTLY(draw_in(-3, 3));
+    }
     STAIN(out);
     status = vm_lagrange_separate(n, before, after, qdot, draw_byte() & 1 ? part : NULL, NULL, out, work);
     if (status) HOLDS(status < 0 && UNTOUCHED(out));
@@ -86,8 +101,11 @@ static void check_pendulum(void)
     const vm_real Omega = MOSTLY(draw_in(-3, 3)), ux = MOSTLY(draw_in(-3, 3)), uy = MOSTLY(draw_in(-3, 3));
     vm_real part;
     int status;
-    p.mass = MOSTLY(draw_log(0.1, 10)), p.length = MOSTLY(draw_log(0.1, 10)), p.angle = MOSTLY(draw_in(-4, 4));
-    p.rate = MOSTLY(draw_in(-5, 5)), p.axes = draw_byte() % 32 ? draw_below(2) : 5;
+    p.mass = MOSTLY(draw_log(0.1, 10));
+    p.length = MOSTLY(draw_log(0.1, 10));
+    p.angle = MOSTLY(draw_in(-4, 4));
+    p.rate = MOSTLY(draw_in(-5, 5));
+    p.axes = draw_byte() % 32 ? draw_below(2) : 5;
     part = draw_byte() % 8 ? p.length * draw_in(0, 1) : draw_any();
     STAIN(cut);
     status = vm_pendulum_separate(&p, part, Omega, ux, uy, &cut);
@@ -120,7 +138,8 @@ static void masses_of(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
     const vm_real *p = (const vm_real *)ctx;
     (void)q;
-    masses[0] = p[0], masses[1] = p[1] - p[2] * t;
+    masses[0] = p[0];
+    masses[1] = p[1] - p[2] * t;
 }
 
 static vm_real energy_of(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
@@ -136,10 +155,12 @@ static int forces_of(vm_real t, const vm_real *q, const vm_real *rates, const vm
 {
     const vm_real *p = (const vm_real *)ctx;
     vm_vec3 weight = {0, 0, 0}, none = {0, 0, 0}, dr[2];
-    (void)t, (void)rates;
+    (void)t;
+    (void)rates;
     memset(dr, 0, sizeof dr);
     weight.y = -VM_C(9.81) * masses[1];
-    dr[0].y = p[3] * VM_LIBM(sin)(q[0]), dr[1].y = p[4] * VM_LIBM(sin)(q[1]);
+    dr[0].y = p[3] * VM_LIBM(sin)(q[0]);
+    dr[1].y = p[4] * VM_LIBM(sin)(q[1]);
     vm_add_force(2, weight, dr, none, NULL, Q);
     return p[5] > R(0.99) ? 3 : 0;
 }
@@ -152,15 +173,26 @@ static void check_equations(void)
     volatile int outside = 2 + draw_below(9); /* gcc would warn of what is not done */
     int i, status, all_tame = tame(t);
     memset(&l, 0, sizeof l);
-    p[0] = MOSTLY(draw_log(0.1, 10)), p[1] = MOSTLY(draw_log(0.1, 10)), p[2] = draw_in(0, 0.04),
+    p[0] = MOSTLY(draw_log(0.1, 10));
+    p[1] = MOSTLY(draw_log(0.1, 10));
+    p[2] = draw_in(0, 0.04);
     p[3] = draw_log(0.1, 3);
-    p[4] = draw_log(0.1, 3), p[5] = draw_in(0, 1);
-    l.n = 2, l.n_masses = 2, l.masses = masses_of, l.energy = energy_of, l.forces = forces_of, l.ctx = p,
+    p[4] = draw_log(0.1, 3);
+    p[5] = draw_in(0, 1);
+    l.n = 2;
+    l.n_masses = 2;
+    l.masses = masses_of;
+    l.energy = energy_of;
+    l.forces = forces_of;
+    l.ctx = p;
     l.work = work;
-    for (i = 0; i < 2; i++)
-        q[i] = MOSTLY(draw_in(-3, 3)), rates[i] = MOSTLY(draw_in(-3, 3)),
+    for (i = 0; i < 2; i++) {
+        /* a mass ratio beyond 1/eps makes the matrix of masses singular */
+        q[i] = MOSTLY(draw_in(-3, 3));
+        rates[i] = MOSTLY(draw_in(-3, 3));
         all_tame = all_tame && tame(q[i]) && tame(rates[i]) && tame(p[i]) && p[i] > R(0.09) &&
-                   p[i] < 20; /* a mass ratio beyond 1/eps makes the matrix of masses singular */
+                   p[i] < 20;
+    }
     STAIN(y);
     status = vm_lagrange_start(&l, t, q, rates, y);
     if (status) {

@@ -65,7 +65,8 @@ typedef struct table_of {
 static int wave(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     const vm_real *p = (const vm_real *)ctx;
-    *f = p[0] + p[1] * VM_LIBM(sin)(t), *rate = p[1] * VM_LIBM(cos)(t);
+    *f = p[0] + p[1] * VM_LIBM(sin)(t);
+    *rate = p[1] * VM_LIBM(cos)(t);
     return p[2] > R(0.97);
 }
 
@@ -81,12 +82,15 @@ static vm_law draw_law(table_of *table, vm_real *ctx)
     case 2: return vm_law_exponential(f0, f1);
     case 3: return vm_law_power(f0, f1, draw_in(-3, 3));
     case 4:
-        for (i = 0; i < TABLE; i++)
-            table->time[i] = R(4 * i) + (draw_byte() % 16 ? 0 : draw_in(-8, 8)),
+        for (i = 0; i < TABLE; i++) {
+            table->time[i] = R(4 * i) + (draw_byte() % 16 ? 0 : draw_in(-8, 8));
             table->value[i] = draw_byte() % 16 ? draw_in(0.5, 2) : 0;
+        }
         return vm_law_table(draw_byte() % 8 ? TABLE : draw_below(TABLE), table->time, table->value);
     case 5:
-        ctx[0] = draw_log(0.5, 5), ctx[1] = draw_in(-0.3, 0.3), ctx[2] = draw_in(0, 1);
+        ctx[0] = draw_log(0.5, 5);
+        ctx[1] = draw_in(-0.3, 0.3);
+        ctx[2] = draw_in(0, 1);
         law = vm_law_user(wave, ctx);
         if (ctx[1] > R(0.2)) law.change_time = MOSTLY(draw_log(0.1, 10));
         return law;
@@ -101,7 +105,9 @@ static void check_laws(void)
     const vm_law law = draw_law(&table, ctx);
     const vm_real t = MOSTLY(draw_in(-1, 20));
     int status;
-    STAIN(f), STAIN(rate), STAIN(integral);
+    STAIN(f);
+    STAIN(rate);
+    STAIN(integral);
     status = vm_law_at(&law, t, &f, &rate);
     if (status) HOLDS(status < 0 && UNTOUCHED(f) && UNTOUCHED(rate));
     else {
@@ -129,10 +135,17 @@ static vm_osc_problem draw_problem(table_of *tables, vm_real (*ctx)[3])
     memset(&p, 0, sizeof p);
     p.alpha = MOSTLY(draw_byte() & 1 ? R(draw_below(8)) : draw_in(0, 8));
     if (p.alpha > 20 && is_finite(p.alpha)) p.alpha = 20; /* runs of minutes */
-    p.mass = draw_law(tables, ctx[0]), p.stiffness = draw_law(tables + 1, ctx[1]);
-    p.reactive = draw_in(0, 1), p.damping = draw_in(-0.02, 0.05);
-    p.x = MOSTLY(draw_in(-1.5, 1.5)), p.v = MOSTLY(draw_in(-1.5, 1.5));
-    if (draw_byte() % 4 == 0) ctx[2][0] = draw_in(-0.02, 0.02), p.force = small_force, p.ctx = ctx[2];
+    p.mass = draw_law(tables, ctx[0]);
+    p.stiffness = draw_law(tables + 1, ctx[1]);
+    p.reactive = draw_in(0, 1);
+    p.damping = draw_in(-0.02, 0.05);
+    p.x = MOSTLY(draw_in(-1.5, 1.5));
+    p.v = MOSTLY(draw_in(-1.5, 1.5));
+    if (draw_byte() % 4 == 0) {
+        ctx[2][0] = draw_in(-0.02, 0.02);
+        p.force = small_force;
+        p.ctx = ctx[2];
+    }
     return p;
 }
 
@@ -187,7 +200,8 @@ static void check_routes(void)
        goes out of what is usual this may move its steps */
     const int same_work = !fuzz.wild || (route_is_law(route) && tame_law(&p.mass) && tame_law(&p.stiffness) &&
                                          !p.force && VM_FABS(t) <= 30);
-    STAIN(plan), STAIN(m);
+    STAIN(plan);
+    STAIN(m);
     planned = vm_osc_plan_init(&plan, &p);
     if (planned) HOLDS(planned < 0 && UNTOUCHED(plan));
     else if (takes_long(&plan, t)) return;

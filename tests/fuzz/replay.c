@@ -113,7 +113,10 @@ int main(int argc, char **argv)
             if (argv[i][1] == 'n') count = strtol(argv[++i], NULL, 10);
             else if (argv[i][1] == 's') seed = strtol(argv[++i], NULL, 10);
             else only = argv[++i];
-        } else failed += replay_file(argv[i]), files++;
+        } else {
+            failed += replay_file(argv[i]);
+            files++;
+        }
     for (k = 0; k < sizeof targets / sizeof *targets && count > 0; k++)
         if (!only || strcmp(only, targets[k].name) == 0)
             replay_random(targets + k, only || !targets[k].slow ? count : count / targets[k].slow,

@@ -18,7 +18,8 @@ static void check_free(void)
     vm_quat q;
     double size, turns;
     int status;
-    STAIN(motion), STAIN(later);
+    STAIN(motion);
+    STAIN(later);
     status = vm_free_init(&motion, &body, t0);
     if (status) {
         HOLDS(status < 0 && UNTOUCHED(motion));
@@ -26,7 +27,8 @@ static void check_free(void)
         return;
     }
     HOLDS(body.mass > 0 && vm_inertia_possible(&body.inertia) && finite_body(&body) && is_finite(t0));
-    STAIN(q), STAIN(omega);
+    STAIN(q);
+    STAIN(omega);
     status = vm_free_at(&motion, t, &later);
     if (status) {
         HOLDS(status == VM_NOT_FINITE && UNTOUCHED(later) && vm_free_attitude(&motion, t, &q, &omega) <= 0);
@@ -35,9 +37,11 @@ static void check_free(void)
     HOLDS(finite_body(&later) && is_finite(t));
     HOLDS(vm_free_attitude(&motion, t, &q, &omega) == VM_OK);
     if (!tame_body(&body) || !tame(t) || !tame(t0)) return;
-    size = norm4(body.q), size = size > 0 ? size : 1;
+    size = norm4(body.q);
+    size = size > 0 ? size : 1;
     HOLDS(fabs(norm4(later.q) - size) <= 16 * EPS * size && fabs(norm4(q) - size) <= 16 * EPS * size);
-    L = vm_angular_momentum(&body, body.r), L2 = vm_angular_momentum(&later, later.r);
+    L = vm_angular_momentum(&body, body.r);
+    L2 = vm_angular_momentum(&later, later.r);
     turns = (double)(body.inertia.xx + body.inertia.yy + body.inertia.zz) * size3(body.omega);
     HOLDS(within3(L, L2, 64 * EPS * turns));
     body.v = later.v = origin;
@@ -57,14 +61,17 @@ static void check_principal(void)
     vm_quat q = draw_attitude(), q_now;
     vm_free_motion motion;
     double L = 0, L_now = 0, scale, size = norm4(q);
-    moments.x = R(y * y + z * z), moments.y = R(z * z + x * x), moments.z = R(x * x + y * y);
+    moments.x = R(y * y + z * z);
+    moments.y = R(z * z + x * x);
+    moments.z = R(x * x + y * y);
     if (draw_byte() % 16 == 0) moments.x = draw_any();
     STAIN(motion);
     if (vm_free_init_principal(&motion, moments, q, omega, 0)) {
         HOLDS(UNTOUCHED(motion));
         return;
     }
-    STAIN(q_now), STAIN(now);
+    STAIN(q_now);
+    STAIN(now);
     if (vm_free_attitude(&motion, t, &q_now, &now)) {
         HOLDS(UNTOUCHED(q_now) && UNTOUCHED(now));
         return;
@@ -88,7 +95,8 @@ static void check_euler(void)
     double z[3] = {0, 0, 1}, sum[3] = {0, 0, 0}, speeds = 0;
     vm_real rates[3];
     int i, status;
-    vm_euler_313_axes(psi, theta, axis), vm_euler_313_body_axes(theta, phi, body_axis);
+    vm_euler_313_axes(psi, theta, axis);
+    vm_euler_313_body_axes(theta, phi, body_axis);
     STAIN(rates);
     status = vm_euler_313_rates(psi, theta, omega, rates);
     if (status) {
@@ -107,7 +115,9 @@ static void check_euler(void)
     if (!tame3(omega)) return;
     for (i = 0; i < 3; i++) {
         const double rate = (double)rates[i];
-        sum[0] += rate * (double)axis[i].x, sum[1] += rate * (double)axis[i].y, sum[2] += rate * (double)axis[i].z;
+        sum[0] += rate * (double)axis[i].x;
+        sum[1] += rate * (double)axis[i].y;
+        sum[2] += rate * (double)axis[i].z;
         speeds += fabs(rate); /* without bound where sin(theta) is small: psi' and phi' cancel */
     }
     HOLDS(within(R(sum[0]), omega.x, 8 * EPS * speeds) && within(R(sum[1]), omega.y, 8 * EPS * speeds) &&

@@ -5,10 +5,12 @@
 static vm_rotor draw_rotor(void)
 {
     vm_rotor r;
-    r.mass = MOSTLY(draw_log(1e-2, 1e2)), r.inertia = MOSTLY(draw_log(1e-2, 1e2));
+    r.mass = MOSTLY(draw_log(1e-2, 1e2));
+    r.inertia = MOSTLY(draw_log(1e-2, 1e2));
     r.stiffness = MOSTLY(draw_byte() % 8 ? draw_log(1e-2, 1e3) : 0);
     r.damping = MOSTLY(draw_byte() % 4 ? draw_log(1e-3, 10) : 0);
-    r.torque = MOSTLY(draw_in(-5, 5)), r.s = MOSTLY(draw_byte() % 2 ? draw_in(0, 1) : 0);
+    r.torque = MOSTLY(draw_in(-5, 5));
+    r.s = MOSTLY(draw_byte() % 2 ? draw_in(0, 1) : 0);
     return r;
 }
 
@@ -119,8 +121,10 @@ static void check_break(void)
     vm_real before[6];
     int status;
     draw_state(before);
-    piece.mass = draw_byte() % 8 ? whole.mass * draw_in(0, 1) : draw_any(), piece.inertia = MOSTLY(draw_in(0, 0.1));
-    piece.distance = MOSTLY(draw_in(0, 0.5)), piece.alpha = MOSTLY(draw_in(-3, 3)),
+    piece.mass = draw_byte() % 8 ? whole.mass * draw_in(0, 1) : draw_any();
+    piece.inertia = MOSTLY(draw_in(0, 0.1));
+    piece.distance = MOSTLY(draw_in(0, 0.5));
+    piece.alpha = MOSTLY(draw_in(-3, 3));
     piece.radius = MOSTLY(draw_in(0.5, 2));
     piece.contact = MOSTLY(draw_in(-4, 4));
     STAIN(result);
@@ -193,7 +197,9 @@ static void check_root(const vm_real *c, double x, double y)
     int i;
     for (i = 1; i < 6; i++) {
         const double next = re * x - im * y + (double)c[i];
-        im = re * y + im * x, re = next, terms = terms * size + fabs((double)c[i]);
+        im = re * y + im * x;
+        re = next;
+        terms = terms * size + fabs((double)c[i]);
     }
     HOLDS(hypot(re, im) <= 32 * EPS * terms + (double)VM_MIN);
 }
@@ -204,7 +210,10 @@ static void check_steady(void)
     const vm_real Omega = MOSTLY(draw_in(-30, 30));
     vm_real c[6], re[5], im[5], column[6], steady = vm_rotor_steady(&r, Omega), growth;
     int i, status, stable = vm_rotor_stable(&r, Omega);
-    STAIN(c), STAIN(re), STAIN(im), STAIN(column);
+    STAIN(c);
+    STAIN(re);
+    STAIN(im);
+    STAIN(column);
     if (vm_rotor_char_poly(&r, Omega, c)) HOLDS(UNTOUCHED(c));
     status = vm_rotor_eigenvalues(&r, Omega, re, im);
     if (vm_rotor_routh(&r, Omega, column)) HOLDS(UNTOUCHED(column));
@@ -217,8 +226,11 @@ static void check_steady(void)
                       fabs((double)im[i - 1]) * (1 - 8 * cbrt(EPS))); /* but for multiple roots */
         if (tame_rotor(&r) && VM_FABS(Omega) < R(1e3)) {              /* their sum is -k*, they come in pairs */
             double sum = 0, scale = 0, others = 0;
-            for (i = 0; i < 5; i++)
-                sum += (double)re[i], others += (double)im[i], scale += fabs((double)re[i]) + fabs((double)im[i]);
+            for (i = 0; i < 5; i++) {
+                sum += (double)re[i];
+                others += (double)im[i];
+                scale += fabs((double)re[i]) + fabs((double)im[i]);
+            }
             /* each root moves by the root of eps of its multiplicity, 3 at the most as D, G > 0 and k* do not come
                together */
             HOLDS(fabs(sum + (double)c[1]) <= 8 * cbrt(EPS) * (scale + (double)c[1]) &&

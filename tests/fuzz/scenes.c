@@ -8,23 +8,30 @@ static vm_real push(vm_real t, vm_real x, vm_real v, void *ctx) { return *(const
 
 static void callback(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene)
 {
-    (void)t, (void)y;
+    (void)t;
+    (void)y;
     scene->bodies[effect->body].load.force[0] += *(const vm_real *)effect->ctx;
 }
 
 static vm_mass_now mass_law(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     vm_mass_now now;
-    (void)x, (void)v;
-    now.mass = 2 + *(const vm_real *)ctx * t, now.by_t = *(const vm_real *)ctx, now.by_x = now.by_v = 0;
+    (void)x;
+    (void)v;
+    now.mass = 2 + *(const vm_real *)ctx * t;
+    now.by_t = *(const vm_real *)ctx;
+    now.by_x = now.by_v = 0;
     return now;
 }
 
 static void moving_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
 {
     const vm_real w = *(const vm_real *)ctx;
-    memset(r, 0, sizeof *r), memset(v, 0, sizeof *v), memset(a, 0, sizeof *a);
-    r->y = 5 + VM_C(0.1) * t * w, v->y = VM_C(0.1) * w;
+    memset(r, 0, sizeof *r);
+    memset(v, 0, sizeof *v);
+    memset(a, 0, sizeof *a);
+    r->y = 5 + VM_C(0.1) * t * w;
+    v->y = VM_C(0.1) * w;
 }
 
 static vm_real user_when(vm_real t, const vm_real *y, void *ctx)
@@ -35,7 +42,9 @@ static vm_real user_when(vm_real t, const vm_real *y, void *ctx)
 
 static int user_then(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx, (void)y;
+    (void)t;
+    (void)ctx;
+    (void)y;
     return VM_OK;
 }
 
@@ -96,8 +105,11 @@ static vm_stream draw_stream(void)
 {
     vm_stream stream;
     memset(&stream, 0, sizeof stream);
-    stream.rate = MOSTLY(draw_in(-0.1, 0.3)), stream.motion = draw_byte() % 32 ? draw_below(4) : draw_below(8) - 2;
-    stream.at = draw_vector(1), stream.velocity = draw_vector(2), stream.spin = draw_vector(1);
+    stream.rate = MOSTLY(draw_in(-0.1, 0.3));
+    stream.motion = draw_byte() % 32 ? draw_below(4) : draw_below(8) - 2;
+    stream.at = draw_vector(1);
+    stream.velocity = draw_vector(2);
+    stream.spin = draw_vector(1);
     if (draw_byte() & 1) stream.gyration = draw_inertia(1, 0.2);
     return stream;
 }
@@ -105,9 +117,12 @@ static vm_stream draw_stream(void)
 static vm_band draw_band(void)
 {
     vm_band band;
-    band.radius = MOSTLY(draw_log(0.05, 1)), band.thickness = MOSTLY(draw_log(1e-4, 1e-2)),
+    band.radius = MOSTLY(draw_log(0.05, 1));
+    band.thickness = MOSTLY(draw_log(1e-4, 1e-2));
     band.width = MOSTLY(draw_in(0, 1));
-    band.density = MOSTLY(draw_log(10, 1e4)), band.speed = MOSTLY(draw_in(-2, 2)), band.share = draw_in(0, 1);
+    band.density = MOSTLY(draw_log(10, 1e4));
+    band.speed = MOSTLY(draw_in(-2, 2));
+    band.share = draw_in(0, 1);
     band.by_layer = draw_byte() & 1;
     return band;
 }
@@ -284,15 +299,21 @@ static void check_scene(void)
     vm_culprit culprit;
     vm_body body;
     int i, status, checked, size, wild = 0;
-    memset(&scene, 0, sizeof scene), memset(&options, 0, sizeof options);
-    scene.n_bodies = 1 + draw_below(BODIES), scene.n_effects = draw_below(EFFECTS + 1),
+    memset(&scene, 0, sizeof scene);
+    memset(&options, 0, sizeof options);
+    scene.n_bodies = 1 + draw_below(BODIES);
+    scene.n_effects = draw_below(EFFECTS + 1);
     scene.n_events = draw_byte() & 1 ? draw_below(EVENTS + 1) : 0;
     for (i = 0; i < scene.n_bodies; i++) bodies[i] = draw_scene_body();
     for (i = 0; i < scene.n_effects; i++) effects[i] = draw_effect(scene.n_bodies, data + i);
     for (i = 0; i < scene.n_events; i++) events[i] = draw_event(scene.n_bodies, scene.n_effects, ctx + i);
-    scene.bodies = bodies, scene.effects = effects, scene.events = events, scene.located = located;
+    scene.bodies = bodies;
+    scene.effects = effects;
+    scene.events = events;
+    scene.located = located;
     if (draw_byte() & 1) vm_scene_keep_book(&scene, &book);
-    STAIN(culprit), STAIN(y);
+    STAIN(culprit);
+    STAIN(y);
     checked = vm_scene_check(&scene, &culprit);
     HOLDS(checked <= 0 && strcmp(vm_strerror(checked), "unknown status") != 0);
     size = vm_scene_size(&scene);

@@ -6,7 +6,8 @@
 static vm_linear_mass draw_mass(void)
 {
     vm_linear_mass m;
-    m.mass = MOSTLY(draw_log(0.1, 10)), m.rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.05, 0.05) : 0);
+    m.mass = MOSTLY(draw_log(0.1, 10));
+    m.rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.05, 0.05) : 0);
     return m;
 }
 static int tame_mass(vm_linear_mass m)
@@ -22,10 +23,14 @@ static void check_van_der_pol(void)
     vm_vdp v;
     int status, stable = -7;
     memset(&v, 0, sizeof v);
-    v.alpha = MOSTLY(draw_in(0, 7)), v.k = MOSTLY(draw_log(0.1, 10)), v.b = MOSTLY(draw_in(-0.1, 0.3)),
+    v.alpha = MOSTLY(draw_in(0, 7));
+    v.k = MOSTLY(draw_log(0.1, 10));
+    v.b = MOSTLY(draw_in(-0.1, 0.3));
     v.c = MOSTLY(draw_in(-0.1, 0.3));
-    v.reactive = MOSTLY(draw_in(0, 1)), v.method = draw_byte() % 16 ? draw_below(3) : 7;
-    v.mass = vm_slow_mass_linear, v.mass_ctx = &m;
+    v.reactive = MOSTLY(draw_in(0, 1));
+    v.method = draw_byte() % 16 ? draw_below(3) : 7;
+    v.mass = vm_slow_mass_linear;
+    v.mass_ctx = &m;
     status = vm_vdp_init(&v);
     if (status) {
         HOLDS(status < 0 && v.a1 == 0 && v.a2 == 0);
@@ -45,7 +50,8 @@ static void check_van_der_pol(void)
     if (m.rate == 0 && steady > R(0.01) && steady < 100 && v.c > R(1e-3))
         HOLDS(
             within(vm_vdp_amplitude(&v, t, steady, m), steady, 256 * EPS * (double)steady * (1 + exp((double)t))));
-    y[0] = draw_in(-2, 2), y[1] = draw_in(-2, 2);
+    y[0] = draw_in(-2, 2);
+    y[1] = draw_in(-2, 2);
     status = vm_vdp_rhs(t, y, dydt, &v);
     HOLDS(status ? m.mass + m.rate * t <= 0 : vmi_all_finite(2, dydt) && dydt[0] == y[1]);
     y[0] = draw_in(0.1, 2);
@@ -55,8 +61,10 @@ static void check_van_der_pol(void)
 static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
 {
     vm_complex f;
-    (void)t, (void)v;
-    f.re = -*(const vm_real *)ctx * z.im, f.im = *(const vm_real *)ctx * z.re;
+    (void)t;
+    (void)v;
+    f.re = -*(const vm_real *)ctx * z.im;
+    f.im = *(const vm_real *)ctx * z.re;
     return f;
 }
 
@@ -80,13 +88,25 @@ static void check_laval(void)
     const vm_real t = draw_in(0, 2);
     int i, all_tame, status, sense = draw_below(2) ? 1 : -1;
     memset(&r, 0, sizeof r);
-    spring.k = MOSTLY(draw_log(0.1, 10)), spring.alpha = MOSTLY(draw_byte() & 1 ? R(1) : draw_in(0, 5));
-    r.mass = vm_slow_mass_linear, r.mass_ctx = &m, r.stiffness = vm_laval_power, r.stiffness_ctx = &spring;
-    if (draw_byte() & 1) r.force = turning_load, r.force_ctx = &load;
+    spring.k = MOSTLY(draw_log(0.1, 10));
+    spring.alpha = MOSTLY(draw_byte() & 1 ? R(1) : draw_in(0, 5));
+    r.mass = vm_slow_mass_linear;
+    r.mass_ctx = &m;
+    r.stiffness = vm_laval_power;
+    r.stiffness_ctx = &spring;
+    if (draw_byte() & 1) {
+        r.force = turning_load;
+        r.force_ctx = &load;
+    }
     if (draw_byte() & 1) r.gyro = MOSTLY(draw_in(-1, 1));
-    r.reactive = MOSTLY(draw_in(0, 1)), r.u.re = draw_in(-1, 1), r.samples = draw_byte() & 1 ? 0 : draw_below(40);
+    r.reactive = MOSTLY(draw_in(0, 1));
+    r.u.re = draw_in(-1, 1);
+    r.samples = draw_byte() & 1 ? 0 : draw_below(40);
     for (i = 0; i < 5; i++) y[i] = draw_in(-2, 2);
-    z.re = y[0], z.im = y[1], v.re = y[2], v.im = y[3];
+    z.re = y[0];
+    z.im = y[1];
+    v.re = y[2];
+    v.im = y[3];
     vm_laval_polar(z, &rho, &phi);
     HOLDS(rho >= 0 && VM_FABS(phi) <= VM_PI);
     all_tame = tame_mass(m) && tame(spring.k) && spring.k > R(0.01) && tame(spring.alpha) && spring.alpha >= 0 &&
@@ -115,7 +135,8 @@ static void check_laval(void)
                      g = (double)r.gyro, mass = (double)m.mass;
         HOLDS(sense > 0 ? W > 0 : W < 0);
         HOLDS(fabs(mass * w * w - 2 * g * w - F) <= 64 * EPS * (mass * w * w + 2 * fabs(g * w) + F));
-        y[0] = A, y[1] = draw_in(-3, 3);
+        y[0] = A;
+        y[1] = draw_in(-3, 3);
         if ((sense > 0 ? vm_laval_forward_rhs(t, y, dydt, &r) : vm_laval_backward_rhs(t, y, dydt, &r)) == 0)
             HOLDS(vmi_all_finite(2, dydt));
         HOLDS(within(vm_laval_amplitude(&r, A, m.mass, m.mass), A, 256 * EPS * (double)A) ||
@@ -147,8 +168,11 @@ static void check_pair(void)
     vm_pair p;
     int i, all_tame, status;
     memset(&p, 0, sizeof p);
-    p.alpha = MOSTLY(draw_in(0, 6)), p.k = MOSTLY(draw_log(0.1, 10)), p.reactive = MOSTLY(draw_in(0, 1)),
-    p.mass = vm_slow_mass_linear, p.mass_ctx = &m;
+    p.alpha = MOSTLY(draw_in(0, 6));
+    p.k = MOSTLY(draw_log(0.1, 10));
+    p.reactive = MOSTLY(draw_in(0, 1));
+    p.mass = vm_slow_mass_linear;
+    p.mass_ctx = &m;
     for (i = 0; i < 4; i++) y[i] = draw_byte() % 64 ? draw_in(-2, 2) : draw_any();
     all_tame = tame_mass(m) && tame(p.alpha) && p.alpha >= 0 && p.alpha < 10 && tame(p.k) && p.k > R(0.01) &&
                tame(p.reactive) && VM_FABS(p.reactive) <= 1;
@@ -176,7 +200,8 @@ static void check_pair(void)
 
 static void drifting(vm_real t, vm_forced_now *now, void *ctx)
 {
-    now->nu += *(const vm_real *)ctx * t, now->nu_rate = *(const vm_real *)ctx;
+    now->nu += *(const vm_real *)ctx * t;
+    now->nu_rate = *(const vm_real *)ctx;
 }
 
 static void check_forced(void)
@@ -187,13 +212,20 @@ static void check_forced(void)
     vm_steady steady[3], curve[2];
     vm_passage passage;
     int i, n, status, all_tame;
-    memset(&f, 0, sizeof f), memset(steady, 0, sizeof steady);
-    f.alpha = MOSTLY(draw_byte() % 4 ? draw_in(0.2, 6) : R(1)), f.b = MOSTLY(draw_in(0, 0.1)),
+    memset(&f, 0, sizeof f);
+    memset(steady, 0, sizeof steady);
+    f.alpha = MOSTLY(draw_byte() % 4 ? draw_in(0.2, 6) : R(1));
+    f.b = MOSTLY(draw_in(0, 0.1));
     f.reactive = MOSTLY(draw_in(0, 1));
-    f.now.mass = MOSTLY(draw_log(0.1, 10)), f.now.k = MOSTLY(draw_log(0.1, 10)),
+    f.now.mass = MOSTLY(draw_log(0.1, 10));
+    f.now.k = MOSTLY(draw_log(0.1, 10));
     f.now.nu = MOSTLY(draw_log(0.1, 5));
-    f.now.force = MOSTLY(draw_in(0, 0.3)), f.now.mass_rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.01, 0.01) : 0);
-    if (draw_byte() & 1) f.drift = drifting, f.drift_ctx = &drift;
+    f.now.force = MOSTLY(draw_in(0, 0.3));
+    f.now.mass_rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.01, 0.01) : 0);
+    if (draw_byte() & 1) {
+        f.drift = drifting;
+        f.drift_ctx = &drift;
+    }
     before = f;
     status = vm_forced_init(&f);
     if (status) {
@@ -206,7 +238,9 @@ static void check_forced(void)
                f.now.nu < 10 && tame(f.now.force) && VM_FABS(f.now.force) < 1 && tame(f.now.mass_rate) &&
                VM_FABS(f.now.mass_rate) < R(0.02) && tame(f.reactive) && VM_FABS(f.reactive) <= 1 &&
                f.now.mass < 20 && f.now.k < 20;
-    motion[0] = draw_in(-2, 2), motion[1] = draw_in(-2, 2), motion[2] = draw_in(-4, 4);
+    motion[0] = draw_in(-2, 2);
+    motion[1] = draw_in(-2, 2);
+    motion[2] = draw_in(-4, 4);
     if (vm_forced_rhs(t, motion, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt) && dydt[0] == motion[1]);
     STAIN(y);
     status = vm_forced_split(&f, t, motion, y);
@@ -214,7 +248,9 @@ static void check_forced(void)
     else if (vm_forced_join(&f, t, y, back) == 0 && all_tame && f.now.force == 0 && f.b == 0 &&
              f.now.mass_rate == 0 && VM_FABS(motion[0]) > R(0.1))
         for (i = 0; i < 2; i++) HOLDS(within(back[i], motion[i], IS_FLOAT ? 1e-2 : 1e-8));
-    y[0] = draw_in(0.1, 2), y[1] = draw_in(-3, 3), y[2] = draw_in(-3, 3);
+    y[0] = draw_in(0.1, 2);
+    y[1] = draw_in(-3, 3);
+    y[2] = draw_in(-3, 3);
     if (vm_forced_exact_rhs(t, y, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
     if (vm_forced_averaged_rhs(t, y, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
     n = vm_forced_steady(&f, t, steady);
@@ -224,7 +260,9 @@ static void check_forced(void)
             HOLDS(steady[i].A > 0 && is_finite(steady[i].A) && (i == 0 || steady[i].A >= steady[i - 1].A));
         HOLDS(steady[i].stable == (steady[i].det > 0 && steady[i].trace < 0));
         if (!all_tame) continue;
-        y[0] = steady[i].A, y[1] = steady[i].delta, y[2] = 0;
+        y[0] = steady[i].A;
+        y[1] = steady[i].delta;
+        y[2] = 0;
         HOLDS(vm_forced_averaged_rhs(t, y, dydt, &f) == 0);
         if (y[0] > R(1e-3) && y[0] < 1000 && f.alpha > R(0.5))
             HOLDS(VM_FABS(dydt[0]) <= R(IS_FLOAT ? 1e-3 : 1e-9) * (1 + y[0]) * (1 + 1 / y[0]));
@@ -244,19 +282,23 @@ static void check_forced(void)
 static void cosine_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
 {
     const vm_real w = *(const vm_real *)ctx;
-    *x = VM_LIBM(cos)(w * t), *v = -w * VM_LIBM(sin)(w * t);
+    *x = VM_LIBM(cos)(w * t);
+    *v = -w * VM_LIBM(sin)(w * t);
 }
 
 static vm_real unit_law(vm_real t, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     return 1;
 }
 
 static int circle_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = y[1], dydt[1] = -y[0];
+    (void)t;
+    (void)ctx;
+    dydt[0] = y[1];
+    dydt[1] = -y[0];
     return 0;
 }
 

@@ -10,9 +10,14 @@ static void draw_streams(int n, vm_stream *streams, const vm_store *store)
     memset(streams, 0, STREAMS * sizeof *streams);
     for (i = 0; i < n; i++) {
         vm_stream *s = streams + i;
-        s->rate = MOSTLY(draw_in(-1, 1)), s->motion = draw_byte() % 32 ? draw_below(4) : 9;
-        s->at = draw_vector(1), s->velocity = draw_vector(3);
-        if (draw_byte() & 1) s->spin = draw_vector(2), s->gyration = draw_inertia(1, 0.3);
+        s->rate = MOSTLY(draw_in(-1, 1));
+        s->motion = draw_byte() % 32 ? draw_below(4) : 9;
+        s->at = draw_vector(1);
+        s->velocity = draw_vector(3);
+        if (draw_byte() & 1) {
+            s->spin = draw_vector(2);
+            s->gyration = draw_inertia(1, 0.3);
+        }
         if (draw_byte() % 4 == 0) s->from = store;
     }
 }
@@ -33,7 +38,8 @@ static void check_inertia_rate(int n, const vm_stream *streams, vm_vec3 centre, 
         const vm_inertia *gyration = s->from ? &s->from->gyration : &s->gyration;
         const double x = (double)at.x - (double)centre.x, y = (double)at.y - (double)centre.y,
                      z = (double)at.z - (double)centre.z, r = size3(at) + size3(centre);
-        add_inertia(sum, (double)s->rate, gyration), add_point_inertia(sum, (double)s->rate, x, y, z);
+        add_inertia(sum, (double)s->rate, gyration);
+        add_point_inertia(sum, (double)s->rate, x, y, z);
         scale += fabs((double)s->rate) * (trace_of(gyration) + r * r);
     }
     add_inertia(sum, -1, rate);
@@ -51,7 +57,9 @@ static void check_quiet_streams(const vm_body *body, vm_vec3 centre, int n, cons
     int i;
     for (i = 0; i < n; i++) {
         const double r = size3(streams[i].at) + size3(centre);
-        quiet[i] = streams[i], quiet[i].motion = VM_RELATIVE, quiet[i].velocity = quiet[i].spin = none;
+        quiet[i] = streams[i];
+        quiet[i].motion = VM_RELATIVE;
+        quiet[i].velocity = quiet[i].spin = none;
         scale += fabs((double)quiet[i].rate) * (trace_of(&quiet[i].gyration) + r * r) * turning;
     }
     if (vm_reactive_loads(body, centre, n, quiet, &sum)) return;
@@ -90,7 +98,8 @@ static void check_loads(void)
     if (all_tame) HOLDS(finite3(sum.force) && within3(sum.force, total, 8 * EPS * scale));
     if (all_tame) check_inertia_rate(n, streams, centre, &sum.inertia_rate);
     if (all_tame) check_quiet_streams(&body, centre, n, streams);
-    STAIN(a), STAIN(b);
+    STAIN(a);
+    STAIN(b);
     status = vm_accelerations(&body, &sum, force, moment, &a, &b);
     if (status) HOLDS(UNTOUCHED(a) && UNTOUCHED(b));
     else if (all_tame && tame3(force))
@@ -108,11 +117,16 @@ static void check_flow(void)
     vm_body back;
     int i, status, all_tame = tame_body(&body);
     memset(&flow, 0, sizeof flow);
-    store.at = draw_vector(1), store.gyration = draw_inertia(1, 0.3);
-    flow.n = draw_below(STREAMS + 1), flow.streams = streams;
+    store.at = draw_vector(1);
+    store.gyration = draw_inertia(1, 0.3);
+    flow.n = draw_below(STREAMS + 1);
+    flow.streams = streams;
     draw_streams(flow.n, streams, &store);
-    flow.force = draw_vector(5), flow.moment = draw_vector(5), flow.centre = draw_vector(0.3);
-    memset(y, 0, sizeof y), fuzz_stain(y, VM_RHS * sizeof *y);
+    flow.force = draw_vector(5);
+    flow.moment = draw_vector(5);
+    flow.centre = draw_vector(0.3);
+    memset(y, 0, sizeof y);
+    fuzz_stain(y, VM_RHS * sizeof *y);
     status = vm_flow_start(&flow, &body, y);
     if (status) {
         HOLDS(status < 0 && fuzz_stained(y, VM_RHS * sizeof *y));
@@ -130,7 +144,10 @@ static void check_flow(void)
     if (vm_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) {
         double rate = 0, rates = 0;
         HOLDS(vmi_all_finite(VM_RHS, dydt));
-        for (i = 0; i < flow.n; i++) rate += (double)streams[i].rate, rates += fabs((double)streams[i].rate);
+        for (i = 0; i < flow.n; i++) {
+            rate += (double)streams[i].rate;
+            rates += fabs((double)streams[i].rate);
+        }
         HOLDS(fabs((double)dydt[VM_Y_MASS] - rate) <= 4 * EPS * rates);
         {
             const vm_inertia of_streams = vmi_stream_load_inertia(dydt + VM_Y_INERTIA);
@@ -143,7 +160,10 @@ static void check_flow(void)
                 other[VM_Y_BALANCE + i], -dydt[VM_Y_P + i],
                 64 * EPS * (200 + fabs((double)dydt[VM_Y_P + i]) + 100 * size3(body.omega) + 100 * size3(body.v))));
     }
-    flow.mass = body.mass, flow.inertia = body.inertia, flow.drift = draw_vector(0.1), flow.status = 0;
+    flow.mass = body.mass;
+    flow.inertia = body.inertia;
+    flow.drift = draw_vector(0.1);
+    flow.status = 0;
     if (vm_rhs_given(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0)
         HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
     flow.status = 0;
@@ -169,7 +189,8 @@ static void check_inertia_rate2(vm_flow2 *flow, const vm_real *y, const vm_real 
         const double dx = (double)s->x - (double)y[7], dy = (double)s->y - (double)y[8];
         sum += (double)s->rate * ((double)s->gyration + dx * dx + dy * dy);
         scale += fabs((double)s->rate) * ((double)s->gyration + 32); /* |d| < 2 + 4 */
-        s->motion = VM_RELATIVE, s->vx = s->vy = s->spin = 0;
+        s->motion = VM_RELATIVE;
+        s->vx = s->vy = s->spin = 0;
     }
     HOLDS(fabs(sum - (double)dydt[9]) <= 16 * EPS * scale);
     HOLDS(vm_rhs2(0, y, quiet, flow) == 0);
@@ -185,18 +206,31 @@ static void check_plane_and_line(void)
     vm_flow1 flow1;
     vm_real y[VM_RHS2], dydt[VM_RHS2];
     int i, all_tame = 1;
-    memset(&flow, 0, sizeof flow), memset(&flow1, 0, sizeof flow1), memset(streams, 0, sizeof streams);
-    flow.n = flow1.n = draw_below(STREAMS + 1), flow.streams = streams, flow1.streams = line;
+    memset(&flow, 0, sizeof flow);
+    memset(&flow1, 0, sizeof flow1);
+    memset(streams, 0, sizeof streams);
+    flow.n = flow1.n = draw_below(STREAMS + 1);
+    flow.streams = streams;
+    flow1.streams = line;
     for (i = 0; i < flow.n; i++) {
-        streams[i].rate = MOSTLY(draw_in(-1, 1)), streams[i].motion = draw_below(4), streams[i].x = draw_in(-1, 1),
+        streams[i].rate = MOSTLY(draw_in(-1, 1));
+        streams[i].motion = draw_below(4);
+        streams[i].x = draw_in(-1, 1);
         streams[i].y = draw_in(-1, 1);
-        streams[i].vx = draw_in(-3, 3), streams[i].vy = draw_in(-3, 3), streams[i].gyration = draw_in(0, 0.1);
-        line[i].rate = streams[i].rate, line[i].velocity = streams[i].vx, line[i].motion = streams[i].motion;
+        streams[i].vx = draw_in(-3, 3);
+        streams[i].vy = draw_in(-3, 3);
+        streams[i].gyration = draw_in(0, 0.1);
+        line[i].rate = streams[i].rate;
+        line[i].velocity = streams[i].vx;
+        line[i].motion = streams[i].motion;
         all_tame &= tame(streams[i].rate);
     }
-    flow.fx = MOSTLY(draw_in(-5, 5)), flow1.force = flow.fx, flow.moment = draw_in(-5, 5);
+    flow.fx = MOSTLY(draw_in(-5, 5));
+    flow1.force = flow.fx;
+    flow.moment = draw_in(-5, 5);
     for (i = 0; i < VM_RHS2; i++) y[i] = draw_in(-2, 2);
-    y[6] = MOSTLY(draw_in(0.1, 10)), y[9] = MOSTLY(draw_in(0.1, 10));
+    y[6] = MOSTLY(draw_in(0.1, 10));
+    y[9] = MOSTLY(draw_in(0.1, 10));
     all_tame = all_tame && tame(flow.fx) && tame(y[6]) && tame(y[9]) && y[6] > R(1e-3) && y[9] > R(1e-3);
     if (vm_rhs2(0, y, dydt, &flow) == 0 && all_tame) {
         HOLDS(vmi_all_finite(VM_RHS2, dydt) && flow.status == 0);
@@ -249,8 +283,11 @@ static void check_closed_forms(void)
         HOLDS(within(vm_tsiolkovsky(v0, m, m, u), v0, 0));
         check_rocket(v0, m0, m, u);
     }
-    stream.rate = MOSTLY(draw_in(-1, 1)), stream.velocity = u, stream.motion = draw_below(5);
-    STAIN(x), STAIN(v);
+    stream.rate = MOSTLY(draw_in(-1, 1));
+    stream.velocity = u;
+    stream.motion = draw_below(5);
+    STAIN(x);
+    STAIN(v);
     status = vm_linear_flow(t, 0, v0, m0, force, &stream, &x, &v);
     if (status) HOLDS(status < 0 && UNTOUCHED(x) && UNTOUCHED(v));
     else {
@@ -270,11 +307,13 @@ static void check_jet(void)
     vm_jet jet;
     vm_vec3 omega;
     int status;
-    jet.rate = MOSTLY(draw_in(-1, 1)), jet.axial = MOSTLY(draw_log(0.1, 10)),
+    jet.rate = MOSTLY(draw_in(-1, 1));
+    jet.axial = MOSTLY(draw_log(0.1, 10));
     jet.transverse = MOSTLY(draw_log(0.1, 10));
-    jet.gyration_axial = MOSTLY(draw_in(0, 1)),
+    jet.gyration_axial = MOSTLY(draw_in(0, 1));
     jet.gyration_transverse = MOSTLY(draw_byte() % 4 ? draw_in(0, 1) : 0);
-    jet.gyration_out = MOSTLY(draw_in(0, 1)), jet.nozzle = MOSTLY(draw_in(0, 2));
+    jet.gyration_out = MOSTLY(draw_in(0, 1));
+    jet.nozzle = MOSTLY(draw_in(0, 2));
     STAIN(omega);
     status = vm_jet_damping(t, &jet, omega0, &omega);
     if (status) {

@@ -37,19 +37,38 @@ static ref_law draw_law(int kind, double epsilon, double T, double *times, doubl
     ref_law l;
     int i;
     memset(&l, 0, sizeof l);
-    l.kind = kind, l.a = 1;
+    l.kind = kind;
+    l.a = 1;
     if (kind == REF_LINEAR || kind == REF_EXPONENTIAL || kind == REF_POWER) l.b = (float)(side * epsilon);
-    if (kind == REF_QUADRATIC) l.b = (float)(side * epsilon), l.c = (float)(epsilon * epsilon * uniform(0, 0.3));
+    if (kind == REF_QUADRATIC) {
+        l.b = (float)(side * epsilon);
+        l.c = (float)(epsilon * epsilon * uniform(0, 0.3));
+    }
     if (kind == REF_QUADRATIC && l.b < 0) l.c = (float)(epsilon * epsilon * 0.1); /* no zero */
     if (kind == REF_POWER) l.c = uniform(-2, 2);
-    if (kind == REF_SINE) l.a = a, l.b = epsilon, l.c = phase;
-    if (kind == REF_FILL) l.a = spread(0.02, 0.5), l.b = uniform(0, T), l.c = spread(T / 800, T / 5);
-    if (kind == REF_BUMP) l.a = spread(0.02, 0.7), l.b = uniform(0, T), l.c = spread(T / 800, T / 5);
+    if (kind == REF_SINE) {
+        l.a = a;
+        l.b = epsilon;
+        l.c = phase;
+    }
+    if (kind == REF_FILL) {
+        l.a = spread(0.02, 0.5);
+        l.b = uniform(0, T);
+        l.c = spread(T / 800, T / 5);
+    }
+    if (kind == REF_BUMP) {
+        l.a = spread(0.02, 0.7);
+        l.b = uniform(0, T);
+        l.c = spread(T / 800, T / 5);
+    }
     if (kind == REF_TABLE) {
-        l.n = POINTS, l.time = times, l.value = values;
-        for (i = 0; i < POINTS; i++)
-            times[i] = T * i / (POINTS - 1),
+        l.n = POINTS;
+        l.time = times;
+        l.value = values;
+        for (i = 0; i < POINTS; i++) {
+            times[i] = T * i / (POINTS - 1);
             values[i] = (float)(rough ? (times[i] > kink ? 1 + step : 1) : 1 + a * sin(epsilon * times[i] + phase));
+        }
     }
     return l;
 }
@@ -62,23 +81,38 @@ static ref_motion draw(int group, int number, double *T, double times[2][POINTS]
     const int kind = group == LOCAL ? local[number % 3] : smooth[number % 6];
     ref_motion o;
     ref_law constant;
-    memset(&o, 0, sizeof o), memset(&constant, 0, sizeof constant);
-    o.bottom = 1 << (int)uniform(0, 4), o.top = (int)uniform(1, 8 * o.bottom + 1);
-    if (uniform(0, 1) < 0.3) o.bottom = 1, o.top = (int)uniform(1, 6);
+    memset(&o, 0, sizeof o);
+    memset(&constant, 0, sizeof constant);
+    o.bottom = 1 << (int)uniform(0, 4);
+    o.top = (int)uniform(1, 8 * o.bottom + 1);
+    if (uniform(0, 1) < 0.3) {
+        o.bottom = 1;
+        o.top = (int)uniform(1, 6);
+    }
     o.alpha = (REAL)o.top / o.bottom;
     *T = floor(uniform(1, 3) / epsilon / 20 * 64 + 1) / 64 * 20; /* twenty steps of few bits */
-    constant.kind = REF_LINEAR, constant.a = 1;
+    constant.kind = REF_LINEAR;
+    constant.a = 1;
     o.mass = draw_law(kind, epsilon, *T, times[0], values[0], group == LOCAL);
     o.stiffness = constant;
     if (group == LOCAL) o.stiffness.a = number % 4 ? spread(0.1, 3) : spread(1e-4, 1e-2);
     if (group == SMOOTH && uniform(0, 1) < 0.25) {
-        o.stiffness.kind = REF_EXPONENTIAL, o.stiffness.b = (float)(epsilon * uniform(-0.5, 0.5));
+        o.stiffness.kind = REF_EXPONENTIAL;
+        o.stiffness.b = (float)(epsilon * uniform(-0.5, 0.5));
     }
-    if (group == LOCAL && number % 5 == 0) o.stiffness = o.mass, o.mass = constant;
-    o.r = uniform(0, 1) < 0.5, o.damping = uniform(0, 1) < 0.5 ? 0 : (float)(epsilon * uniform(-0.1, 0.5));
-    if (group == FORCED)
-        o.force = 1 + number % (REF_FORCES - 1), o.size = spread(1e-3, 0.1), o.frequency = spread(0.01, 5);
-    o.x = uniform(-1, 1), o.P = number % 5 ? uniform(-1, 1) : 0;
+    if (group == LOCAL && number % 5 == 0) {
+        o.stiffness = o.mass;
+        o.mass = constant;
+    }
+    o.r = uniform(0, 1) < 0.5;
+    o.damping = uniform(0, 1) < 0.5 ? 0 : (float)(epsilon * uniform(-0.1, 0.5));
+    if (group == FORCED) {
+        o.force = 1 + number % (REF_FORCES - 1);
+        o.size = spread(1e-3, 0.1);
+        o.frequency = spread(0.01, 5);
+    }
+    o.x = uniform(-1, 1);
+    o.P = number % 5 ? uniform(-1, 1) : 0;
     return o;
 }
 
@@ -104,11 +138,15 @@ int main(void)
             ref_motion start = draw(group, number, &T, times, values), o, again;
             REAL m0, m, v, difference;
             if (start.mass.kind == REF_TABLE) start.mass.piece = 0;
-            ref_choose_piece(&start.mass, 0), m0 = ref_law_at(&start.mass, 0);
-            v = start.P, start.P *= REAL_POW(m0, start.r);
+            ref_choose_piece(&start.mass, 0);
+            m0 = ref_law_at(&start.mass, 0);
+            v = start.P;
+            start.P *= REAL_POW(m0, start.r);
             o = again = start;
-            o.tolerance = 1e-16L, again.tolerance = 1e-14L;
-            ref_follow(&o, T), ref_follow(&again, T);
+            o.tolerance = 1e-16L;
+            again.tolerance = 1e-14L;
+            ref_follow(&o, T);
+            ref_follow(&again, T);
             difference = fabsl(o.x - again.x) + fabsl(o.P - again.P);
             if (o.failed || again.failed || !(difference < 1e-10L)) {
                 fprintf(stderr, "%s %d: left out, %.1Le\n", names[group], number, difference);
@@ -116,7 +154,9 @@ int main(void)
             }
             m = ref_law_at(&o.mass, T);
             printf("    {%.17g, %.17g, %.17g, ", (double)o.alpha, (double)o.r, (double)o.damping);
-            print_law(&o.mass), printf(", "), print_law(&o.stiffness);
+            print_law(&o.mass);
+            printf(", ");
+            print_law(&o.stiffness);
             printf(", %d, %.17g, %.17g, %.17g, %.17g, %.17g, %.19Lg, %.19Lg},\n", o.force, o.size, o.frequency,
                    (double)start.x, (double)v, T, o.x, o.P / REAL_POW(m, o.r));
             fflush(stdout);

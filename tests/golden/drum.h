@@ -5,8 +5,11 @@ static void try_lambert(void)
     int i;
     for (i = 0; i < COUNT / 4; i++) {
         const vm_real x = uniform(VM_C(-0.36), 3), l = uniform(-600, 600);
-        fold(vm_lambert_w0(x)), fold(vm_lambert_wm1(x < 0 ? x : -x / 9)), fold(vm_lambert_w0_exp(l));
-        fold(vm_lambert_w0_mexp(-1 - VM_FABS(l) / 32)), fold(vm_lambert_wm1_mexp(-1 - l * l));
+        fold(vm_lambert_w0(x));
+        fold(vm_lambert_wm1(x < 0 ? x : -x / 9));
+        fold(vm_lambert_w0_exp(l));
+        fold(vm_lambert_w0_mexp(-1 - VM_FABS(l) / 32));
+        fold(vm_lambert_wm1_mexp(-1 - l * l));
     }
     fold(vm_lambert_w0(-1)); /* outside the domain */
 }
@@ -14,9 +17,14 @@ static void try_lambert(void)
 static vm_drum some_drum(void)
 {
     vm_drum d;
-    d.radius = uniform(VM_C(0.5), 1), d.mass = uniform(5, 10), d.inertia = uniform(2, 4);
-    d.band = vm_drum_band(d.radius, VM_C(0.01), 1, 8), d.speed = uniform(-1, 4);
-    d.damping = uniform(0, 1) / 16, d.stiffness = uniform(100, 400), d.omega = uniform(2, 4);
+    d.radius = uniform(VM_C(0.5), 1);
+    d.mass = uniform(5, 10);
+    d.inertia = uniform(2, 4);
+    d.band = vm_drum_band(d.radius, VM_C(0.01), 1, 8);
+    d.speed = uniform(-1, 4);
+    d.damping = uniform(0, 1) / 16;
+    d.stiffness = uniform(100, 400);
+    d.omega = uniform(2, 4);
     return d;
 }
 
@@ -28,15 +36,28 @@ static void try_drum(void)
         const vm_real phi = uniform(0, 6), t = uniform(0, 2), a = uniform(-1, 1);
         vm_drum_geometry g;
         vm_drum_shaft s;
-        CLEAR(g), CLEAR(s);
+        CLEAR(g);
+        CLEAR(s);
         fold_int(vm_drum_at(phi, &d, &g));
-        fold(g.mass), fold(g.arc_centre), fold(g.offset), fold(g.axle_inertia), fold(g.inertia);
-        fold(vm_drum_rate(phi, &d)), fold(vm_drum_time(phi, &d)), fold(vm_drum_angle(t, &d));
+        fold(g.mass);
+        fold(g.arc_centre);
+        fold(g.offset);
+        fold(g.axle_inertia);
+        fold(g.inertia);
+        fold(vm_drum_rate(phi, &d));
+        fold(vm_drum_time(phi, &d));
+        fold(vm_drum_angle(t, &d));
         fold(vm_drum_angle_lambert(t, &d));
         if (i % 8 == 0) fold(vm_drum_stop(&d)); /* infinite where it is driven */
-        fold_int(vm_drum_at(-1, &d, &g)), fold(g.mass); /* refused */
-        fold_int(vm_drum_shaft_init(&d, &s)), fold(s.k), fold(s.delta), fold(s.A), fold(s.shift);
-        fold(vm_drum_deflection(phi, &s, a, t, s.shift)), fold_int(vm_drum_shaft_valid(&s));
+        fold_int(vm_drum_at(-1, &d, &g));
+        fold(g.mass); /* refused */
+        fold_int(vm_drum_shaft_init(&d, &s));
+        fold(s.k);
+        fold(s.delta);
+        fold(s.A);
+        fold(s.shift);
+        fold(vm_drum_deflection(phi, &s, a, t, s.shift));
+        fold_int(vm_drum_shaft_valid(&s));
     }
 }
 
@@ -44,7 +65,8 @@ static void drum_run(ode_rhs rhs, int n, vm_real end)
 {
     vm_drum d = some_drum();
     vm_real y[VM_DRUM_STATES] = {VM_C(0.01), 0, 0, 0, VM_C(0.1), 0};
-    y[5] = d.omega, integrate(rhs, &d, n, end, y);
+    y[5] = d.omega;
+    integrate(rhs, &d, n, end, y);
 }
 
 static void try_drum_runs(void)
@@ -54,4 +76,7 @@ static void try_drum_runs(void)
     drum_run(vm_drum_rhs_angle, 4, 5);
 }
 
-static void golden_drum(void) { try_lambert(), try_drum(), try_drum_runs(); }
+static void golden_drum(void) {
+try_lambert();
+try_drum();
+try_drum_runs(); }

@@ -2,14 +2,17 @@
 
 static int duffing(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
-    dydt[0] = y[1], dydt[1] = -y[0] * y[0] * y[0] - VM_C(0.01) * y[1];
+    (void)t;
+    (void)ctx;
+    dydt[0] = y[1];
+    dydt[1] = -y[0] * y[0] * y[0] - VM_C(0.01) * y[1];
     return 0;
 }
 
 static int leaves_its_domain(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     dydt[0] = -1 / y[0];
     return y[0] < VM_C(0.25) ? 5 : 0;
 }
@@ -17,11 +20,19 @@ static int leaves_its_domain(vm_real t, const vm_real *y, vm_real *dydt, void *c
 static void try_rk4(void)
 {
     vm_real y[2] = {1, 0}, low[2] = {0, 0}, work[RK4_WORK(2)], t = 0;
-    fold_int(rk4_step(duffing, NULL, 2, 0, VM_C(0.125), y, work)), fold_all(2, y);
-    fold_int(rk4_solve(duffing, NULL, 2, &t, 10, 200, y, work)), fold(t), fold_all(2, y);
-    fold_int(rk4_solve_compensated(duffing, NULL, 2, &t, 20, 400, y, low, work)), fold_all(2, y), fold_all(2, low);
-    fold_int(rk4_step(NULL, NULL, 2, 0, 1, y, work)), fold_all(2, y);
-    fold_int(rk4_solve(leaves_its_domain, NULL, 1, &t, 30, 100, y, work)), fold(t), fold(y[0]);
+    fold_int(rk4_step(duffing, NULL, 2, 0, VM_C(0.125), y, work));
+    fold_all(2, y);
+    fold_int(rk4_solve(duffing, NULL, 2, &t, 10, 200, y, work));
+    fold(t);
+    fold_all(2, y);
+    fold_int(rk4_solve_compensated(duffing, NULL, 2, &t, 20, 400, y, low, work));
+    fold_all(2, y);
+    fold_all(2, low);
+    fold_int(rk4_step(NULL, NULL, 2, 0, 1, y, work));
+    fold_all(2, y);
+    fold_int(rk4_solve(leaves_its_domain, NULL, 1, &t, 30, 100, y, work));
+    fold(t);
+    fold(y[0]);
 }
 
 static vm_real first_component(vm_real t, const vm_real *y, void *ctx)
@@ -32,7 +43,8 @@ static vm_real first_component(vm_real t, const vm_real *y, void *ctx)
 
 static void reflected(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     y[1] = -y[1] * VM_C(0.875);
 }
 
@@ -45,26 +57,52 @@ typedef struct watched {
 static void watch(watched *w, rk45_options *o)
 {
     int i;
-    memset(w, 0, sizeof *w), memset(o, 0, sizeof *o);
-    w->levels[0] = 0, w->levels[1] = VM_C(0.5), w->levels[2] = VM_C(-0.75);
-    for (i = 0; i < 3; i++) w->events[i].g = first_component, w->events[i].ctx = &w->levels[i];
-    w->events[0].room = 8, w->events[0].times = w->times, w->events[0].states = w->states;
-    w->events[1].action = ODE_RESTART, w->events[1].direction = 1, w->events[1].change = reflected;
-    w->events[2].action = ODE_STOP, w->events[2].direction = -1, w->events[2].checks = 7;
-    o->events = w->events, o->n_events = 3;
+    memset(w, 0, sizeof *w);
+    memset(o, 0, sizeof *o);
+    w->levels[0] = 0;
+    w->levels[1] = VM_C(0.5);
+    w->levels[2] = VM_C(-0.75);
+    for (i = 0; i < 3; i++) {
+        w->events[i].g = first_component;
+        w->events[i].ctx = &w->levels[i];
+    }
+    w->events[0].room = 8;
+    w->events[0].times = w->times;
+    w->events[0].states = w->states;
+    w->events[1].action = ODE_RESTART;
+    w->events[1].direction = 1;
+    w->events[1].change = reflected;
+    w->events[2].action = ODE_STOP;
+    w->events[2].direction = -1;
+    w->events[2].checks = 7;
+    o->events = w->events;
+    o->n_events = 3;
 }
 
 static void fold_watched(const watched *w)
 {
     int i;
-    for (i = 0; i < 3; i++) fold_int(w->events[i].count), fold(w->events[i].t);
-    for (i = 0; i < 8 && i < w->events[0].count; i++) fold(w->times[i]), fold_all(2, w->states + 2 * i);
+    for (i = 0; i < 3; i++) {
+        fold_int(w->events[i].count);
+        fold(w->events[i].t);
+    }
+    for (i = 0; i < 8 && i < w->events[0].count; i++) {
+        fold(w->times[i]);
+        fold_all(2, w->states + 2 * i);
+    }
 }
 
 static void fold_run(const rk45 *s)
 {
-    fold(s->t), fold_all(s->n, s->y), fold(s->h), fold_int(s->steps), fold_int(s->rejected), fold_int(s->evals);
-    fold_int(s->event), fold_int(s->rhs_status), fold_int(s->stiff);
+    fold(s->t);
+    fold_all(s->n, s->y);
+    fold(s->h);
+    fold_int(s->steps);
+    fold_int(s->rejected);
+    fold_int(s->evals);
+    fold_int(s->event);
+    fold_int(s->rhs_status);
+    fold_int(s->stiff);
 }
 
 /* y' = rhs from 0 to the end, by rk45 with its defaults: y becomes y(end) */
@@ -73,7 +111,9 @@ static void integrate(ode_rhs rhs, void *ctx, int n, vm_real end, vm_real *y)
 {
     vm_real work[RK45_WORK(LARGEST_SYSTEM)];
     rk45 s;
-    fold_int(rk45_init(&s, rhs, ctx, n, 0, y, NULL, work)), fold_int(rk45_solve(&s, end)), fold_run(&s);
+    fold_int(rk45_init(&s, rhs, ctx, n, 0, y, NULL, work));
+    fold_int(rk45_solve(&s, end));
+    fold_run(&s);
     memcpy(y, s.y, (size_t)n * sizeof *y);
 }
 
@@ -87,20 +127,35 @@ static void try_rk45(void)
     watched w;
     rk45 s;
     int i;
-    fold(o.rtol), fold(o.atol), fold_int(o.max_steps);
-    fold_int(rk45_init(&s, duffing, NULL, 2, 0, y0, NULL, work)), fold_int(rk45_solve(&s, 20)), fold_run(&s);
-    fold_int(rk45_solve_with(&s, duffing, 2, -3)), fold_run(&s);
-    fold_int(rk45_restart(&s, 1, again)), fold_int(rk45_step(&s)), fold_run(&s);
-    fold_int(rk45_interpolate(&s, within_last_step(&s), y)), fold_all(2, y);
-    fold_int(rk45_interpolate(&s, s.t + 1, y)), fold_all(2, y); /* refused */
-    fold_int(rk87_step(&s)), fold_run(&s);                      /* refused: the other method's */
+    fold(o.rtol);
+    fold(o.atol);
+    fold_int(o.max_steps);
+    fold_int(rk45_init(&s, duffing, NULL, 2, 0, y0, NULL, work));
+    fold_int(rk45_solve(&s, 20));
+    fold_run(&s);
+    fold_int(rk45_solve_with(&s, duffing, 2, -3));
+    fold_run(&s);
+    fold_int(rk45_restart(&s, 1, again));
+    fold_int(rk45_step(&s));
+    fold_run(&s);
+    fold_int(rk45_interpolate(&s, within_last_step(&s), y));
+    fold_all(2, y);
+    fold_int(rk45_interpolate(&s, s.t + 1, y));
+    fold_all(2, y); /* refused */
+    fold_int(rk87_step(&s));
+    fold_run(&s);                      /* refused: the other method's */
     watch(&w, &o);
-    o.rtol = VM_C(1e-5), o.h_max = VM_C(0.5);
+    o.rtol = VM_C(1e-5);
+    o.h_max = VM_C(0.5);
     fold_int(rk45_init(&s, duffing, NULL, 2, 0, y0, &o, work));
-    for (i = 0; i < 4; i++) fold_int(rk45_solve(&s, 30)), fold_run(&s);
+    for (i = 0; i < 4; i++) {
+        fold_int(rk45_solve(&s, 30));
+        fold_run(&s);
+    }
     fold_watched(&w);
     fold_int(rk45_init(&s, leaves_its_domain, NULL, 1, 0, small, NULL, work));
-    fold_int(rk45_solve(&s, 3)), fold_run(&s);
+    fold_int(rk45_solve(&s, 3));
+    fold_run(&s);
 }
 
 static void try_rk87(void)
@@ -111,15 +166,27 @@ static void try_rk87(void)
     watched w;
     rk87 s;
     int i;
-    fold_int(rk87_init(&s, duffing, NULL, 2, 0, y0, NULL, work)), fold_int(rk87_solve(&s, 20)), fold_run(&s);
-    fold_int(rk87_solve_with(&s, duffing, 2, -3)), fold_run(&s);
-    fold_int(rk87_restart(&s, 1, again)), fold_int(rk87_step(&s)), fold_run(&s);
-    fold_int(rk87_interpolate(&s, within_last_step(&s), y)), fold_all(2, y);
+    fold_int(rk87_init(&s, duffing, NULL, 2, 0, y0, NULL, work));
+    fold_int(rk87_solve(&s, 20));
+    fold_run(&s);
+    fold_int(rk87_solve_with(&s, duffing, 2, -3));
+    fold_run(&s);
+    fold_int(rk87_restart(&s, 1, again));
+    fold_int(rk87_step(&s));
+    fold_run(&s);
+    fold_int(rk87_interpolate(&s, within_last_step(&s), y));
+    fold_all(2, y);
     watch(&w, &o);
     fold_int(rk87_init(&s, duffing, NULL, 2, 0, y0, &o, work));
-    for (i = 0; i < 4; i++) fold_int(rk87_solve(&s, 30)), fold_run(&s);
+    for (i = 0; i < 4; i++) {
+        fold_int(rk87_solve(&s, 30));
+        fold_run(&s);
+    }
     fold_watched(&w);
     for (i = -6; i < 5; i++) fold_text(ode_strerror(i));
 }
 
-static void golden_integrators(void) { try_rk4(), try_rk45(), try_rk87(); }
+static void golden_integrators(void) {
+try_rk4();
+try_rk45();
+try_rk87(); }

@@ -7,14 +7,29 @@ static void try_oscillators(void)
         const vm_real alpha = uniform(0, 6), t = uniform(0, 50), x0 = uniform(-2, 2), omega0 = uniform(VM_C(0.1), 3);
         const vm_real ratio = uniform(VM_C(0.1), 3), damping = uniform(-1, 1), v0 = uniform(-2, 2);
         vm_real x, v;
-        fold(vm_osc_period(x0, omega0, alpha)), fold(vm_osc_vmax(x0, omega0, alpha));
-        vm_osc_exact(t, x0, omega0, alpha, &x, &v), fold(x), fold(v), fold(vm_osc_energy(x, v, omega0, alpha));
-        vm_osc_amplitude_phase(x0, v0, omega0, alpha, &x, &v), fold(x), fold(v);
-        vm_osc_exact_from(t, x0, v0, omega0, alpha, &x, &v), fold(x), fold(v);
-        vm_osc_trig(t, x0, omega0, alpha, &x, &v), fold(x), fold(v);
-        vm_osc_jacobi(t, x0, omega0, alpha, &x, &v), fold(x), fold(v);
-        fold(vm_osc_omega_trig(alpha)), fold(vm_osc_m_jacobi(alpha)), fold(vm_osc_omega_jacobi(alpha));
-        fold(vm_osc_amplitude_law(ratio, damping, 1, alpha)), fold(vm_osc_velocity_law(ratio, damping, 0, alpha));
+        fold(vm_osc_period(x0, omega0, alpha));
+        fold(vm_osc_vmax(x0, omega0, alpha));
+        vm_osc_exact(t, x0, omega0, alpha, &x, &v);
+        fold(x);
+        fold(v);
+        fold(vm_osc_energy(x, v, omega0, alpha));
+        vm_osc_amplitude_phase(x0, v0, omega0, alpha, &x, &v);
+        fold(x);
+        fold(v);
+        vm_osc_exact_from(t, x0, v0, omega0, alpha, &x, &v);
+        fold(x);
+        fold(v);
+        vm_osc_trig(t, x0, omega0, alpha, &x, &v);
+        fold(x);
+        fold(v);
+        vm_osc_jacobi(t, x0, omega0, alpha, &x, &v);
+        fold(x);
+        fold(v);
+        fold(vm_osc_omega_trig(alpha));
+        fold(vm_osc_m_jacobi(alpha));
+        fold(vm_osc_omega_jacobi(alpha));
+        fold(vm_osc_amplitude_law(ratio, damping, 1, alpha));
+        fold(vm_osc_velocity_law(ratio, damping, 0, alpha));
     }
 }
 
@@ -24,14 +39,20 @@ static void try_comparison(void)
     int i;
     for (i = 0; i < 3; i++) {
         const vm_osc_comparison c = vm_osc_compare(alphas[i]);
-        fold(c.trig_vmax), fold(c.jacobi_vmax), fold(c.trig_x), fold(c.trig_v), fold(c.jacobi_x), fold(c.jacobi_v);
+        fold(c.trig_vmax);
+        fold(c.jacobi_vmax);
+        fold(c.trig_x);
+        fold(c.trig_v);
+        fold(c.jacobi_x);
+        fold(c.jacobi_v);
     }
 }
 
 static int rational(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     const vm_real a = *(const vm_real *)ctx;
-    *f = 1 + 1 / (1 + a * t * t), *rate = -2 * a * t * (*f - 1) * (*f - 1);
+    *f = 1 + 1 / (1 + a * t * t);
+    *rate = -2 * a * t * (*f - 1) * (*f - 1);
     return t > 50;
 }
 
@@ -62,9 +83,14 @@ static void try_laws(void)
         const vm_law law = some_law(i % 6);
         const vm_real t = uniform(0, 15);
         vm_real f = 1, rate = 2, integral = 3;
-        fold_int(vm_law_at(&law, t, &f, &rate)), fold(f), fold(rate);
-        fold_int(vm_law_inverse_integral(&law, t, &integral)), fold(integral);
-        fold_int(vm_law_at(&law, 20 * t, &f, &rate)), fold(f), fold(rate); /* some are refused */
+        fold_int(vm_law_at(&law, t, &f, &rate));
+        fold(f);
+        fold(rate);
+        fold_int(vm_law_inverse_integral(&law, t, &integral));
+        fold(integral);
+        fold_int(vm_law_at(&law, 20 * t, &f, &rate));
+        fold(f);
+        fold(rate); /* some are refused */
     }
 }
 
@@ -72,14 +98,24 @@ static vm_osc_problem some_problem(int mass, int stiffness)
 {
     vm_osc_problem p;
     memset(&p, 0, sizeof p);
-    p.alpha = uniform(1, 5), p.mass = some_law(mass), p.stiffness = some_law(stiffness);
-    p.reactive = uniform(0, 1), p.damping = uniform(0, 1) / 64, p.x = uniform(-1, 1), p.v = uniform(1, 2);
+    p.alpha = uniform(1, 5);
+    p.mass = some_law(mass);
+    p.stiffness = some_law(stiffness);
+    p.reactive = uniform(0, 1);
+    p.damping = uniform(0, 1) / 64;
+    p.x = uniform(-1, 1);
+    p.v = uniform(1, 2);
     return p;
 }
 
 static void fold_motion(const vm_osc_motion *m)
 {
-    fold(m->x), fold(m->v), fold(m->amplitude), fold(m->error), fold_int(m->route), fold_int(m->evals);
+    fold(m->x);
+    fold(m->v);
+    fold(m->amplitude);
+    fold(m->error);
+    fold_int(m->route);
+    fold_int(m->evals);
 }
 
 static vm_real small_force(vm_real t, vm_real x, vm_real v, void *ctx)
@@ -96,9 +132,16 @@ static void try_routes(void)
         const vm_real t = uniform(1, 10);
         vm_osc_motion m;
         memset(&m, 0, sizeof m);
-        fold_int(vm_osc_by_trig(&p, t, &m)), fold_motion(&m), fold_int(vm_osc_by_jacobi(&p, t, &m)), fold_motion(&m);
-        fold_int(vm_osc_by_ateb(&p, t, &m)), fold_motion(&m), fold_int(vm_osc_by_second(&p, t, &m)), fold_motion(&m);
-        fold_int(vm_osc_at(&p, t, VM_C(0.1), &m)), fold_motion(&m);
+        fold_int(vm_osc_by_trig(&p, t, &m));
+        fold_motion(&m);
+        fold_int(vm_osc_by_jacobi(&p, t, &m));
+        fold_motion(&m);
+        fold_int(vm_osc_by_ateb(&p, t, &m));
+        fold_motion(&m);
+        fold_int(vm_osc_by_second(&p, t, &m));
+        fold_motion(&m);
+        fold_int(vm_osc_at(&p, t, VM_C(0.1), &m));
+        fold_motion(&m);
     }
     for (i = -1; i < 8; i++) fold_text(vm_osc_route_name(i));
 }
@@ -109,9 +152,12 @@ static void try_integrated_routes(void)
     const vm_real tolerance = VM_C(0.001);
     vm_osc_motion m;
     memset(&m, 0, sizeof m);
-    fold_int(vm_osc_by_variation(&p, 2, tolerance, &m)), fold_motion(&m);
-    fold_int(vm_osc_by_rk45(&p, 2, tolerance, &m)), fold_motion(&m);
-    fold_int(vm_osc_by_rk87(&p, 2, tolerance, &m)), fold_motion(&m);
+    fold_int(vm_osc_by_variation(&p, 2, tolerance, &m));
+    fold_motion(&m);
+    fold_int(vm_osc_by_rk45(&p, 2, tolerance, &m));
+    fold_motion(&m);
+    fold_int(vm_osc_by_rk87(&p, 2, tolerance, &m));
+    fold_motion(&m);
 }
 
 static void try_osc_plans(void)
@@ -125,12 +171,22 @@ static void try_osc_plans(void)
         memset(&m, 0, sizeof m);
         if (i % 2) p.force = small_force;
         fold_int(vm_osc_plan_init(&plan, &p));
-        fold_int(vm_osc_plan_by(&plan, VM_ROUTE_ATEB, 3, 0, &m)), fold_motion(&m);
-        fold_int(vm_osc_plan_at(&plan, 1, VM_C(0.01), &m)), fold_motion(&m);
-        fold_int(vm_osc_by(&p, VM_ROUTE_SECOND, 2, 0, &m)), fold_motion(&m); /* refused with a force */
-        fold_int(vm_osc_averaged(&plan, i % 3, 1, uniform(1, 2), rates, rates + 1, rates + 2)), fold_all(3, rates);
+        fold_int(vm_osc_plan_by(&plan, VM_ROUTE_ATEB, 3, 0, &m));
+        fold_motion(&m);
+        fold_int(vm_osc_plan_at(&plan, 1, VM_C(0.01), &m));
+        fold_motion(&m);
+        fold_int(vm_osc_by(&p, VM_ROUTE_SECOND, 2, 0, &m));
+        fold_motion(&m); /* refused with a force */
+        fold_int(vm_osc_averaged(&plan, i % 3, 1, uniform(1, 2), rates, rates + 1, rates + 2));
+        fold_all(3, rates);
     }
 }
 
-static void golden_oscillators(void) { try_oscillators(), try_comparison(), try_laws(); }
-static void golden_routes(void) { try_routes(), try_integrated_routes(), try_osc_plans(); }
+static void golden_oscillators(void) {
+try_oscillators();
+try_comparison();
+try_laws(); }
+static void golden_routes(void) {
+try_routes();
+try_integrated_routes();
+try_osc_plans(); }

@@ -11,10 +11,17 @@ static void try_rotation(void)
         vm_quat q;
         vm_vec3 omega;
         fold_int(vm_free_init(&motion, &body, 1));
-        fold_int(vm_free_at(&motion, t, &later)), fold_body(&later);
-        fold_int(vm_free_at(&motion, far * t, &later)), fold_body(&later);
-        fold_int(vm_free_attitude(&motion, far + t, &q, &omega)), fold_quat(q), fold3(omega);
-        if (i % 4 == 0) fold_int(vm_free_rotation(&body, t, &later)), fold_body(&later);
+        fold_int(vm_free_at(&motion, t, &later));
+        fold_body(&later);
+        fold_int(vm_free_at(&motion, far * t, &later));
+        fold_body(&later);
+        fold_int(vm_free_attitude(&motion, far + t, &q, &omega));
+        fold_quat(q);
+        fold3(omega);
+        if (i % 4 == 0) {
+            fold_int(vm_free_rotation(&body, t, &later));
+            fold_body(&later);
+        }
     }
 }
 
@@ -36,7 +43,9 @@ static void try_principal_rotation(void)
         for (k = 1; k < 8; k++) {
             vm_quat q;
             vm_vec3 omega;
-            fold_int(vm_free_attitude(&motion, (vm_real)(k * k * k), &q, &omega)), fold_quat(q), fold3(omega);
+            fold_int(vm_free_attitude(&motion, (vm_real)(k * k * k), &q, &omega));
+            fold_quat(q);
+            fold3(omega);
         }
     }
 }
@@ -54,13 +63,18 @@ static void try_euler(void)
         for (k = 0; k < 3; k++) fold3(axis[k]);
         vm_euler_313_body_axes(theta, phi, axis);
         for (k = 0; k < 3; k++) fold3(axis[k]);
-        fold_int(vm_euler_313_rates(psi, theta, omega, rates)), fold_all(3, rates);
+        fold_int(vm_euler_313_rates(psi, theta, omega, rates));
+        fold_all(3, rates);
     }
     {
         vm_real rates[3] = {1, 2, 3};
         const vm_vec3 omega = {1, 2, 3};
-        fold_int(vm_euler_313_rates(1, 0, omega, rates)), fold_all(3, rates); /* refused: sin theta = 0 */
+        fold_int(vm_euler_313_rates(1, 0, omega, rates));
+        fold_all(3, rates); /* refused: sin theta = 0 */
     }
 }
 
-static void golden_rotation(void) { try_rotation(), try_principal_rotation(), try_euler(); }
+static void golden_rotation(void) {
+try_rotation();
+try_principal_rotation();
+try_euler(); }

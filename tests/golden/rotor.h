@@ -3,8 +3,12 @@
 static vm_rotor some_rotor(vm_real s)
 {
     vm_rotor r;
-    r.mass = uniform(1, 5), r.inertia = uniform(1, 3), r.stiffness = uniform(10, 40);
-    r.damping = uniform(VM_C(0.1), 1), r.torque = uniform(1, 5), r.s = s;
+    r.mass = uniform(1, 5);
+    r.inertia = uniform(1, 3);
+    r.stiffness = uniform(10, 40);
+    r.damping = uniform(VM_C(0.1), 1);
+    r.torque = uniform(1, 5);
+    r.s = s;
     return r;
 }
 
@@ -17,25 +21,52 @@ static void try_rotor(void)
         vm_rotor_piece piece;
         vm_rotor_break broken;
         vm_real y[6], z[6], im[6];
-        piece.mass = whole.mass / 8, piece.inertia = uniform(0, VM_C(0.1)), piece.distance = VM_C(0.25);
-        piece.alpha = uniform(-1, 1), piece.radius = 1, piece.contact = uniform(-3, 3);
-        draw_all(6, -1, 1, y), CLEAR(z), CLEAR(im);
-        fold_int(vm_rotor_free(t, &whole, y, z)), fold_all(6, z);
-        fold_int(vm_rotor_orbit(&whole, y, z)), fold_all(4, z);
-        fold_int(vm_rotor_linear(t / 4, &rest, y, z)), fold_all(6, z);
-        fold_int(vm_rotor_linear_uncoupled(t, &rest, y, z)), fold_all(6, z);
-        fold_int(vm_rotor_to_polar(y, z)), fold_all(6, z), fold_int(vm_rotor_from_polar(z, z)), fold_all(6, z);
-        fold_int(vm_rotor_char_poly(&rest, Omega, z)), fold_all(6, z);
-        fold_int(vm_rotor_eigenvalues(&rest, Omega, z, im)), fold_all(5, z), fold_all(5, im);
-        fold_int(vm_rotor_routh(&rest, Omega, z)), fold_all(6, z);
-        fold(vm_rotor_steady(&rest, Omega)), fold_int(vm_rotor_stable(&rest, Omega));
+        piece.mass = whole.mass / 8;
+        piece.inertia = uniform(0, VM_C(0.1));
+        piece.distance = VM_C(0.25);
+        piece.alpha = uniform(-1, 1);
+        piece.radius = 1;
+        piece.contact = uniform(-3, 3);
+        draw_all(6, -1, 1, y);
+        CLEAR(z);
+        CLEAR(im);
+        fold_int(vm_rotor_free(t, &whole, y, z));
+        fold_all(6, z);
+        fold_int(vm_rotor_orbit(&whole, y, z));
+        fold_all(4, z);
+        fold_int(vm_rotor_linear(t / 4, &rest, y, z));
+        fold_all(6, z);
+        fold_int(vm_rotor_linear_uncoupled(t, &rest, y, z));
+        fold_all(6, z);
+        fold_int(vm_rotor_to_polar(y, z));
+        fold_all(6, z);
+        fold_int(vm_rotor_from_polar(z, z));
+        fold_all(6, z);
+        fold_int(vm_rotor_char_poly(&rest, Omega, z));
+        fold_all(6, z);
+        fold_int(vm_rotor_eigenvalues(&rest, Omega, z, im));
+        fold_all(5, z);
+        fold_all(5, im);
+        fold_int(vm_rotor_routh(&rest, Omega, z));
+        fold_all(6, z);
+        fold(vm_rotor_steady(&rest, Omega));
+        fold_int(vm_rotor_stable(&rest, Omega));
         fold(vm_rotor_growth(10 * t, &rest, Omega + 7));
-        fold_int(vm_rotor_free(t, &rest, y, z)), fold_all(6, z); /* refused: s != 0 */
+        fold_int(vm_rotor_free(t, &rest, y, z));
+        fold_all(6, z); /* refused: s != 0 */
         CLEAR(broken);
         fold_int(vm_rotor_break_off(&whole, y, &piece, &broken));
-        fold_all(6, broken.state), fold_all(6, broken.piece), fold(broken.rest.inertia), fold(broken.stop_inertia);
-        fold(broken.dragging), fold(broken.gamma), fold(broken.beta), fold(broken.normal), fold(broken.tangential);
-        fold(broken.spin_piece), fold(broken.spin_rest);
+        fold_all(6, broken.state);
+        fold_all(6, broken.piece);
+        fold(broken.rest.inertia);
+        fold(broken.stop_inertia);
+        fold(broken.dragging);
+        fold(broken.gamma);
+        fold(broken.beta);
+        fold(broken.normal);
+        fold(broken.tangential);
+        fold(broken.spin_piece);
+        fold(broken.spin_rest);
     }
 }
 
@@ -48,4 +79,6 @@ static void try_rotor_runs(void)
     integrate(vm_rotor_polar_rhs, &r, 6, 2, polar);
 }
 
-static void golden_rotor(void) { try_rotor(), try_rotor_runs(); }
+static void golden_rotor(void) {
+try_rotor();
+try_rotor_runs(); }

@@ -7,12 +7,22 @@ static void try_forces(void)
     for (i = 0; i < COUNT / 4; i++) {
         const vm_real k = uniform(0, 3), alpha = uniform(0, 5), x = uniform(-2, 2), v = uniform(-2, 2);
         vm_real fx, fy;
-        fold(vm_force_spring(k, alpha, x)), fold(vm_force_damper(k, v)), fold(vm_force_van_der_pol(k, alpha, x, v));
-        fold(vm_force_drive(k, alpha, v)), fold(vm_force_harmonic(k, alpha, x, v)), fold(vm_force_gravity(k, alpha));
+        fold(vm_force_spring(k, alpha, x));
+        fold(vm_force_damper(k, v));
+        fold(vm_force_van_der_pol(k, alpha, x, v));
+        fold(vm_force_drive(k, alpha, v));
+        fold(vm_force_harmonic(k, alpha, x, v));
+        fold(vm_force_gravity(k, alpha));
         fold(vm_force_stream(k, alpha, x, v));
-        vm_force_shaft(k, alpha, x, v, &fx, &fy), fold(fx), fold(fy);
-        vm_force_unbalance(k, alpha, x, v, &fx, &fy), fold(fx), fold(fy);
-        vm_force_gyroscopic(k, x, v, &fx, &fy), fold(fx), fold(fy);
+        vm_force_shaft(k, alpha, x, v, &fx, &fy);
+        fold(fx);
+        fold(fy);
+        vm_force_unbalance(k, alpha, x, v, &fx, &fy);
+        fold(fx);
+        fold(fy);
+        vm_force_gyroscopic(k, x, v, &fx, &fy);
+        fold(fx);
+        fold(fy);
     }
 }
 
@@ -32,7 +42,9 @@ static golden_scene g; /* one for all, since a Cortex-M0 has 16 KB */
 static void clear_scene(void)
 {
     CLEAR(g);
-    g.scene.bodies = g.bodies, g.scene.effects = g.effects, g.scene.events = g.events;
+    g.scene.bodies = g.bodies;
+    g.scene.effects = g.effects;
+    g.scene.events = g.events;
     g.scene.located = g.located;
 }
 
@@ -42,9 +54,20 @@ static void add_event(vm_event event) { g.events[g.scene.n_events++] = event; }
 
 static void fold_book(const vm_book *b)
 {
-    fold3(b->impulse), fold3(b->angular_impulse), fold3(b->brought), fold3(b->brought_angular), fold(b->work);
-    fold(b->brought_energy), fold(b->mixing), fold3(b->momentum), fold3(b->angular_momentum), fold(b->energy);
-    fold(b->jump_energy), fold3(b->momentum_defect), fold3(b->angular_defect), fold(b->energy_defect);
+    fold3(b->impulse);
+    fold3(b->angular_impulse);
+    fold3(b->brought);
+    fold3(b->brought_angular);
+    fold(b->work);
+    fold(b->brought_energy);
+    fold(b->mixing);
+    fold3(b->momentum);
+    fold3(b->angular_momentum);
+    fold(b->energy);
+    fold(b->jump_energy);
+    fold3(b->momentum_defect);
+    fold3(b->angular_defect);
+    fold(b->energy_defect);
 }
 
 static void run_scene(vm_real t_end)
@@ -55,16 +78,32 @@ static void run_scene(vm_real t_end)
     vm_body now;
     vm_real t = 0;
     int i, size = vm_scene_size(scene);
-    culprit.index = 99, CLEAR(book);
-    fold_int(size), fold_int(vm_scene_check(scene, &culprit)), fold_int(culprit.index);
-    fold_int(vm_scene_start(scene, 0, g.y, &culprit)), fold_all(size, g.y);
-    fold_int(vm_scene_rhs(0, g.y, g.work, scene)), fold_all(size, g.work);
-    fold_int(vm_scene_run(scene, &t, t_end / 2, g.y, g.work, NULL)), fold(t), fold_all(size, g.y);
-    fold_int(vm_scene_run(scene, &t, t_end, g.y, g.work, NULL)), fold(t), fold_all(size, g.y);
-    for (i = 0; i < scene->n_bodies; i++) vm_scene_body_at(scene, i, g.y, &now), fold_body(&now);
-    for (i = 0; i < scene->n_events; i++) fold_int(g.events[i].count), fold(g.events[i].time);
+    culprit.index = 99;
+    CLEAR(book);
+    fold_int(size);
+    fold_int(vm_scene_check(scene, &culprit));
+    fold_int(culprit.index);
+    fold_int(vm_scene_start(scene, 0, g.y, &culprit));
+    fold_all(size, g.y);
+    fold_int(vm_scene_rhs(0, g.y, g.work, scene));
+    fold_all(size, g.work);
+    fold_int(vm_scene_run(scene, &t, t_end / 2, g.y, g.work, NULL));
+    fold(t);
+    fold_all(size, g.y);
+    fold_int(vm_scene_run(scene, &t, t_end, g.y, g.work, NULL));
+    fold(t);
+    fold_all(size, g.y);
+    for (i = 0; i < scene->n_bodies; i++) {
+        vm_scene_body_at(scene, i, g.y, &now);
+        fold_body(&now);
+    }
+    for (i = 0; i < scene->n_events; i++) {
+        fold_int(g.events[i].count);
+        fold(g.events[i].time);
+    }
     if (!scene->book) return;
-    fold_int(vm_scene_balance(scene, t, g.y, &book)), fold_book(&book);
+    fold_int(vm_scene_balance(scene, t, g.y, &book));
+    fold_book(&book);
 }
 
 /* ---- on a line ---- */
@@ -83,15 +122,18 @@ static vm_real late(vm_real t, const vm_real *y, void *ctx)
 
 static int kicked(vm_real t, vm_real *y, void *ctx)
 {
-    (void)t, (void)ctx;
+    (void)t;
+    (void)ctx;
     y[1] += VM_C(0.5);
     return VM_OK;
 }
 
 static int recorded(vm_real t, const vm_real *y, vm_scene *scene, void *ctx)
 {
-    (void)scene, (void)ctx;
-    fold(t), fold(y[0]);
+    (void)scene;
+    (void)ctx;
+    fold(t);
+    fold(y[0]);
     return 0;
 }
 
@@ -118,7 +160,9 @@ static void try_scene_on_a_line(void)
     add_event(vm_then_switch(vm_event_position(0, 0, 0, -1), 6, 1));
     add_event(vm_then_stop(vm_event_at(VM_C(2.75))));
     vm_scene_keep_book(&g.scene, &book);
-    g.scene.output = recorded, g.scene.times = times, g.scene.n_times = 3;
+    g.scene.output = recorded;
+    g.scene.times = times;
+    g.scene.n_times = 3;
     run_scene(3);
 }
 
@@ -128,7 +172,8 @@ static void try_scene_of_parts_on_a_line(void)
     vm_body part;
     clear_scene();
     memset(&part, 0, sizeof part);
-    part.mass = VM_C(0.5), part.v.x = 1;
+    part.mass = VM_C(0.5);
+    part.v.x = 1;
     add_body(vm_scene_line(2, 1, 0));
     add_body(vm_scene_absent(vm_scene_line(1, 0, 0)));
     add_effect(vm_effect_mass(0, VM_MASS_OF_X, VM_C(0.125), 1, 0));
@@ -147,7 +192,10 @@ static vm_mass_now swelling(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     vm_mass_now now;
     (void)ctx;
-    now.mass = 2 + t / 8 + x / 64 + v * v / 128, now.by_t = VM_C(0.125), now.by_x = VM_C(0.015625), now.by_v = v / 64;
+    now.mass = 2 + t / 8 + x / 64 + v * v / 128;
+    now.by_t = VM_C(0.125);
+    now.by_x = VM_C(0.015625);
+    now.by_v = v / 64;
     return now;
 }
 
@@ -160,7 +208,10 @@ static void try_scene_of_axles(void)
     int i;
     for (i = 0; i < 16; i++) {
         const vm_band_now now = vm_band_at(uniform(0, 50), i % 2 ? &band : &layers);
-        fold(now.radius), fold(now.rate), fold(now.mass), fold(now.inertia);
+        fold(now.radius);
+        fold(now.rate);
+        fold(now.mass);
+        fold(now.inertia);
     }
     clear_scene();
     add_body(vm_scene_axle(1, 0, 2));
@@ -182,7 +233,9 @@ static void try_scene_of_axles(void)
 static void varying(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
     (void)ctx;
-    stream->at.x += t / 8, stream->rate += t / 32, stream->velocity.y = y[3];
+    stream->at.x += t / 8;
+    stream->rate += t / 32;
+    stream->velocity.y = y[3];
 }
 
 static void try_scene_in_the_plane(void)
@@ -192,7 +245,9 @@ static void try_scene_in_the_plane(void)
     vm_stream stream;
     clear_scene();
     draw_streams(1, &stream);
-    stream.at.z = 0, stream.velocity.z = 0, stream.motion = VM_ABSOLUTE;
+    stream.at.z = 0;
+    stream.velocity.z = 0;
+    stream.motion = VM_ABSOLUTE;
     add_body(vm_scene_growing_plane(vm_scene_plane(2, 1, still, VM_C(0.5), at, 1)));
     add_body(vm_scene_plane(1, VM_C(0.5), at, 0, still, 2));
     add_effect(vm_effect_varying(vm_effect_stream_mass(0, &stream), varying, NULL));
@@ -210,8 +265,12 @@ static void try_scene_in_the_plane(void)
 static void moving_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
 {
     (void)ctx;
-    memset(r, 0, sizeof *r), memset(v, 0, sizeof *v), memset(a, 0, sizeof *a);
-    r->y = 1 + t * t / 16, v->y = t / 8, a->y = VM_C(0.125);
+    memset(r, 0, sizeof *r);
+    memset(v, 0, sizeof *v);
+    memset(a, 0, sizeof *a);
+    r->y = 1 + t * t / 16;
+    v->y = t / 8;
+    a->y = VM_C(0.125);
 }
 
 static void try_scene_of_parts_in_the_plane(void)
@@ -220,8 +279,12 @@ static void try_scene_of_parts_in_the_plane(void)
     vm_body part;
     clear_scene();
     memset(&part, 0, sizeof part);
-    part.mass = VM_C(0.25), part.inertia.xx = part.inertia.yy = VM_C(0.0625), part.inertia.zz = VM_C(0.125);
-    part.r.x = VM_C(0.125), part.v.y = 2, part.omega.z = 1;
+    part.mass = VM_C(0.25);
+    part.inertia.xx = part.inertia.yy = VM_C(0.0625);
+    part.inertia.zz = VM_C(0.125);
+    part.r.x = VM_C(0.125);
+    part.v.y = 2;
+    part.omega.z = 1;
     add_body(vm_scene_plane(2, 1, still, VM_C(0.5), v, 1));
     add_body(vm_scene_absent(vm_scene_plane(1, 1, still, 0, still, 0)));
     add_effect(vm_effect_gravity(0, 1, -2));
@@ -236,7 +299,8 @@ static void try_scene_of_parts_in_the_plane(void)
 static vm_body some_free_body(void)
 {
     vm_body b = some_body();
-    b.q.w = 0, b.q.x = b.q.y = b.q.z = 0; /* the identity */
+    b.q.w = 0;
+    b.q.x = b.q.y = b.q.z = 0; /* the identity */
     return b;
 }
 
@@ -294,7 +358,9 @@ static void try_refused_scenes(void)
     add_effect(vm_effect_linear_spring(0, 1, VM_GROUND, 0, 1, 0));
     {
         vm_culprit culprit;
-        fold_int(vm_scene_start(&g.scene, 0, g.y, &culprit)), fold_text(culprit.kind), fold_int(culprit.index);
+        fold_int(vm_scene_start(&g.scene, 0, g.y, &culprit));
+        fold_text(culprit.kind);
+        fold_int(culprit.index);
         fold(g.y[0]);
     }
     g.effects[0] = vm_effect_stream(0, 1, vmi_vec3(0, 0, 0), 0);
@@ -306,7 +372,15 @@ static void try_refused_scenes(void)
 
 static void golden_scenes_on_a_line(void)
 {
-    try_forces(), try_scene_on_a_line(), try_scene_of_parts_on_a_line(), try_scene_of_axles(), try_refused_scenes();
+    try_forces();
+    try_scene_on_a_line();
+    try_scene_of_parts_on_a_line();
+    try_scene_of_axles();
+    try_refused_scenes();
 }
-static void golden_scenes_in_the_plane(void) { try_scene_in_the_plane(), try_scene_of_parts_in_the_plane(); }
-static void golden_scenes_in_space(void) { try_scene_in_space(), try_scene_of_parts_in_space(); }
+static void golden_scenes_in_the_plane(void) {
+try_scene_in_the_plane();
+try_scene_of_parts_in_the_plane(); }
+static void golden_scenes_in_space(void) {
+try_scene_in_space();
+try_scene_of_parts_in_space(); }

@@ -3,7 +3,8 @@
 static vm_linear_mass some_mass(void)
 {
     vm_linear_mass m;
-    m.mass = uniform(1, 2), m.rate = uniform(-1, 1) / 64;
+    m.mass = uniform(1, 2);
+    m.rate = uniform(-1, 1) / 64;
     return m;
 }
 
@@ -11,7 +12,8 @@ static vm_linear_mass some_mass(void)
 static void integrate_from(const vm_real *y, ode_rhs rhs, void *ctx, int n, vm_real end)
 {
     vm_real state[5];
-    memcpy(state, y, (size_t)n * sizeof *y), integrate(rhs, ctx, n, end, state);
+    memcpy(state, y, (size_t)n * sizeof *y);
+    integrate(rhs, ctx, n, end, state);
 }
 
 static void try_van_der_pol(void)
@@ -24,21 +26,36 @@ static void try_van_der_pol(void)
         vm_real rate;
         int stable = 7;
         memset(&v, 0, sizeof v);
-        v.alpha = uniform(0, 5), v.k = uniform(1, 2), v.b = uniform(1, 2) / 16, v.c = uniform(1, 2) / 16;
-        v.reactive = uniform(0, 1), v.method = i % 3, v.mass = vm_slow_mass_linear, v.mass_ctx = &m;
-        fold_int(vm_vdp_init(&v)), fold(v.a1), fold(v.a2), fold(v.a3);
-        fold(vm_vdp_amplitude(&v, 5, 1, m)), fold(vm_vdp_steady(&v, m.rate, &stable)), fold_int(stable);
-        fold(vm_slow_mass_linear(3, &rate, &m)), fold(rate);
+        v.alpha = uniform(0, 5);
+        v.k = uniform(1, 2);
+        v.b = uniform(1, 2) / 16;
+        v.c = uniform(1, 2) / 16;
+        v.reactive = uniform(0, 1);
+        v.method = i % 3;
+        v.mass = vm_slow_mass_linear;
+        v.mass_ctx = &m;
+        fold_int(vm_vdp_init(&v));
+        fold(v.a1);
+        fold(v.a2);
+        fold(v.a3);
+        fold(vm_vdp_amplitude(&v, 5, 1, m));
+        fold(vm_vdp_steady(&v, m.rate, &stable));
+        fold_int(stable);
+        fold(vm_slow_mass_linear(3, &rate, &m));
+        fold(rate);
         if (i % 4) continue;
-        integrate_from(start, vm_vdp_rhs, &v, 2, 5), integrate_from(start, vm_vdp_averaged_rhs, &v, 2, 5);
+        integrate_from(start, vm_vdp_rhs, &v, 2, 5);
+        integrate_from(start, vm_vdp_averaged_rhs, &v, 2, 5);
     }
 }
 
 static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
 {
     vm_complex f;
-    (void)t, (void)ctx;
-    f.re = -z.im / 32 - v.re / 64, f.im = z.re / 32 - v.im / 64;
+    (void)t;
+    (void)ctx;
+    f.re = -z.im / 32 - v.re / 64;
+    f.im = z.re / 32 - v.im / 64;
     return f;
 }
 
@@ -52,24 +69,44 @@ static void try_laval(void)
         vm_complex z, v;
         vm_real y[4], state[5], back[4], rho, phi, slope;
         memset(&r, 0, sizeof r);
-        spring.k = uniform(1, 2), spring.alpha = i % 2 ? 1 : uniform(1, 4);
-        r.mass = vm_slow_mass_linear, r.mass_ctx = &m, r.stiffness = vm_laval_power, r.stiffness_ctx = &spring;
-        r.force = turning_load, r.gyro = uniform(-1, 1) / 8, r.reactive = uniform(0, 1), r.samples = 8;
+        spring.k = uniform(1, 2);
+        spring.alpha = i % 2 ? 1 : uniform(1, 4);
+        r.mass = vm_slow_mass_linear;
+        r.mass_ctx = &m;
+        r.stiffness = vm_laval_power;
+        r.stiffness_ctx = &spring;
+        r.force = turning_load;
+        r.gyro = uniform(-1, 1) / 8;
+        r.reactive = uniform(0, 1);
+        r.samples = 8;
         draw_all(4, -1, 1, y);
-        z.re = y[0], z.im = y[1], v.re = y[2], v.im = y[3];
-        vm_laval_polar(z, &rho, &phi), fold(rho), fold(phi);
-        fold(vm_laval_power(rho, &slope, &spring)), fold(slope);
-        fold(vm_laval_momentum(&r, m.mass, z, v)), integrate_from(y, vm_laval_rhs, &r, 4, 2);
-        fold(vm_laval_frequency(&r, rho, m.mass, 1)), fold(vm_laval_frequency(&r, rho, m.mass, -1));
-        back[0] = rho, back[1] = phi;
-        integrate_from(back, vm_laval_forward_rhs, &r, 2, 2), integrate_from(back, vm_laval_backward_rhs, &r, 2, 2);
+        z.re = y[0];
+        z.im = y[1];
+        v.re = y[2];
+        v.im = y[3];
+        vm_laval_polar(z, &rho, &phi);
+        fold(rho);
+        fold(phi);
+        fold(vm_laval_power(rho, &slope, &spring));
+        fold(slope);
+        fold(vm_laval_momentum(&r, m.mass, z, v));
+        integrate_from(y, vm_laval_rhs, &r, 4, 2);
+        fold(vm_laval_frequency(&r, rho, m.mass, 1));
+        fold(vm_laval_frequency(&r, rho, m.mass, -1));
+        back[0] = rho;
+        back[1] = phi;
+        integrate_from(back, vm_laval_forward_rhs, &r, 2, 2);
+        integrate_from(back, vm_laval_backward_rhs, &r, 2, 2);
         if (i % 2) {
-            fold_int(vm_laval_split(&r, 0, y, 1, state)), fold_all(5, state);
-            fold_int(vm_laval_join(&r, 0, state, back)), fold_all(4, back);
+            fold_int(vm_laval_split(&r, 0, y, 1, state));
+            fold_all(5, state);
+            fold_int(vm_laval_join(&r, 0, state, back));
+            fold_all(4, back);
             integrate_from(state, vm_laval_exact_rhs, &r, 5, 1);
             integrate_from(state, vm_laval_averaged_rhs, &r, 5, 1);
         }
-        r.reactive = 1, fold(vm_laval_amplitude(&r, rho, m.mass, m.mass / 2));
+        r.reactive = 1;
+        fold(vm_laval_amplitude(&r, rho, m.mass, m.mass / 2));
     }
 }
 
@@ -81,34 +118,54 @@ static void try_pair(void)
         vm_real y[4], modes[4] = {1, 2, 3, 4}, back[4] = {1, 2, 3, 4};
         vm_pair p;
         memset(&p, 0, sizeof p);
-        p.alpha = uniform(0, 5), p.k = uniform(1, 2), p.reactive = uniform(0, 1);
-        p.mass = vm_slow_mass_linear, p.mass_ctx = &m;
+        p.alpha = uniform(0, 5);
+        p.k = uniform(1, 2);
+        p.reactive = uniform(0, 1);
+        p.mass = vm_slow_mass_linear;
+        p.mass_ctx = &m;
         draw_all(4, -1, 1, y);
-        fold_int(vm_pair_split(&p, 1, y, modes)), fold_all(4, modes);
-        fold_int(vm_pair_join(&p, 1, modes, back)), fold_all(4, back);
-        fold_int(vm_pair_at(&p, 4, y, m, back)), fold_all(4, back);
-        if (i % 2) integrate_from(y, vm_pair_rhs, &p, 4, 3), integrate_from(modes, vm_pair_averaged_rhs, &p, 4, 3);
+        fold_int(vm_pair_split(&p, 1, y, modes));
+        fold_all(4, modes);
+        fold_int(vm_pair_join(&p, 1, modes, back));
+        fold_all(4, back);
+        fold_int(vm_pair_at(&p, 4, y, m, back));
+        fold_all(4, back);
+        if (i % 2) {
+            integrate_from(y, vm_pair_rhs, &p, 4, 3);
+            integrate_from(modes, vm_pair_averaged_rhs, &p, 4, 3);
+        }
     }
 }
 
 static void drifting(vm_real t, vm_forced_now *now, void *ctx)
 {
-    now->nu += *(const vm_real *)ctx * t, now->nu_rate = *(const vm_real *)ctx;
+    now->nu += *(const vm_real *)ctx * t;
+    now->nu_rate = *(const vm_real *)ctx;
 }
 
 static vm_forced some_forced(void)
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
-    f.alpha = uniform(1, 4), f.b = uniform(1, 2) / 32, f.reactive = uniform(0, 1);
-    f.now.mass = uniform(1, 2), f.now.k = uniform(1, 2), f.now.nu = uniform(VM_C(0.75), VM_C(1.5));
-    f.now.force = uniform(1, 2) / 8, f.now.mass_rate = uniform(-1, 1) / 256;
+    f.alpha = uniform(1, 4);
+    f.b = uniform(1, 2) / 32;
+    f.reactive = uniform(0, 1);
+    f.now.mass = uniform(1, 2);
+    f.now.k = uniform(1, 2);
+    f.now.nu = uniform(VM_C(0.75), VM_C(1.5));
+    f.now.force = uniform(1, 2) / 8;
+    f.now.mass_rate = uniform(-1, 1) / 256;
     return f;
 }
 
 static void fold_steady(const vm_steady *s)
 {
-    fold(s->nu), fold(s->A), fold(s->delta), fold(s->trace), fold(s->det), fold_int(s->stable);
+    fold(s->nu);
+    fold(s->A);
+    fold(s->delta);
+    fold(s->trace);
+    fold(s->det);
+    fold_int(s->stable);
 }
 
 static void try_forced(void)
@@ -119,13 +176,26 @@ static void try_forced(void)
         const vm_real motion[3] = {1, VM_C(0.5), VM_C(0.25)};
         vm_forced f = some_forced();
         vm_real y[3] = {1, 2, 3}, back[3] = {1, 2, 3};
-        fold_int(vm_forced_init(&f)), fold(f.pi), fold(f.Om1), fold(f.G), fold_all(5, f.c), fold_all(5, f.s);
-        if (i % 2) f.drift = drifting, f.drift_ctx = &drift;
-        fold_int(vm_forced_split(&f, 1, motion, y)), fold_all(3, y);
-        fold_int(vm_forced_join(&f, 1, y, back)), fold_all(3, back);
+        fold_int(vm_forced_init(&f));
+        fold(f.pi);
+        fold(f.Om1);
+        fold(f.G);
+        fold_all(5, f.c);
+        fold_all(5, f.s);
+        if (i % 2) {
+            f.drift = drifting;
+            f.drift_ctx = &drift;
+        }
+        fold_int(vm_forced_split(&f, 1, motion, y));
+        fold_all(3, y);
+        fold_int(vm_forced_join(&f, 1, y, back));
+        fold_all(3, back);
         integrate_from(motion, vm_forced_rhs, &f, 3, 3);
-        integrate_from(motion, vm_forced_exact_rhs, &f, 3, 2), integrate_from(y, vm_forced_averaged_rhs, &f, 3, 3);
-        f.alpha = -1, fold_int(vm_forced_init(&f)), fold(f.G); /* refused */
+        integrate_from(motion, vm_forced_exact_rhs, &f, 3, 2);
+        integrate_from(y, vm_forced_averaged_rhs, &f, 3, 3);
+        f.alpha = -1;
+        fold_int(vm_forced_init(&f));
+        fold(f.G); /* refused */
     }
 }
 
@@ -137,13 +207,19 @@ static void try_steady(void)
         vm_steady steady[3];
         vm_passage passage;
         memset(&passage, 0, sizeof passage);
-        fold_int(vm_forced_init(&f)), f.now.nu_rate = VM_C(0.001);
-        n = vm_forced_steady(&f, 1, steady), fold_int(n);
+        fold_int(vm_forced_init(&f));
+        f.now.nu_rate = VM_C(0.001);
+        n = vm_forced_steady(&f, 1, steady);
+        fold_int(n);
         for (k = 0; k < n; k++) fold_steady(steady + k);
-        n = vm_forced_curve(&f, 1, uniform(VM_C(0.5), 1), steady), fold_int(n);
+        n = vm_forced_curve(&f, 1, uniform(VM_C(0.5), 1), steady);
+        fold_int(n);
         for (k = 0; k < n; k++) fold_steady(steady + k);
-        fold(vm_forced_peak(&f, 1)), fold_int(vm_forced_passage(&f, 1, 1, &passage));
-        fold(passage.A), fold(passage.torque), fold(passage.jump);
+        fold(vm_forced_peak(&f, 1));
+        fold_int(vm_forced_passage(&f, 1, 1, &passage));
+        fold(passage.A);
+        fold(passage.torque);
+        fold(passage.jump);
     }
 }
 
@@ -162,7 +238,11 @@ static void fold_points(long n, const vm_point *points)
 {
     long i;
     fold_int(n);
-    for (i = 0; i < n && i < 8; i++) fold(points[i].t), fold(points[i].x), fold(points[i].v);
+    for (i = 0; i < n && i < 8; i++) {
+        fold(points[i].t);
+        fold(points[i].x);
+        fold(points[i].v);
+    }
 }
 
 static void try_diagnostics(void)
@@ -174,12 +254,14 @@ static void try_diagnostics(void)
     long n;
     int i, kind;
     for (kind = VM_TURNING_POINTS; kind <= VM_ZERO_CROSSINGS; kind++) {
-        n = vm_find_points(exact_motion, &omega0, kind, 0, 8, VM_C(0.125), 8, points), fold_points(n, points);
+        n = vm_find_points(exact_motion, &omega0, kind, 0, 8, VM_C(0.125), 8, points);
+        fold_points(n, points);
         fold(vm_envelope_error(kind, n < 8 ? n : 8, points, falling, NULL));
         fold_int(rk45_init(&s, duffing, NULL, 2, 0, y0, NULL, work));
         for (i = 0; i < 30; i++) {
             fold_int(rk45_step(&s));
-            n = vm_find_points_of_step(&s, 0, 1, kind, buffer, 8, points), fold_points(n, points);
+            n = vm_find_points_of_step(&s, 0, 1, kind, buffer, 8, points);
+            fold_points(n, points);
         }
     }
     for (i = 0; i < 8; i++) {
@@ -188,5 +270,11 @@ static void try_diagnostics(void)
     }
 }
 
-static void golden_slow(void) { try_van_der_pol(), try_laval(), try_pair(); }
-static void golden_resonance(void) { try_forced(), try_steady(), try_diagnostics(); }
+static void golden_slow(void) {
+try_van_der_pol();
+try_laval();
+try_pair(); }
+static void golden_resonance(void) {
+try_forced();
+try_steady();
+try_diagnostics(); }

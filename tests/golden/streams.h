@@ -4,7 +4,10 @@ static vm_inertia some_gyration(void)
 {
     vm_inertia i;
     memset(&i, 0, sizeof i);
-    i.xx = uniform(3, 4) / 16, i.yy = uniform(3, 4) / 16, i.zz = uniform(3, 4) / 16, i.xy = uniform(-1, 1) / 16;
+    i.xx = uniform(3, 4) / 16;
+    i.yy = uniform(3, 4) / 16;
+    i.zz = uniform(3, 4) / 16;
+    i.xy = uniform(-1, 1) / 16;
     return i;
 }
 
@@ -14,8 +17,12 @@ static void draw_streams(int n, vm_stream *streams)
     memset(streams, 0, (size_t)n * sizeof *streams);
     for (i = 0; i < n; i++) {
         vm_stream *s = streams + i;
-        s->rate = uniform(-1, 1) / 8, s->motion = i % 4, s->at = vector(1), s->velocity = vector(2);
-        s->spin = vector(1), s->gyration = some_gyration();
+        s->rate = uniform(-1, 1) / 8;
+        s->motion = i % 4;
+        s->at = vector(1);
+        s->velocity = vector(2);
+        s->spin = vector(1);
+        s->gyration = some_gyration();
     }
 }
 
@@ -28,14 +35,23 @@ static void try_loads(void)
         vm_stream streams[4];
         vm_reactive loads;
         vm_vec3 acceleration, turning;
-        draw_streams(4, streams), CLEAR(loads), CLEAR(acceleration), CLEAR(turning);
+        draw_streams(4, streams);
+        CLEAR(loads);
+        CLEAR(acceleration);
+        CLEAR(turning);
         fold_int(vm_reactive_loads(&body, centre, 4, streams, &loads));
-        fold3(loads.force), fold3(loads.moment), fold3(loads.torque), fold3(loads.drift), fold(loads.mass_rate);
+        fold3(loads.force);
+        fold3(loads.moment);
+        fold3(loads.torque);
+        fold3(loads.drift);
+        fold(loads.mass_rate);
         fold_inertia(loads.inertia_rate);
         fold_int(vm_accelerations(&body, &loads, force, moment, &acceleration, &turning));
-        fold3(acceleration), fold3(turning);
+        fold3(acceleration);
+        fold3(turning);
         streams[0].motion = 9;
-        fold_int(vm_reactive_loads(&body, centre, 4, streams, &loads)), fold3(loads.force); /* refused */
+        fold_int(vm_reactive_loads(&body, centre, 4, streams, &loads));
+        fold3(loads.force); /* refused */
     }
 }
 
@@ -43,8 +59,13 @@ static void try_loads(void)
 static int weight(vm_real t, const vm_real *y, vm_flow *flow)
 {
     (void)y;
-    flow->mass = 3 - t / 8, flow->inertia.xx = 4 - t / 4, flow->inertia.yy = 4 - t / 8, flow->inertia.zz = 3 - t / 8;
-    flow->centre.x = t / 16, flow->drift.x = VM_C(0.0625), flow->force.z = VM_C(-9.81) * flow->mass;
+    flow->mass = 3 - t / 8;
+    flow->inertia.xx = 4 - t / 4;
+    flow->inertia.yy = 4 - t / 8;
+    flow->inertia.zz = 3 - t / 8;
+    flow->centre.x = t / 16;
+    flow->drift.x = VM_C(0.0625);
+    flow->force.z = VM_C(-9.81) * flow->mass;
     return 0;
 }
 
@@ -57,15 +78,25 @@ static void flow_of(ode_rhs rhs, int n, int streams_used, vm_real t)
     vm_flow flow;
     vm_body now = body;
     vm_real y[VM_RHS_BALANCED];
-    memset(&flow, 0, sizeof flow), memset(y, 0, sizeof y);
+    memset(&flow, 0, sizeof flow);
+    memset(y, 0, sizeof y);
     draw_streams(4, streams);
-    store.at = vector(VM_C(0.5)), store.gyration = some_gyration(), streams[3].from = &store;
-    flow.n = streams_used, flow.streams = streams, flow.update = weight, flow.least_mass = VM_C(0.5);
-    fold_int(vm_flow_start(&flow, &body, y)), fold_all(n, y);
+    store.at = vector(VM_C(0.5));
+    store.gyration = some_gyration();
+    streams[3].from = &store;
+    flow.n = streams_used;
+    flow.streams = streams;
+    flow.update = weight;
+    flow.least_mass = VM_C(0.5);
+    fold_int(vm_flow_start(&flow, &body, y));
+    fold_all(n, y);
     integrate(rhs, &flow, n, t, y);
-    fold_int(flow.status), fold(vm_flow_mass_left(t, y, &flow)), fold(vm_flow_inertia_left(t, y, &flow));
+    fold_int(flow.status);
+    fold(vm_flow_mass_left(t, y, &flow));
+    fold(vm_flow_inertia_left(t, y, &flow));
     if (rhs == vm_rhs_carried) return; /* whose states are not those of a flow's body */
-    fold_int(vm_flow_body(&flow, n < VM_RHS ? VM_RHS_GIVEN : VM_RHS, y, &now)), fold_body(&now);
+    fold_int(vm_flow_body(&flow, n < VM_RHS ? VM_RHS_GIVEN : VM_RHS, y, &now));
+    fold_body(&now);
 }
 
 static void try_flows(void)
@@ -87,7 +118,9 @@ static void try_flow_of_translation(void)
     vm_real y[VM_RHS_TRANSLATION] = {0, 1, 2, 3, -2, 1, 4};
     memset(&flow, 0, sizeof flow);
     draw_streams(3, streams);
-    flow.n = 3, flow.streams = streams, flow.force.x = 1;
+    flow.n = 3;
+    flow.streams = streams;
+    flow.force.x = 1;
     integrate(vm_rhs_translation, &flow, VM_RHS_TRANSLATION, 2, y);
 }
 
@@ -99,11 +132,19 @@ static void try_flow_in_the_plane(void)
     int i;
     memset(&flow, 0, sizeof flow);
     for (i = 0; i < 3; i++) {
-        streams[i].rate = uniform(-1, 1) / 4, streams[i].motion = i, streams[i].x = uniform(-1, 1) / 2;
-        streams[i].y = uniform(-1, 1) / 2, streams[i].vx = uniform(-2, 2), streams[i].vy = uniform(-2, 2);
-        streams[i].spin = uniform(-1, 1), streams[i].gyration = uniform(0, 1) / 16;
+        streams[i].rate = uniform(-1, 1) / 4;
+        streams[i].motion = i;
+        streams[i].x = uniform(-1, 1) / 2;
+        streams[i].y = uniform(-1, 1) / 2;
+        streams[i].vx = uniform(-2, 2);
+        streams[i].vy = uniform(-2, 2);
+        streams[i].spin = uniform(-1, 1);
+        streams[i].gyration = uniform(0, 1) / 16;
     }
-    flow.n = 3, flow.streams = streams, flow.fy = -5, flow.moment = VM_C(0.5);
+    flow.n = 3;
+    flow.streams = streams;
+    flow.fy = -5;
+    flow.moment = VM_C(0.5);
     integrate(vm_rhs2, &flow, VM_RHS2, 2, y);
 }
 
@@ -113,7 +154,9 @@ static void try_flow_on_a_line(void)
     vm_flow1 flow;
     vm_real y[VM_RHS1] = {0, 1, 2};
     memset(&flow, 0, sizeof flow);
-    flow.n = 2, flow.streams = streams, flow.force = VM_C(0.5);
+    flow.n = 2;
+    flow.streams = streams;
+    flow.force = VM_C(0.5);
     integrate(vm_rhs1, &flow, VM_RHS1, 2, y);
 }
 
@@ -128,18 +171,33 @@ static void try_closed_flows(void)
         vm_jet jet;
         vm_vec3 omega = omega0;
         vm_real x = 1, v = 2;
-        fold(vm_levi_civita(v0, m0, m, u, t)), fold(vm_tsiolkovsky(v0, m0, m, u));
-        stream.rate = i % 5 ? uniform(-1, 1) / 8 : 0, stream.velocity = u, stream.motion = i % 4;
-        fold_int(vm_linear_flow(t, 1, v0, m0, m, &stream, &x, &v)), fold(x), fold(v);
-        jet.rate = uniform(-1, 1) / 8, jet.axial = uniform(1, 2), jet.transverse = uniform(2, 3);
-        jet.gyration_axial = uniform(0, 1), jet.gyration_transverse = i % 7 ? uniform(0, 1) : 0;
-        jet.gyration_out = uniform(0, 1), jet.nozzle = uniform(0, 2);
-        fold_int(vm_jet_damping(t, &jet, omega0, &omega)), fold3(omega);
+        fold(vm_levi_civita(v0, m0, m, u, t));
+        fold(vm_tsiolkovsky(v0, m0, m, u));
+        stream.rate = i % 5 ? uniform(-1, 1) / 8 : 0;
+        stream.velocity = u;
+        stream.motion = i % 4;
+        fold_int(vm_linear_flow(t, 1, v0, m0, m, &stream, &x, &v));
+        fold(x);
+        fold(v);
+        jet.rate = uniform(-1, 1) / 8;
+        jet.axial = uniform(1, 2);
+        jet.transverse = uniform(2, 3);
+        jet.gyration_axial = uniform(0, 1);
+        jet.gyration_transverse = i % 7 ? uniform(0, 1) : 0;
+        jet.gyration_out = uniform(0, 1);
+        jet.nozzle = uniform(0, 2);
+        fold_int(vm_jet_damping(t, &jet, omega0, &omega));
+        fold3(omega);
     }
 }
 
 static void golden_streams(void)
 {
-    try_loads(), try_flows(), try_given_flows(), try_flow_of_translation(), try_flow_in_the_plane();
-    try_flow_on_a_line(), try_closed_flows();
+    try_loads();
+    try_flows();
+    try_given_flows();
+    try_flow_of_translation();
+    try_flow_in_the_plane();
+    try_flow_on_a_line();
+    try_closed_flows();
 }
