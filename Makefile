@@ -1,6 +1,7 @@
 # varmass: nothing has to be built to use the headers. Every target that needs more than a C compiler sets it up through
 # the system's package manager where it may, and says so where it may not.
 #
+#   make headers  write the four headers from src/                make part PARTS="mechanics/jumps"   build/parts/jumps.h
 #   make run      build and run the examples, draw their figures        make bench   time everything (minutes)
 #   make bench-quick   the same, roughly       make bench-count   count instructions       make cost   write docs/cost.md
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
@@ -30,13 +31,24 @@ IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi ateb integrators events coincidences varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard refusals ladder
-SCRIPTS = headers snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
+SCRIPTS = headers parts snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+
+headers:
+	@mkdir -p build && echo '*' >build/.gitignore
+	@for header in $(HEADERS); do awk -f src/headers.awk src/$$header >build/$$header || exit 1; \
+	cmp -s build/$$header $$header && rm build/$$header || mv build/$$header $$header; done
+
+# chapters and all that they need in one header, named after the first of them
+PARTS = mechanics/jumps
+part:
+	@mkdir -p build && echo '*' >build/.gitignore
+	sh src/part.sh build/parts/$(notdir $(firstword $(PARTS))).h $(PARTS)
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -240,8 +252,8 @@ data:
 
 # one file instead of four: the headers in place of their #include lines, what they share only once
 amalgamation: build/amalgamation/varmass.h
-build/amalgamation/varmass.h: $(HEADERS) examples/package/amalgamate.awk
-	@$(IN_BUILD) && mkdir -p $(@D) && awk -f examples/package/amalgamate.awk varmass.h >$@
+build/amalgamation/varmass.h: src/headers.awk $(wildcard src/*.h src/*/*.h)
+	@$(IN_BUILD) && mkdir -p $(@D) && awk -v whole=1 -f src/headers.awk src/varmass.h >$@
 
 # headers under PREFIX/include/varmass, found by pkg-config and by CMake's find_package
 PREFIX = /usr/local

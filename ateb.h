@@ -98,13 +98,51 @@
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.8(iii) (quadratic transformations).
      [4] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [5] C. Lanczos, Applied Analysis, Prentice-Hall 1956: economisation of power series.
-     [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373. */
+     [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373.
+
+   INDEX
+     base/self_check: whether this compiler and processor keep the rules of floating-point arithmetic
+       vm_self_check                  1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers are made for
+
+     ateb/period: the quarter period of the Ateb functions
+       ateb_pi                        Pi_alpha = B(1/(alpha + 1), 1/2) (277), alpha >= 0
+
+     ateb/functions: sa and ca
+       ateb_saca                      sa(1, alpha, s) and ca(alpha, 1, s) for any real s and alpha >= 0 (276)
+       ateb_sa                        Documented with ateb_saca
+       ateb_ca                        Documented with ateb_saca
+
+     ateb/phase: the phase from the pair sa, ca
+       ateb_phase                     s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca
+
+     ateb/integrals: integrals of Ateb functions
+       ateb_integral_sa2              Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s
+       ateb_integral_ca               Documented with ateb_integral_sa2
+
+     ateb/plans: sa and ca for many arguments and one alpha
+       ateb_plan_saca                 
+       ateb_plan_saca_array           
+       ateb_plan_init_to              
+       ateb_plan_init                 
+
+     ateb/beta: beta functions and their inverses
+       ateb_beta                      B(a, b), a and b from 1e-4 to 1e5; I_x(a, b), regularised, and x of which it is p, from 1e-3 to 1e4, less accurate and slower to 1e-4 and 1e5; NaN beyond
+       ateb_beta_inc_both             Documented with ateb_beta
+       ateb_beta_inc                  Documented with ateb_beta
+       ateb_beta_inc_inv_both         Documented with ateb_beta
+       ateb_beta_inc_inv              Documented with ateb_beta
+       ateb_mean                      Mean of |sa|^p |ca|^q over a period, -1 < p, q <= 1e6 (316), alpha <= 1e30; NaN beyond
+
+     ateb/two_indices: Ateb functions with two indices
+       ateb_pi_nm                     sa(n, m, s) and ca(m, n, s), |sa|^(n+1) + |ca|^(m+1) = 1, for real n, m = 0 or 1e-3 to 1e3 (1e-4 to 1e5 less accurately, NaN beyond), of period 2 Pi(n, m); the functions above are those of n = 1, m = alpha, and ateb_saca_nm(s, alpha, 1, ...) gives the swapped pair sa(alpha, 1, s), ca(1, alpha, s) that (278) and (280) need
+       ateb_saca_nm                   Documented with ateb_pi_nm */
 #ifndef VARMASS_ATEB_H
 #define VARMASS_ATEB_H
 
-/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.sh keeps it so ---------- */
-#ifndef VM_SHARED
-#define VM_SHARED
+/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+#ifndef VARMASS_BASE_REAL_H
+#define VARMASS_BASE_REAL_H
+
 #define VARMASS_VERSION "0.1.0"
 
 #if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
@@ -189,15 +227,27 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-typedef struct VM_TAG(vm_two) {
-    vm_real hi, lo;
-} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
-
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     x = VM_FABS(x);
     return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
 }
+
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define VMI_APART \
+    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#else
+#define VMI_APART VM_API
+#endif
+
+#endif
+/* base/sums.h - exact sums: numbers in two words */
+#ifndef VARMASS_BASE_SUMS_H
+#define VARMASS_BASE_SUMS_H
+
+typedef struct VM_TAG(vm_two) {
+    vm_real hi, lo;
+} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
 /* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
@@ -220,6 +270,28 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
 }
+
+/* a + b exactly, for |a| >= |b| (Dekker) */
+VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
+{
+    vm_two s;
+    s.hi = vmi_rounded(a + b);
+    s.lo = vmi_rounded((a - s.hi) + b);
+    return s;
+}
+
+VM_API vm_two vmi_two(vm_real hi, vm_real lo)
+{
+    vm_two x;
+    x.hi = hi;
+    x.lo = lo;
+    return x;
+}
+
+#endif
+/* base/self_check.h - whether this compiler and processor keep the rules of floating-point arithmetic */
+#ifndef VARMASS_BASE_SELF_CHECK_H
+#define VARMASS_BASE_SELF_CHECK_H
 
 /* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
@@ -280,11 +352,9 @@ VM_API int vm_self_check(void)
 }
 
 #endif
-/* ---- End of the shared block -------------------------------------------------------------------------------- */
-
-/* ---- Elementary kernels: the same, word for word, in jacobi.h and ateb.h ------------------------------------ */
-#ifndef VM_ELEMENTARY
-#define VM_ELEMENTARY
+/* base/bits.h - the bits of a number, scaling by powers of two */
+#ifndef VARMASS_BASE_BITS_H
+#define VARMASS_BASE_BITS_H
 
 #include <stdint.h>
 #include <string.h>
@@ -324,14 +394,33 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* a + b exactly, for |a| >= |b| (Dekker) */
-VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
+/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
-    vm_two s;
-    s.hi = vmi_rounded(a + b);
-    s.lo = vmi_rounded((a - s.hi) + b);
-    return s;
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
+        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+        const vm_two sum = vmi_fast_two_sum(large, y);
+        y = (sum.hi + (sum.lo + y_lo)) - large;
+        y_lo = 0;
+    }
+    return vmi_ldexp(y + y_lo, k);
 }
+
+/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
+   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
+   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
+#if VM_MANT_DIG > 24
+typedef int64_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
+#else
+typedef int32_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
+#endif
+
+#endif
+/* base/words.h - products, quotients and roots in two and three words */
+#ifndef VARMASS_BASE_WORDS_H
+#define VARMASS_BASE_WORDS_H
 
 /* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
    where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
@@ -341,6 +430,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 #else
 #define VM_SPLIT VM_C(4097.0)
 #endif
+
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -354,14 +444,6 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
 #endif
     return p;
-}
-
-VM_API vm_two vmi_two(vm_real hi, vm_real lo)
-{
-    vm_two x;
-    x.hi = hi;
-    x.lo = lo;
-    return x;
 }
 
 /* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
@@ -380,188 +462,6 @@ VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
     p = vmi_two_sum(x * scale - p.hi, -p.lo); /* the difference is exact */
     p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
     return vmi_two(p.hi / scale, p.lo / scale);
-}
-
-/* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
-   1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
-VM_API vm_two vmi_log(vm_real x)
-{
-#if VM_MANT_DIG > 24
-    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
-    VM_TABLE vm_real table[32][3] = {
-        /* 1/c, ln c: the high words are multiples of 2^-42, as ln2_hi */
-        {VM_C(1.4189453125), VM_C(-0.34991385797093244037), VM_C(1.0263080618141573753e-13)},
-        {VM_C(1.375), VM_C(-0.31845373111855224124), VM_C(1.7625431312172662057e-14)},
-        {VM_C(1.3330078125), VM_C(-0.28743790201951924246), VM_C(-8.7770524478057945722e-14)},
-        {VM_C(1.2939453125), VM_C(-0.25769593282097957854), VM_C(1.1008936326855972656e-13)},
-        {VM_C(1.2568359375), VM_C(-0.22859740199669431604), VM_C(2.0747306192914545005e-14)},
-        {VM_C(1.22265625), VM_C(-0.20102574606062262319), VM_C(3.1881849375437737022e-14)},
-        {VM_C(1.189453125), VM_C(-0.1734936426703370671), VM_C(-5.2171826698845917966e-14)},
-        {VM_C(1.158203125), VM_C(-0.14686977395831490867), VM_C(9.7240876868206596417e-14)},
-        {VM_C(1.1279296875), VM_C(-0.12038381735646908055), VM_C(2.8259559616440998507e-14)},
-        {VM_C(1.099609375), VM_C(-0.09495500310026727675), VM_C(8.4679504198281513406e-14)},
-        {VM_C(1.0732421875), VM_C(-0.070684148804275537259), VM_C(1.0726890146864022217e-13)},
-        {VM_C(1.0478515625), VM_C(-0.046741937031356428633), VM_C(1.1105125439752240142e-13)},
-        {VM_C(1.0234375), VM_C(-0.023167059281604451826), VM_C(7.0073597043100356586e-14)},
-        {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
-        {VM_C(0.9775390625), VM_C(0.022717026284226449206), VM_C(6.0597450660084316691e-15)},
-        {VM_C(0.9560546875), VM_C(0.044940163068986294093), VM_C(-4.3582300048382453133e-14)},
-        {VM_C(0.9365234375), VM_C(0.065580730715964818955), VM_C(5.0054796379247145689e-14)},
-        {VM_C(0.9169921875), VM_C(0.086656326391221227823), VM_C(-3.1041724514644213313e-14)},
-        {VM_C(0.8984375), VM_C(0.1070981355562707904), VM_C(9.6310110335192174531e-14)},
-        {VM_C(0.8798828125), VM_C(0.12796654799103635014), VM_C(7.8829637969380855345e-14)},
-        {VM_C(0.8623046875), VM_C(0.14814660499541787431), VM_C(7.5206341283980230625e-14)},
-        {VM_C(0.845703125), VM_C(0.16758689703692652984), VM_C(9.1408198894914123398e-14)},
-        {VM_C(0.830078125), VM_C(0.18623545611512781761), VM_C(-3.6862307174239401374e-14)},
-        {VM_C(0.814453125), VM_C(0.2052384032406280312), VM_C(7.8304972192271964422e-14)},
-        {VM_C(0.7998046875), VM_C(0.22338772174634868861), VM_C(3.4981611229820216869e-14)},
-        {VM_C(0.7861328125), VM_C(0.24062952818098892749), VM_C(-9.9203828758961551027e-14)},
-        {VM_C(0.771484375), VM_C(0.25943886013828887371), VM_C(9.7042267920673565155e-14)},
-        {VM_C(0.7587890625), VM_C(0.27603145523175953713), VM_C(4.6116175827277368694e-14)},
-        {VM_C(0.74609375), VM_C(0.29290401643288532796), VM_C(4.7274529405144062921e-14)},
-        {VM_C(0.7333984375), VM_C(0.31006615383535063302), VM_C(-3.2283099979657674925e-14)},
-        {VM_C(0.7216796875), VM_C(0.32617388465132535202), VM_C(-7.4032069124645893097e-14)},
-        {VM_C(0.7099609375), VM_C(0.34254532806585302751), VM_C(8.0700749411504883334e-14)}};
-#else
-    const vmi_bits least_z = UINT32_C(0x3f355556), half_tail = UINT32_C(0x4000);
-    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
-    VM_TABLE vm_real table[32][3] = {/* 1/c, ln c: the high words are multiples of 2^-16, as ln2_hi */
-                                     {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
-                                     {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
-                                     {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
-                                     {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
-                                     {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
-                                     {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
-                                     {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
-                                     {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
-                                     {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
-                                     {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
-                                     {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
-                                     {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
-                                     {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
-                                     {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
-                                     {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
-                                     {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
-                                     {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
-                                     {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
-                                     {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
-                                     {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
-                                     {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
-                                     {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
-                                     {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
-                                     {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
-                                     {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
-                                     {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
-                                     {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
-                                     {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
-                                     {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
-                                     {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
-                                     {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
-                                     {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
-#endif
-    const int subnormal = x < VM_MIN;
-    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
-    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
-    const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
-    const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
-    const vmi_bits z_bits = (above & (one - 1)) + least_z;
-    const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
-    const int row = (int)(44 * z - VM_C(30.5));
-    const vm_real by_c = VM_READ(table[row][0]);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
-    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
-    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
-    const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
-    const vm_real rr = r.hi * r.hi;
-#if VM_MANT_DIG > 24
-    const vm_real L01 = VM_C(0.33333333333333331483) - r.hi * VM_C(0.25);
-    const vm_real L23 = VM_C(0.20000000000035858538) - r.hi * VM_C(0.1666666666669953667);
-    const vm_real L45 = VM_C(0.1428571357080885007) - r.hi * VM_C(0.12499999344666766488);
-    const vm_real L67 = VM_C(0.11115671970945563418) - r.hi * VM_C(0.10004180804025793183);
-    const vm_real L = L01 + rr * (L23 + rr * (L45 + rr * L67)); /* ln(1 + r) = r - r^2/2 + r^3 L(r) */
-#else
-    const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
-    const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
-#endif
-    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
-                        (r.lo - r_tail * (r.hi + r_head) / 2);
-    return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
-}
-
-/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 for |x| < 0.34,
-   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
-   r^3 E(r) with the square of the head of r exact. */
-VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
-{
-    const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
-#if VM_MANT_DIG > 24
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
-#else
-    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
-#endif
-    const vm_real t = x * one_over_ln2;
-    const int n = (int)(t + VM_COPYSIGN(VM_C(0.5), t));
-    const vm_two r = vmi_fast_two_sum(x - (vm_real)n * ln2_hi, x_lo - (vm_real)n * ln2_lo);
-    const vm_real split = vmi_rounded(VM_SPLIT * r.hi + 0), excess = vmi_rounded(split - r.hi);
-    const vm_real head = split - excess, tail = r.hi - head;
-    const vm_two p = vmi_fast_two_sum(r.hi, head * head / 2);
-    const vm_real rr = r.hi * r.hi;
-#if VM_MANT_DIG > 24
-    const vm_real E01 = VM_C(0.16666666666666668517) + r.hi * VM_C(0.041666666666666664354);
-    const vm_real E23 = VM_C(0.0083333333333300649987) + r.hi * VM_C(0.0013888888888886554047);
-    const vm_real E45 = VM_C(1.9841269863040544982e-4) + r.hi * VM_C(2.4801587317135163907e-5);
-    const vm_real E67 = VM_C(2.75572684803100238e-6) + r.hi * VM_C(2.7557282984055877379e-7);
-    const vm_real E89 = VM_C(2.510037583256123403e-8) + r.hi * VM_C(2.091122972975856191e-9);
-    const vm_real E = (E01 + rr * E23) + rr * rr * (E45 + rr * (E67 + rr * E89));
-#else
-    const vm_real E01 = VM_C(0.166666671634) + r.hi * VM_C(0.0416666679084);
-    const vm_real E23 = VM_C(0.00833331048489) + r.hi * VM_C(0.00138888659421);
-    const vm_real E45 = VM_C(1.98909809114e-4) + r.hi * VM_C(2.48512878898e-5);
-    const vm_real E = E01 + rr * (E23 + rr * E45);
-#endif
-    const vm_real low = p.lo + tail * (r.hi + head) / 2 + (r.lo + r.lo * p.hi);
-    const vm_two sum = vmi_fast_two_sum(p.hi, low + r.hi * rr * E);
-    *k = n;
-    *p_lo = sum.lo;
-    return sum.hi;
-}
-
-/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
-VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
-{
-    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
-        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
-        const vm_two sum = vmi_fast_two_sum(large, y);
-        y = (sum.hi + (sum.lo + y_lo)) - large;
-        y_lo = 0;
-    }
-    return vmi_ldexp(y + y_lo, k);
-}
-
-/* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
-VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
-{
-    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
-    const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
-    const vm_real inside = x > least ? x < largest ? x : largest : least; /* of NaN too */
-    vm_real p_lo, p;
-    vm_two y;
-    int k;
-    p = vmi_exp_core(inside, x == inside ? x_lo : 0, &k, &p_lo);
-    y = vmi_fast_two_sum(1, p);
-    return x == x ? vmi_ldexp_two(y.hi, y.lo + p_lo, k) : x;
-}
-
-/* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
-VM_API vm_real vmi_pow(vm_two x, vm_two y)
-{
-    const vm_real t = x.lo / x.hi;
-    vm_two l = vmi_log(x.hi), p;
-    l = vmi_fast_two_sum(l.hi, l.lo + (t - t * t / 2));
-    p = vmi_two_product(l.hi, y.hi);
-    p = vmi_fast_two_sum(p.hi, p.lo + (l.hi * y.lo + l.lo * y.hi));
-    return vmi_exp(p.hi, p.lo);
 }
 
 /* x without the second half of its digits */
@@ -634,77 +534,65 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
-#endif
-/* ---- End of the elementary kernels -------------------------------------------------------------------------- */
+VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* ---- Table of contents -------------------------------------------------------------------------------------- */
+/* x times a power of two */
+VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
+{
+    return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
+}
 
-/* Pi_alpha = B(1/(alpha + 1), 1/2) (277), alpha >= 0: 2 at alpha = 0, pi at 1, alpha + 1 + 2 ln 2 for large ones.
-   sa and ca have the period 2 Pi_alpha. */
-VM_API vm_real ateb_pi(vm_real alpha);
+/* The square root of a: one of one word, each of two corrections brings another */
+VM_API vmi_three vmi_three_sqrt(vmi_three a)
+{
+    const vm_real root = VM_SQRT(a.hi);
+    vmi_three x = vmi_three_words(root, 0, 0);
+    int i;
+    for (i = 0; i < 2; i++) {
+        const vmi_three rest = vmi_three_plus(a, vmi_three_scaled(vmi_three_times(x, x), -1));
+        x = vmi_three_plus(x, vmi_three_words((rest.hi + (rest.mid + rest.lo)) / (2 * root), 0, 0));
+    }
+    return x;
+}
 
-/* sa(1, alpha, s) and ca(alpha, 1, s) for any real s and alpha >= 0 (276). |sa|, |ca| <= 1; sa is odd, ca is even, to
-   the bit. s is reduced with Pi_alpha in two words. */
-VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca);
-VM_API vm_real ateb_sa(vm_real s, vm_real alpha);
-VM_API vm_real ateb_ca(vm_real s, vm_real alpha);
-
-/* s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca. The pair need not be on
-   the curve: sa lambda^((alpha+1)/2) and ca lambda have the same phase for any lambda > 0, such as the amplitude: x
-   and x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN, infinite arguments and alpha > 1e30 give NaN. */
-VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha);
-
-/* Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s. That of sa is
-   (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa. */
-VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha);
-VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha);
-
-/* Mean of |sa|^p |ca|^q over a period, -1 < p, q <= 1e6 (316), alpha <= 1e30; NaN beyond */
-VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q);
-
-/* sa(n, m, s) and ca(m, n, s), |sa|^(n+1) + |ca|^(m+1) = 1, for real n, m = 0 or 1e-3 to 1e3
-   (1e-4 to 1e5 less accurately, NaN beyond), of period 2 Pi(n, m); the functions above are those of n = 1, m = alpha,
-   and ateb_saca_nm(s, alpha, 1, ...) gives the swapped pair sa(alpha, 1, s), ca(1, alpha, s) that (278) and (280)
-   need. Slow, by inversion of the incomplete beta function. */
-VM_API vm_real ateb_pi_nm(vm_real n, vm_real m);
-VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca);
-
-/* B(a, b), a and b from 1e-4 to 1e5; I_x(a, b), regularised, and x of which it is p, from 1e-3 to 1e4, less accurate
-   and slower to 1e-4 and 1e5; NaN beyond. The forms with both take and return complements too, y = 1 - x and
-   q = 1 - p, where these carry the information; ln x tells x where it underflows. */
-VM_API vm_real ateb_beta(vm_real a, vm_real b);
-VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b);
-VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q);
-VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b);
-VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
-                                   vm_real *ln_x);
-
-/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan.c prints it), on AVR as
-   PROGMEM, of which memcpy_P makes a copy in RAM.
-   ateb_plan_init returns 0, or -1 for alpha < 0, NaN or infinite, and then leaves the plan as it was. A plan for less
-   accuracy, 1e-4 or 1e-8 of the largest value, is shorter and quicker; 0 means full. Arrays may overlap exactly. */
+/* pi/2, words 0, 1 and 2 */
+VM_API vmi_three vmi_half_pi(void)
+{
 #if VM_MANT_DIG > 24
-#define ATEB_PLAN_LENGTH 14
+    return vmi_three_words(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
+                           VM_C(-1.497384904859169832944e-33));
 #else
-#define ATEB_PLAN_LENGTH 8
+    return vmi_three_words(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
+                           VM_C(-1.715124510005881872804e-15));
 #endif
-typedef struct VM_TAG(vmi_ateb_part) {
-    vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
-} vmi_ateb_part;
-typedef struct VM_TAG(ateb_plan) {
-    vm_two quarter;           /* Pi/2 */
-    vm_real quarter_parts[3]; /* the same, two with half of the digits or less */
-    vm_real per_quarter, longest, change_over, n, g;
-    vm_two twice_q; /* 2/(alpha + 1) */
-    int length, twice_alpha;
-    vmi_ateb_part part[2];
-} ateb_plan;
-VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha);
-VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy);
-VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca);
-VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca);
+}
 
-/* ---- Two words ---------------------------------------------------------------------------------------------- */
+/* a - root^2 */
+VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
+{
+    const vm_real head = vmi_head(root), tail = root - head;
+    return ((a - head * head) - 2 * head * tail) - tail * tail;
+}
+
+/* The square root of a + a_lo */
+VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
+{
+    const vm_real root = vmi_rounded(VM_SQRT(a));
+    return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
+}
+
+VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
+{
+    const vm_real below = x > high ? high : x;
+    return below < low ? low : below;
+}
+
+/* x times a power of two; x - y */
+VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
+VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
+
+/* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
+VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
 
 VM_API vm_two vmi_minus(vm_two x)
 {
@@ -713,7 +601,23 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
-/* ---- The quarter period ------------------------------------------------------------------------------------- */
+VM_API vm_two vmi_half(vm_two x)
+{
+    x.hi /= 2;
+    x.lo /= 2;
+    return x;
+}
+
+VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
+{
+    vm_two p = vmi_two_product(x.hi, factor);
+    return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
+}
+
+#endif
+/* ateb/period.h - the quarter period of the Ateb functions */
+#ifndef VARMASS_ATEB_PERIOD_H
+#define VARMASS_ATEB_PERIOD_H
 
 /* f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha for q = 1/(alpha + 1) in (0, 1], from 1 to 2: a
    polynomial in t = 2 q - 1 for (1 + q)(2 + q)(3 + q) f, Chebyshev interpolation, whose coefficients fall by 18
@@ -798,8 +702,6 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
     }
     return vmi_two_over(sum, divisor);
 }
-
-/* ---- Three words, for phases that fall onto a zero ----------------------------------------------------------- */
 
 /* Pi/2 to a relative error of 2^-125 (float 2^-58), n = alpha + 1 < 1e9 (float 3e4) */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
@@ -1053,13 +955,6 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi/2 */
 } vmi_ateb;
 
-VM_API vm_two vmi_half(vm_two x)
-{
-    x.hi /= 2;
-    x.lo /= 2;
-    return x;
-}
-
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -1090,6 +985,8 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
     c->quarter = vmi_fast_two_sum(c->quarter.hi, c->quarter.lo);
 }
 
+/* Pi_alpha = B(1/(alpha + 1), 1/2) (277), alpha >= 0: 2 at alpha = 0, pi at 1, alpha + 1 + 2 ln 2 for large ones.
+   sa and ca have the period 2 Pi_alpha. */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
@@ -1118,11 +1015,17 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
     }
 }
 
+#endif
+/* ateb/powers.h - logarithm and exponential in one word */
+#ifndef VARMASS_ATEB_POWERS_H
+#define VARMASS_ATEB_POWERS_H
+
+#include <stdint.h>
+
 /* ---- Logarithm and exponential in one word ---------------------------------------------------------------------
 
    For what is multiplied by less than 1/2 or so later: errors of an ulp or two, less to do than vmi_log and vmi_exp
    have. */
-
 /* ln((1 + t)/(1 - t)), |t| < 0.18: 2 t + t^3 L(t^2) */
 VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 {
@@ -1209,6 +1112,11 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 /* a for weight 1, b for 0: compilers make branches of conditions, which are mispredicted */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
+#endif
+/* ateb/inversion.h - inversion of the incomplete beta function */
+#ifndef VARMASS_ATEB_INVERSION_H
+#define VARMASS_ATEB_INVERSION_H
+
 /* ---- Inversion of the incomplete beta function ---------------------------------------------------------------
 
    With w = sa^2, x = 1 - w = |ca|^(alpha+1), r the distance of s from the zero of sa and d from that of ca,
@@ -1216,7 +1124,6 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
      2 q d = q B_x(q, 1/2) = |ca| (1 + q T),  1 + q T = 2F1(1, 2q; 1+q; p),           p = (1 - sa)/2
    the second by the quadratic transformation of 2F1(1/2, q; 1+q; x). At the change-over, r = 0.55, w < 0.303
    and p < 0.251. */
-
 /* Gauss's continued fraction [3, 15.7]: 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), Y_j = 1 - e_j/Y_(j+1), e_(2n-1) =
    n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)), e_2n = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)). What does
    not depend on z is made ahead of it. Two levels gain 7 bits or more for z < 0.303; e_j tends to z/4. */
@@ -1374,7 +1281,10 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     *ca = y - (y * (F + ((1 - F) * rho) * (da - rho * ((da * (da + q * w) - q * dv * E) / 2))) - base.y.lo);
 }
 
-/* ---- sa, ca ------------------------------------------------------------------------------------------------- */
+#endif
+/* ateb/functions.h - sa and ca */
+#ifndef VARMASS_ATEB_FUNCTIONS_H
+#define VARMASS_ATEB_FUNCTIONS_H
 
 /* As vmi_reduce, with as many words of the quarter as s needs, two of them left in c: so that an error of the quarter
    is felt neither in a large s nor near to a zero. */
@@ -1432,6 +1342,8 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
     *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
 }
 
+/* sa(1, alpha, s) and ca(alpha, 1, s) for any real s and alpha >= 0 (276). |sa|, |ca| <= 1; sa is odd, ca is even, to
+   the bit. s is reduced with Pi_alpha in two words. */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     const vm_real change_over = VM_C(0.55);
@@ -1454,6 +1366,7 @@ VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
     vmi_ateb_signs(s, rest, (vmi_bits)quarter, sa, ca);
 }
 
+/* Documented with ateb_saca. */
 VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;
@@ -1461,12 +1374,373 @@ VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
     return sa;
 }
 
+/* Documented with ateb_saca. */
 VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 {
     vm_real sa, ca;
     ateb_saca(s, alpha, &sa, &ca);
     return ca;
 }
+
+#endif
+/* base/elementary.h - logarithm, exponential, power, sine, cosine, arctangent, the same bits on every machine */
+#ifndef VARMASS_BASE_ELEMENTARY_H
+#define VARMASS_BASE_ELEMENTARY_H
+
+#include <stdint.h>
+
+/* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
+   1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
+VM_API vm_two vmi_log(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+    VM_TABLE vm_real table[32][3] = {
+        /* 1/c, ln c: the high words are multiples of 2^-42, as ln2_hi */
+        {VM_C(1.4189453125), VM_C(-0.34991385797093244037), VM_C(1.0263080618141573753e-13)},
+        {VM_C(1.375), VM_C(-0.31845373111855224124), VM_C(1.7625431312172662057e-14)},
+        {VM_C(1.3330078125), VM_C(-0.28743790201951924246), VM_C(-8.7770524478057945722e-14)},
+        {VM_C(1.2939453125), VM_C(-0.25769593282097957854), VM_C(1.1008936326855972656e-13)},
+        {VM_C(1.2568359375), VM_C(-0.22859740199669431604), VM_C(2.0747306192914545005e-14)},
+        {VM_C(1.22265625), VM_C(-0.20102574606062262319), VM_C(3.1881849375437737022e-14)},
+        {VM_C(1.189453125), VM_C(-0.1734936426703370671), VM_C(-5.2171826698845917966e-14)},
+        {VM_C(1.158203125), VM_C(-0.14686977395831490867), VM_C(9.7240876868206596417e-14)},
+        {VM_C(1.1279296875), VM_C(-0.12038381735646908055), VM_C(2.8259559616440998507e-14)},
+        {VM_C(1.099609375), VM_C(-0.09495500310026727675), VM_C(8.4679504198281513406e-14)},
+        {VM_C(1.0732421875), VM_C(-0.070684148804275537259), VM_C(1.0726890146864022217e-13)},
+        {VM_C(1.0478515625), VM_C(-0.046741937031356428633), VM_C(1.1105125439752240142e-13)},
+        {VM_C(1.0234375), VM_C(-0.023167059281604451826), VM_C(7.0073597043100356586e-14)},
+        {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+        {VM_C(0.9775390625), VM_C(0.022717026284226449206), VM_C(6.0597450660084316691e-15)},
+        {VM_C(0.9560546875), VM_C(0.044940163068986294093), VM_C(-4.3582300048382453133e-14)},
+        {VM_C(0.9365234375), VM_C(0.065580730715964818955), VM_C(5.0054796379247145689e-14)},
+        {VM_C(0.9169921875), VM_C(0.086656326391221227823), VM_C(-3.1041724514644213313e-14)},
+        {VM_C(0.8984375), VM_C(0.1070981355562707904), VM_C(9.6310110335192174531e-14)},
+        {VM_C(0.8798828125), VM_C(0.12796654799103635014), VM_C(7.8829637969380855345e-14)},
+        {VM_C(0.8623046875), VM_C(0.14814660499541787431), VM_C(7.5206341283980230625e-14)},
+        {VM_C(0.845703125), VM_C(0.16758689703692652984), VM_C(9.1408198894914123398e-14)},
+        {VM_C(0.830078125), VM_C(0.18623545611512781761), VM_C(-3.6862307174239401374e-14)},
+        {VM_C(0.814453125), VM_C(0.2052384032406280312), VM_C(7.8304972192271964422e-14)},
+        {VM_C(0.7998046875), VM_C(0.22338772174634868861), VM_C(3.4981611229820216869e-14)},
+        {VM_C(0.7861328125), VM_C(0.24062952818098892749), VM_C(-9.9203828758961551027e-14)},
+        {VM_C(0.771484375), VM_C(0.25943886013828887371), VM_C(9.7042267920673565155e-14)},
+        {VM_C(0.7587890625), VM_C(0.27603145523175953713), VM_C(4.6116175827277368694e-14)},
+        {VM_C(0.74609375), VM_C(0.29290401643288532796), VM_C(4.7274529405144062921e-14)},
+        {VM_C(0.7333984375), VM_C(0.31006615383535063302), VM_C(-3.2283099979657674925e-14)},
+        {VM_C(0.7216796875), VM_C(0.32617388465132535202), VM_C(-7.4032069124645893097e-14)},
+        {VM_C(0.7099609375), VM_C(0.34254532806585302751), VM_C(8.0700749411504883334e-14)}};
+#else
+    const vmi_bits least_z = UINT32_C(0x3f355556), half_tail = UINT32_C(0x4000);
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+    VM_TABLE vm_real table[32][3] = {/* 1/c, ln c: the high words are multiples of 2^-16, as ln2_hi */
+                                     {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
+                                     {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
+                                     {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
+                                     {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
+                                     {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
+                                     {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
+                                     {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
+                                     {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
+                                     {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
+                                     {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
+                                     {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
+                                     {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
+                                     {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
+                                     {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+                                     {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
+                                     {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
+                                     {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
+                                     {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
+                                     {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
+                                     {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
+                                     {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
+                                     {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
+                                     {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
+                                     {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
+                                     {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
+                                     {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
+                                     {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
+                                     {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
+                                     {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
+                                     {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
+                                     {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
+                                     {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
+#endif
+    const int subnormal = x < VM_MIN;
+    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
+    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
+    const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
+    const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
+    const vmi_bits z_bits = (above & (one - 1)) + least_z;
+    const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
+    const int row = (int)(44 * z - VM_C(30.5));
+    const vm_real by_c = VM_READ(table[row][0]);
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
+    const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
+    const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
+    const vm_real rr = r.hi * r.hi;
+#if VM_MANT_DIG > 24
+    const vm_real L01 = VM_C(0.33333333333333331483) - r.hi * VM_C(0.25);
+    const vm_real L23 = VM_C(0.20000000000035858538) - r.hi * VM_C(0.1666666666669953667);
+    const vm_real L45 = VM_C(0.1428571357080885007) - r.hi * VM_C(0.12499999344666766488);
+    const vm_real L67 = VM_C(0.11115671970945563418) - r.hi * VM_C(0.10004180804025793183);
+    const vm_real L = L01 + rr * (L23 + rr * (L45 + rr * L67)); /* ln(1 + r) = r - r^2/2 + r^3 L(r) */
+#else
+    const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
+    const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
+#endif
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
+                        (r.lo - r_tail * (r.hi + r_head) / 2);
+    return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
+}
+
+/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 for |x| < 0.34,
+   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
+   r^3 E(r) with the square of the head of r exact. */
+VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const vm_real t = x * one_over_ln2;
+    const int n = (int)(t + VM_COPYSIGN(VM_C(0.5), t));
+    const vm_two r = vmi_fast_two_sum(x - (vm_real)n * ln2_hi, x_lo - (vm_real)n * ln2_lo);
+    const vm_real split = vmi_rounded(VM_SPLIT * r.hi + 0), excess = vmi_rounded(split - r.hi);
+    const vm_real head = split - excess, tail = r.hi - head;
+    const vm_two p = vmi_fast_two_sum(r.hi, head * head / 2);
+    const vm_real rr = r.hi * r.hi;
+#if VM_MANT_DIG > 24
+    const vm_real E01 = VM_C(0.16666666666666668517) + r.hi * VM_C(0.041666666666666664354);
+    const vm_real E23 = VM_C(0.0083333333333300649987) + r.hi * VM_C(0.0013888888888886554047);
+    const vm_real E45 = VM_C(1.9841269863040544982e-4) + r.hi * VM_C(2.4801587317135163907e-5);
+    const vm_real E67 = VM_C(2.75572684803100238e-6) + r.hi * VM_C(2.7557282984055877379e-7);
+    const vm_real E89 = VM_C(2.510037583256123403e-8) + r.hi * VM_C(2.091122972975856191e-9);
+    const vm_real E = (E01 + rr * E23) + rr * rr * (E45 + rr * (E67 + rr * E89));
+#else
+    const vm_real E01 = VM_C(0.166666671634) + r.hi * VM_C(0.0416666679084);
+    const vm_real E23 = VM_C(0.00833331048489) + r.hi * VM_C(0.00138888659421);
+    const vm_real E45 = VM_C(1.98909809114e-4) + r.hi * VM_C(2.48512878898e-5);
+    const vm_real E = E01 + rr * (E23 + rr * E45);
+#endif
+    const vm_real low = p.lo + tail * (r.hi + head) / 2 + (r.lo + r.lo * p.hi);
+    const vm_two sum = vmi_fast_two_sum(p.hi, low + r.hi * rr * E);
+    *k = n;
+    *p_lo = sum.lo;
+    return sum.hi;
+}
+
+/* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
+VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
+{
+    const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
+    const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
+    const vm_real inside = x > least ? x < largest ? x : largest : least; /* of NaN too */
+    vm_real p_lo, p;
+    vm_two y;
+    int k;
+    p = vmi_exp_core(inside, x == inside ? x_lo : 0, &k, &p_lo);
+    y = vmi_fast_two_sum(1, p);
+    return x == x ? vmi_ldexp_two(y.hi, y.lo + p_lo, k) : x;
+}
+
+/* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+VM_API vm_real vmi_pow(vm_two x, vm_two y)
+{
+    const vm_real t = x.lo / x.hi;
+    vm_two l = vmi_log(x.hi), p;
+    l = vmi_fast_two_sum(l.hi, l.lo + (t - t * t / 2));
+    p = vmi_two_product(l.hi, y.hi);
+    p = vmi_fast_two_sum(p.hi, p.lo + (l.hi * y.lo + l.lo * y.hi));
+    return vmi_exp(p.hi, p.lo);
+}
+
+/* atan(y/x) for x, y >= 0, not both 0: within 1 ulp. |argument of the series| <= tan(pi/8). */
+VM_API vm_real vmi_arctan(vm_real y, vm_real x)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const int steep = y > x;
+    const vm_real low = steep ? x : y, high = steep ? y : x;
+    const int middle = low > VM_C(0.4142135623730950488) * high;
+    const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
+    vm_real angle, rest;
+#if VM_MANT_DIG > 24
+    const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
+    const vm_real A23 = VM_C(-0.142857141959989442) + t * VM_C(0.111111066814559886);
+    const vm_real A45 = VM_C(-0.090907830050303437) + t * VM_C(0.0769007587545607746);
+    const vm_real A67 = VM_C(-0.0664118057808822659) + t * VM_C(0.0569281822630746878);
+    const vm_real A89 = VM_C(-0.0435981713871582341) + t * VM_C(0.0212677217547787116);
+    const vm_real A = (A01 + tt * A23) + tt * tt * (A45 + tt * (A67 + tt * A89));
+#else
+    const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
+    const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
+#endif
+    rest = z + z * (t * A) + (middle ? half_pi.mid / 2 : 0);
+    angle = middle ? half_pi.hi / 2 + rest : rest;
+    return steep ? (half_pi.hi - angle) + half_pi.mid : angle;
+}
+
+/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
+VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
+{
+    const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
+#if VM_MANT_DIG > 24
+    const vm_real S01 = VM_C(-0.166666666666666269) + t * VM_C(8.33333333332120924e-3);
+    const vm_real S23 = VM_C(-1.98412698288076529e-4) + t * VM_C(2.75573133340740356e-6);
+    const vm_real S45 = VM_C(-2.5050700566966798e-8) + t * VM_C(1.58933807848550637e-10);
+    const vm_real C01 = VM_C(0.041666666666666588) + t * VM_C(-1.38888888888725006e-3);
+    const vm_real C23 = VM_C(2.48015872884295392e-5) + t * VM_C(-2.75573140380815829e-7);
+    const vm_real C45 = VM_C(2.08756793176115783e-9) + t * VM_C(-1.13573139592429182e-11);
+    const vm_real S = S01 + tt * (S23 + tt * S45), C = C01 + tt * (C23 + tt * C45);
+#else
+    const vm_real S = VM_C(-0.1666666716) + t * VM_C(8.333329111e-3) +
+                      tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
+    const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
+#endif
+    *sine = z.hi + (z.hi * t * S + z.lo * w);
+    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+}
+
+/* The integer next to x, |x| < 2^15; 0 for NaN */
+VM_INLINE int vmi_nearest(vm_real x) { return x == x ? (int)(x + VM_COPYSIGN(VM_C(0.5), x)) : 0; }
+
+VM_API vm_two vmi_two_log(vm_two x)
+{
+    const vm_two l = vmi_log(x.hi);
+    const vm_real t = x.lo / x.hi;
+    return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
+}
+
+/* sin and cos of any x, reduced by pi/2 in two words; NaN for infinite x */
+VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    int quarter;
+    vm_real s, c;
+    vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
+    if (!VM_IS_FINITE(x)) s = c = VM_NAN;
+    *sine = quarter & 1 ? c : s;
+    *cosine = quarter & 1 ? s : c;
+    if (quarter & 2) *sine = -*sine;
+    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+    if (x < 0) *sine = -*sine;
+}
+
+/* atan2(y, x), within 2 ulp; 0 for x = y = 0 */
+VM_API vm_real vmi_atan2(vm_real y, vm_real x)
+{
+    vm_real angle = x == 0 && y == 0 ? 0 : vmi_arctan(VM_FABS(y), VM_FABS(x));
+    if (x < 0) angle = VM_PI - angle;
+    return VM_COPYSIGN(angle, y);
+}
+
+#endif
+/* ateb/phase.h - the phase from the pair sa, ca */
+#ifndef VARMASS_ATEB_PHASE_H
+#define VARMASS_ATEB_PHASE_H
+
+/* r in the first quarter, where h = ln(w/x) */
+VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
+{
+    const vm_real q = c->q.hi;
+    const vm_real e = h.hi < 0 ? vmi_exp(h.hi, h.lo) : vmi_exp(-h.hi, -h.lo), sum = 1 + e;
+    if (h.hi < VM_C(-0.84)) { /* w < 0.302 */
+        const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
+        const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q);
+        return v + v * (w * b * vmi_ateb_w_fraction(q, w) * (1 - one_minus_u) - one_minus_u);
+    } else {
+        const vm_real x = h.hi > 0 ? e / sum : 1 / sum, v = VM_SQRT(h.hi > 0 ? 1 / sum : e / sum),
+                      p = x / (2 + 2 * v);
+        const vm_real T = vmi_ateb_T(q, p);
+        vm_two ln_x = vmi_log(sum); /* ln x = -(h + ln(1 + e^-h)) or -ln(1 + e^h) */
+        vm_real one_minus_u, p_lo;
+        int i;
+        if (h.hi > 0) ln_x = vmi_two_plus(ln_x, h);
+        ln_x.lo += (1 - sum + e) / sum;
+        ln_x = vmi_two_times(ln_x, c->q);
+        if (!(ln_x.hi <= VM_C(0.69) * VMI_BIAS)) return c->quarter.hi; /* where alpha ln x overflows too */
+        one_minus_u = -vmi_exp_core(-ln_x.hi, -ln_x.lo, &i, &p_lo);
+        if (i != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, i) * (c->n.hi + T) / 2;
+        return (c->n.hi * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
+    }
+}
+
+/* s in (-Pi, Pi] of which sa and ca are given, as atan2 gives an angle; 0 for sa = 0 <= ca. The pair need not be on
+   the curve: sa lambda^((alpha+1)/2) and ca lambda have the same phase for any lambda > 0, such as the amplitude: x
+   and x'/(-sqrt(2/(alpha+1)) omega) of an oscillator will do. NaN, infinite arguments and alpha > 1e30 give NaN. */
+VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
+{
+    vm_real r;
+    vmi_ateb c;
+    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
+    vmi_ateb_constants(&c, alpha);
+    if (sa == 0) r = 0;
+    else if (ca == 0) r = c.quarter.hi;
+    else {
+        const vm_two w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2), x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
+        r = vmi_ateb_phase_r(vmi_two_plus(w, vmi_minus(x)), &c);
+    }
+    if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
+    return VM_COPYSIGN(r, sa);
+}
+
+#endif
+/* ateb/integrals.h - integrals of Ateb functions */
+#ifndef VARMASS_ATEB_INTEGRALS_H
+#define VARMASS_ATEB_INTEGRALS_H
+
+/* Integral from 0 to s of sa^2, (s - sa ca) (alpha+1)/(alpha+3), and of |ca|^(alpha+1), the rest of s. That of sa is
+   (1 - ca) (alpha+1)/2, that of ca |ca|^(alpha-1) is sa. */
+VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
+{
+    const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
+    vm_real sa, ca, w, rest;
+    ateb_saca(s, alpha, &sa, &ca);
+    w = sa * sa;
+    if (VM_FABS(s) < VM_C(0.55)) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
+    else rest = s - sa * ca;
+    return rest / (1 + 2 * q);
+}
+
+/* Documented with ateb_integral_sa2. */
+VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
+{
+    vm_real sa, ca;
+    ateb_saca(s, alpha, &sa, &ca);
+    return (2 * s / (alpha + 1) + sa * ca) / (1 + 2 / (alpha + 1));
+}
+
+#endif
+/* ateb/plans.h - sa and ca for many arguments and one alpha */
+#ifndef VARMASS_ATEB_PLANS_H
+#define VARMASS_ATEB_PLANS_H
+
+/* One alpha prepared: plain data, that may lie in flash as static const (examples/ateb_plan.c prints it), on AVR as
+   PROGMEM, of which memcpy_P makes a copy in RAM.
+   ateb_plan_init returns 0, or -1 for alpha < 0, NaN or infinite, and then leaves the plan as it was. A plan for less
+   accuracy, 1e-4 or 1e-8 of the largest value, is shorter and quicker; 0 means full. Arrays may overlap exactly. */
+#if VM_MANT_DIG > 24
+#define ATEB_PLAN_LENGTH 14
+#else
+#define ATEB_PLAN_LENGTH 8
+#endif
+
+typedef struct VM_TAG(vmi_ateb_part) {
+    vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
+} vmi_ateb_part;
+
+typedef struct VM_TAG(ateb_plan) {
+    vm_two quarter;           /* Pi/2 */
+    vm_real quarter_parts[3]; /* the same, two with half of the digits or less */
+    vm_real per_quarter, longest, change_over, n, g;
+    vm_two twice_q; /* 2/(alpha + 1) */
+    int length, twice_alpha;
+    vmi_ateb_part part[2];
+} ateb_plan;
 
 /* ---- One alpha prepared ---------------------------------------------------------------------------------------
 
@@ -1477,7 +1751,6 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
    The polynomials are Taylor series from (275), economised: their last terms are taken off by Chebyshev
    polynomials. For alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is made of products and a square root; d^alpha takes the
    rounding of d = Pi/2 - r along. Else tau = X is an exponential. */
-
 /* d d^alpha, twice_alpha = 0 .. 14; d_lo is what d lost by rounding */
 VM_INLINE vm_real vmi_ateb_product(const ateb_plan *p, vm_real d, vm_real d_lo)
 {
@@ -1618,6 +1891,7 @@ VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_
             ca[i] = u;                                                                      \
         }                                                                                   \
     }
+
 VMI_ATEB_LOOP(vmi_ateb_loop_4, 4)
 VMI_ATEB_LOOP(vmi_ateb_loop_8, 8)
 VMI_ATEB_LOOP(vmi_ateb_loop_10, VM_MANT_DIG > 24 ? 10 : 8)
@@ -1758,62 +2032,10 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
-/* ---- The phase from the pair --------------------------------------------------------------------------------- */
-
-VM_API vm_two vmi_two_log(vm_two x)
-{
-    const vm_two l = vmi_log(x.hi);
-    const vm_real t = x.lo / x.hi;
-    return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
-}
-
-VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
-{
-    vm_two p = vmi_two_product(x.hi, factor);
-    return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
-}
-
-/* r in the first quarter, where h = ln(w/x) */
-VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
-{
-    const vm_real q = c->q.hi;
-    const vm_real e = h.hi < 0 ? vmi_exp(h.hi, h.lo) : vmi_exp(-h.hi, -h.lo), sum = 1 + e;
-    if (h.hi < VM_C(-0.84)) { /* w < 0.302 */
-        const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
-        const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q);
-        return v + v * (w * b * vmi_ateb_w_fraction(q, w) * (1 - one_minus_u) - one_minus_u);
-    } else {
-        const vm_real x = h.hi > 0 ? e / sum : 1 / sum, v = VM_SQRT(h.hi > 0 ? 1 / sum : e / sum),
-                      p = x / (2 + 2 * v);
-        const vm_real T = vmi_ateb_T(q, p);
-        vm_two ln_x = vmi_log(sum); /* ln x = -(h + ln(1 + e^-h)) or -ln(1 + e^h) */
-        vm_real one_minus_u, p_lo;
-        int i;
-        if (h.hi > 0) ln_x = vmi_two_plus(ln_x, h);
-        ln_x.lo += (1 - sum + e) / sum;
-        ln_x = vmi_two_times(ln_x, c->q);
-        if (!(ln_x.hi <= VM_C(0.69) * VMI_BIAS)) return c->quarter.hi; /* where alpha ln x overflows too */
-        one_minus_u = -vmi_exp_core(-ln_x.hi, -ln_x.lo, &i, &p_lo);
-        if (i != 0) return c->quarter.hi - vmi_ldexp(1 - one_minus_u, i) * (c->n.hi + T) / 2;
-        return (c->n.hi * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
-    }
-}
-
-VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
-{
-    vm_real r;
-    vmi_ateb c;
-    if (!(alpha >= 0) || !(alpha <= VM_C(1e30)) || !VM_IS_FINITE(sa) || !VM_IS_FINITE(ca)) return VM_NAN;
-    vmi_ateb_constants(&c, alpha);
-    if (sa == 0) r = 0;
-    else if (ca == 0) r = c.quarter.hi;
-    else {
-        const vm_two w = vmi_two_scaled(vmi_log(VM_FABS(sa)), 2), x = vmi_two_times(vmi_log(VM_FABS(ca)), c.n);
-        r = vmi_ateb_phase_r(vmi_two_plus(w, vmi_minus(x)), &c);
-    }
-    if (ca < 0) r = (2 * c.quarter.hi - r) + 2 * c.quarter.lo;
-    return VM_COPYSIGN(r, sa);
-}
+#endif
+/* ateb/beta.h - beta functions and their inverses */
+#ifndef VARMASS_ATEB_BETA_H
+#define VARMASS_ATEB_BETA_H
 
 /* ---- Beta functions -------------------------------------------------------------------------------------------
 
@@ -1821,7 +2043,6 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B + (k - i - j + 1/2) ln(A B/S)
                            + (i + j - k) - ln(2 pi)/2 + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
    in which nothing large cancels where the whole is not large, and no product leaves the range: i, j, k <= 10. */
-
 /* delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2, z >= 10 */
 VM_API vm_real vmi_stirling(vm_real z)
 {
@@ -1884,6 +2105,9 @@ VM_API int vmi_beta_domain(vm_real a, vm_real b)
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
 }
 
+/* B(a, b), a and b from 1e-4 to 1e5; I_x(a, b), regularised, and x of which it is p, from 1e-3 to 1e4, less accurate
+   and slower to 1e-4 and 1e5; NaN beyond. The forms with both take and return complements too, y = 1 - x and
+   q = 1 - p, where these carry the information; ln x tells x where it underflows. */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -1969,6 +2193,7 @@ VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_tw
     }
 }
 
+/* Documented with ateb_beta. */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     vmi_beta_point at;
@@ -1991,6 +2216,7 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
     *q = vmi_exp(ln_q.hi, ln_q.lo);
 }
 
+/* Documented with ateb_beta. */
 VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
 {
     vm_real p, q;
@@ -2036,6 +2262,7 @@ VM_API void vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b, vm_real *x, vm_re
     *ln_y = vmi_two_sum(at.ln_y.hi, at.ln_y.lo - at.x * step);
 }
 
+/* Documented with ateb_beta. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -2055,6 +2282,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
     *ln_x = l.hi;
 }
 
+/* Documented with ateb_beta. */
 VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 {
     vm_real x, y, ln_x;
@@ -2062,6 +2290,7 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
     return x;
 }
 
+/* Mean of |sa|^p |ca|^q over a period, -1 < p, q <= 1e6 (316), alpha <= 1e30; NaN beyond */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 {
     const vm_two half = {VM_C(0.5), 0};
@@ -2075,10 +2304,12 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
     return vmi_exp(above.hi, above.lo);
 }
 
-/* ---- Two indices ---------------------------------------------------------------------------------------------- */
+#endif
+/* ateb/two_indices.h - Ateb functions with two indices */
+#ifndef VARMASS_ATEB_TWO_INDICES_H
+#define VARMASS_ATEB_TWO_INDICES_H
 
 VM_API int vmi_ateb_index(vm_real n) { return n == 0 || (n >= VM_C(1e-4) && n <= VM_C(1e5)); }
-
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a [3, 8.17.8]; b <= 1, so that each term is half of the one before it
@@ -2114,6 +2345,10 @@ VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
     return vmi_two_over(vmi_two_plus(vmi_ateb_half_beta(a, b), vmi_ateb_half_beta(b, a)), power);
 }
 
+/* sa(n, m, s) and ca(m, n, s), |sa|^(n+1) + |ca|^(m+1) = 1, for real n, m = 0 or 1e-3 to 1e3
+   (1e-4 to 1e5 less accurately, NaN beyond), of period 2 Pi(n, m); the functions above are those of n = 1, m = alpha,
+   and ateb_saca_nm(s, alpha, 1, ...) gives the swapped pair sa(alpha, 1, s), ca(1, alpha, s) that (278) and (280)
+   need. Slow, by inversion of the incomplete beta function. */
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
     return vmi_ateb_index(n) && vmi_ateb_index(m) ? vmi_ateb_pi_nm(n, m).hi : VM_NAN;
@@ -2131,6 +2366,7 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
     return vmi_exp(power.hi, power.lo);
 }
 
+/* Documented with ateb_pi_nm. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, other, rest, r, d;
@@ -2156,24 +2392,6 @@ VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, (vmi_bits)quarter, sa, ca);
 }
 
-/* ---- Integrals ------------------------------------------------------------------------------------------------ */
-
-VM_API vm_real ateb_integral_sa2(vm_real s, vm_real alpha)
-{
-    const vm_real q = 1 / (alpha + 1), b = q + VM_C(0.5);
-    vm_real sa, ca, w, rest;
-    ateb_saca(s, alpha, &sa, &ca);
-    w = sa * sa;
-    if (VM_FABS(s) < VM_C(0.55)) rest = sa * ca * (w * b * vmi_ateb_w_fraction(q, w));
-    else rest = s - sa * ca;
-    return rest / (1 + 2 * q);
-}
-
-VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
-{
-    vm_real sa, ca;
-    ateb_saca(s, alpha, &sa, &ca);
-    return (2 * s / (alpha + 1) + sa * ca) / (1 + 2 / (alpha + 1));
-}
+#endif
 
 #endif

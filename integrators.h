@@ -120,13 +120,45 @@
          BIT 48 (2008) 231-243 (compensated summation).
      [4] J. H. Verner, Numerically optimal Runge-Kutta pairs with interpolants, Numerical Algorithms 53 (2010)
          383-396: the "most efficient" pair of orders 8 and 7. tests/gen/order_conditions.py checks every order
-         condition of all coefficients here. */
+         condition of all coefficients here.
+
+   INDEX
+     base/self_check: whether this compiler and processor keep the rules of floating-point arithmetic
+       vm_self_check                  1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers are made for
+
+     integrators/ode: right-hand sides and statuses
+       ode_strerror                   
+
+     integrators/rk4: the classical Runge-Kutta method with fixed steps
+       rk4_step                       
+       rk4_solve                      
+       rk4_solve_compensated          The same with y + y_low as the state (y_low
+
+     integrators/runs: what an adaptive run is: options, state, work space
+       rk45_defaults                  
+       rk45_init                      
+       rk87_init                      
+
+     integrators/dense: the solution inside a step
+       rk45_interpolate               y(t) for t within the last step, to about the step's own accuracy; refuses other t
+       rk87_interpolate               
+
+     integrators/adaptive: adaptive runs with rk45 and rk87
+       rk45_restart                   Go on from another time or state (after a jump), same n; step size and counters are kept
+       rk45_step                      One accepted step, or less of it to a terminal event or a restart
+       rk45_solve                     To t_end exactly, forward or backward, at once if s->t is there; or to a terminal event
+       rk45_solve_with                The same for an s that was initialised with this f and n
+       rk87_step                      
+       rk87_solve                     
+       rk87_solve_with                
+       rk87_restart                    */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
-/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.sh keeps it so ---------- */
-#ifndef VM_SHARED
-#define VM_SHARED
+/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+#ifndef VARMASS_BASE_REAL_H
+#define VARMASS_BASE_REAL_H
+
 #define VARMASS_VERSION "0.1.0"
 
 #if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
@@ -211,15 +243,27 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-typedef struct VM_TAG(vm_two) {
-    vm_real hi, lo;
-} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
-
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     x = VM_FABS(x);
     return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
 }
+
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define VMI_APART \
+    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#else
+#define VMI_APART VM_API
+#endif
+
+#endif
+/* base/sums.h - exact sums: numbers in two words */
+#ifndef VARMASS_BASE_SUMS_H
+#define VARMASS_BASE_SUMS_H
+
+typedef struct VM_TAG(vm_two) {
+    vm_real hi, lo;
+} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
 /* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
@@ -242,6 +286,28 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
 }
+
+/* a + b exactly, for |a| >= |b| (Dekker) */
+VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
+{
+    vm_two s;
+    s.hi = vmi_rounded(a + b);
+    s.lo = vmi_rounded((a - s.hi) + b);
+    return s;
+}
+
+VM_API vm_two vmi_two(vm_real hi, vm_real lo)
+{
+    vm_two x;
+    x.hi = hi;
+    x.lo = lo;
+    return x;
+}
+
+#endif
+/* base/self_check.h - whether this compiler and processor keep the rules of floating-point arithmetic */
+#ifndef VARMASS_BASE_SELF_CHECK_H
+#define VARMASS_BASE_SELF_CHECK_H
 
 /* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
@@ -302,19 +368,114 @@ VM_API int vm_self_check(void)
 }
 
 #endif
-/* ---- End of the shared block -------------------------------------------------------------------------------- */
+/* base/arrays.h - loops over arrays of numbers */
+#ifndef VARMASS_BASE_ARRAYS_H
+#define VARMASS_BASE_ARRAYS_H
+
+VM_API int vmi_all_finite(int n, const vm_real *y)
+{
+    int i;
+    for (i = 0; i < n; i++)
+        if (!VM_IS_FINITE(y[i])) return 0;
+    return 1;
+}
+
+/* The loops over components are unrolled where n is known, so that the components live in registers. Systems of up to
+   VMI_SMALL known components are stepped in local arrays, others in the caller's work. */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
+    !defined(__OPTIMIZE_SIZE__)
+#define VMI_UNROLL _Pragma("GCC unroll 16")
+#else
+#define VMI_UNROLL
+#endif
+
+#define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
+#define VMI_SMALL 8
+
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
+#else
+#define VMI_IS_SMALL(n) 0
+#endif
+
+VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
+{
+    int i;
+    VMI_EACH(i, n) to[i] = from[i];
+}
+
+#endif
+/* base/bits.h - the bits of a number, scaling by powers of two */
+#ifndef VARMASS_BASE_BITS_H
+#define VARMASS_BASE_BITS_H
 
 #include <stdint.h>
 #include <string.h>
 
-#if defined(__GNUC__) && !defined(__CUDACC__)
-#define VMI_APART \
-    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+/* Logarithm, exponential and power with a low word. No branch but where a result is subnormal, no function of the C
+   library, so that they are the same everywhere and loops over them vectorise. Tables: tests/gen/elementary.py. */
+#if VM_MANT_DIG > 24
+typedef uint64_t vmi_bits;
+#define VMI_STORED_DIG 52 /* of the mantissa */
+#define VMI_BIAS 1023     /* of the exponent */
 #else
-#define VMI_APART VM_API
+typedef uint32_t vmi_bits;
+#define VMI_STORED_DIG 23
+#define VMI_BIAS 127
 #endif
 
-/* ---- Table of contents -------------------------------------------------------------------------------------- */
+VM_API vmi_bits vmi_to_bits(vm_real x)
+{
+    vmi_bits bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+VM_API vm_real vmi_from_bits(vmi_bits bits)
+{
+    vm_real x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* x 2^k, rounded at most once, for |x| from 2^-2 to 4 or 0; for any x, if x 2^(k/2) is a normal number */
+VM_API vm_real vmi_ldexp(vm_real x, int k)
+{
+    const int limit = 2 * VMI_BIAS - 2;
+    const int bounded = k > limit ? limit : k < -limit ? -limit : k, half = bounded / 2, rest = bounded - half;
+    return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
+           vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
+}
+
+/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
+{
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
+        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+        const vm_two sum = vmi_fast_two_sum(large, y);
+        y = (sum.hi + (sum.lo + y_lo)) - large;
+        y_lo = 0;
+    }
+    return vmi_ldexp(y + y_lo, k);
+}
+
+/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
+   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
+   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
+#if VM_MANT_DIG > 24
+typedef int64_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
+#else
+typedef int32_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
+#endif
+
+#endif
+/* integrators/ode.h - right-hand sides and statuses */
+#ifndef VARMASS_INTEGRATORS_ODE_H
+#define VARMASS_INTEGRATORS_ODE_H
+
+#include <string.h>
 
 enum {
     ODE_OK = 0,
@@ -333,122 +494,9 @@ enum {
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; call again to go on */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
-VM_API const char *ode_strerror(int status);
 
 /* dydt = f(t, y) */
 typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
-
-/* One step of size h (of either sign) from t: y becomes y(t + h). steps equal steps from *t to t_end, after which
-   *t == t_end. Error O(h^4). On failure y (and *t) are those of the last complete step. */
-#define RK4_WORK(n) (3 * (n))
-VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work);
-VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
-                        vm_real *work);
-/* The same with y + y_low as the state (y_low: n values, zero at first), so that the roundings of millions of steps
-   do not add up [3]. */
-VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
-                                    vm_real *y_low, vm_real *work);
-
-/* An event is a change of sign of g(t, y) along a run; a zero is reached, not left, when it counts. The caller owns
-   the array of events that the options point at; the fields up to states are his, the rest is the integrator's. */
-typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
-typedef struct VM_TAG(ode_event) {
-    ode_event_function g;
-    void *ctx;
-    int direction; /* as the run goes: > 0 when g rises through zero, < 0 when it falls, 0 both */
-    int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* g is looked at in so many points inside each step; default 3, at most 9999, negative none */
-    /* null, or what an ODE_RESTART calls; it may change y, and in ctx what f depends on */
-    void (*change)(vm_real t, vm_real *y, void *ctx);
-    long room;      /* of times and states, either of which may be null: the first room events are written there, */
-    vm_real *times; /* one time each */
-    vm_real *states; /* and n values each */
-    long count;      /* events so far */
-    vm_real t;       /* of the last one */
-    int side;        /* internal from here on: the sign of g behind us, 0 while it is not known */
-    int side_ahead;  /* the side at the end of the step, if the step is not cut */
-    int happens;     /* nonzero while the step is cut at an instant at which this event happens */
-    vm_real from;    /* g has been looked at up to here, as a fraction of the step */
-    vm_real slack;   /* after an event the side stays unknown while |g| <= slack, */
-    vm_real quiet;   /* but no longer than for this time */
-} ode_event;
-enum {
-    ODE_RECORD = 0, /* go on */
-    ODE_STOP = 1,   /* a terminal event: the run ends there with ODE_EVENT */
-    ODE_RESTART = 2 /* the step ends there, change is called, and a new step begins */
-};
-
-typedef struct VM_TAG(rk45_options) {
-    vm_real rtol;             /* default 1e-6 (float 1e-4) */
-    vm_real atol;             /* default 1e-3 rtol */
-    vm_real h0;               /* first step; default chosen from f. Its sign is rk45_step's direction */
-    vm_real h_min, h_max;     /* defaults: what t can resolve; no limit */
-    long max_steps;           /* attempts in one rk45_solve; default 1000000, negative: no limit */
-    const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol; 0 is none */
-    ode_event *events;        /* n_events of them, or null */
-    int n_events;
-    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
-} rk45_options;
-
-typedef struct VM_TAG(rk45) {
-    vm_real t;      /* current time */
-    vm_real *y;     /* current state, n values (in work) */
-    vm_real t_old;  /* rk45_interpolate covers t_old .. t, the last accepted step; only t after an error */
-    vm_real h;      /* the next step to be tried, signed; 0 before the first */
-    long steps;     /* accepted */
-    long rejected;  /* and rejected steps */
-    long evals;     /* of f */
-    long missed;    /* steps of the smallest size that were accepted though their error was above the tolerance */
-    int rhs_status; /* what f returned last */
-    int event;      /* index of the terminal event that ended the last call, else -1 */
-    int stiff;      /* nonzero once the run has looked stiff */
-    ode_rhs f;
-    void *ctx;
-    int n;
-    int method;            /* VMI_RK45 or VMI_RK87 */
-    rk45_options options;  /* as resolved */
-    vm_real *work;         /* from here on internal */
-    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2, */
-    vm_real t_old_low;     /* and the last step began at t_old + t_old_low */
-    vm_real h_done;        /* the last accepted step */
-    vm_real inverse_error; /* 1 over its error, in tolerances */
-    long attempts;         /* left; negative: no limit */
-    int k1, extended;      /* state of the derivatives in work */
-    int failure;           /* of the attempt before: VMI_REJECTED, VMI_NOT_FINITE */
-    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
-    int stiff_wait, stiff_hits, stiff_misses;
-} rk45;
-
-#define RK45_WORK(n) (10 * (n))
-VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL);
-VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                        const rk45_options *options_or_NULL, vm_real *work);
-/* One accepted step, or less of it to a terminal event or a restart. */
-VM_INLINE int rk45_step(rk45 *s);
-/* To t_end exactly, forward or backward, at once if s->t is there; or to a terminal event. */
-VM_INLINE int rk45_solve(rk45 *s, vm_real t_end);
-/* The same for an s that was initialised with this f and n: constants here are inlined however s came about. */
-VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end);
-/* y(t) for t within the last step, to about the step's own accuracy; refuses other t. */
-VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y);
-/* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. If t is
-   s->t, events that have just happened are not found again, and t_low, the rest of the time, is kept. */
-VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y);
-
-/* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk87_interpolate is of
-   order 8 and evaluates f seven times in a step in which it is used; ODE_NOT_FINITE where f is not finite there. */
-typedef rk45_options rk87_options;
-typedef rk45 rk87;
-#define RK87_WORK(n) (24 * (n))
-VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                        const rk87_options *options_or_NULL, vm_real *work);
-VM_INLINE int rk87_step(rk87 *s);
-VM_INLINE int rk87_solve(rk87 *s, vm_real t_end);
-VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end);
-VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y);
-VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y);
-
-/* ---- Common to all ------------------------------------------------------------------------------------------ */
 
 VM_API const char *ode_strerror(int status)
 {
@@ -467,46 +515,6 @@ VM_API const char *ode_strerror(int status)
     }
 }
 
-VM_API int vmi_all_finite(int n, const vm_real *y)
-{
-    int i;
-    for (i = 0; i < n; i++)
-        if (!VM_IS_FINITE(y[i])) return 0;
-    return 1;
-}
-
-/* The loops over components are unrolled where n is known, so that the components live in registers. Systems of up to
-   VMI_SMALL known components are stepped in local arrays, others in the caller's work. */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
-    !defined(__OPTIMIZE_SIZE__)
-#define VMI_UNROLL _Pragma("GCC unroll 16")
-#else
-#define VMI_UNROLL
-#endif
-#define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
-#define VMI_SMALL 8
-#if defined(__GNUC__) && defined(__OPTIMIZE__)
-#define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
-#else
-#define VMI_IS_SMALL(n) 0
-#endif
-
-VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
-{
-    int i;
-    VMI_EACH(i, n) to[i] = from[i];
-}
-
-/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
-   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
-   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
-#if VM_MANT_DIG > 24
-typedef int64_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
-#else
-typedef int32_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
-#endif
 VM_INLINE vm_real vmi_power(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -522,7 +530,14 @@ VM_INLINE vm_real vmi_power(vm_real x, vm_real p)
     return v;
 }
 
-/* ---- rk4 ---------------------------------------------------------------------------------------------------- */
+#endif
+/* integrators/rk4.h - the classical Runge-Kutta method with fixed steps */
+#ifndef VARMASS_INTEGRATORS_RK4_H
+#define VARMASS_INTEGRATORS_RK4_H
+
+/* One step of size h (of either sign) from t: y becomes y(t + h). steps equal steps from *t to t_end, after which
+   *t == t_end. Error O(h^4). On failure y (and *t) are those of the last complete step. */
+#define RK4_WORK(n) (3 * (n))
 
 /* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f does. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
@@ -621,6 +636,8 @@ VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, 
     return status;
 }
 
+/* The same with y + y_low as the state (y_low: n values, zero at first), so that the roundings of millions of steps
+   do not add up [3]. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
@@ -631,8 +648,90 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
     return status;
 }
 
-/* ---- Adaptive runs: setting up ------------------------------------------------------------------------------ */
+#endif
+/* integrators/runs.h - what an adaptive run is: options, state, work space */
+#ifndef VARMASS_INTEGRATORS_RUNS_H
+#define VARMASS_INTEGRATORS_RUNS_H
 
+/* An event is a change of sign of g(t, y) along a run; a zero is reached, not left, when it counts. The caller owns
+   the array of events that the options point at; the fields up to states are his, the rest is the integrator's. */
+typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
+
+typedef struct VM_TAG(ode_event) {
+    ode_event_function g;
+    void *ctx;
+    int direction; /* as the run goes: > 0 when g rises through zero, < 0 when it falls, 0 both */
+    int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
+    int checks;    /* g is looked at in so many points inside each step; default 3, at most 9999, negative none */
+    /* null, or what an ODE_RESTART calls; it may change y, and in ctx what f depends on */
+    void (*change)(vm_real t, vm_real *y, void *ctx);
+    long room;      /* of times and states, either of which may be null: the first room events are written there, */
+    vm_real *times; /* one time each */
+    vm_real *states; /* and n values each */
+    long count;      /* events so far */
+    vm_real t;       /* of the last one */
+    int side;        /* internal from here on: the sign of g behind us, 0 while it is not known */
+    int side_ahead;  /* the side at the end of the step, if the step is not cut */
+    int happens;     /* nonzero while the step is cut at an instant at which this event happens */
+    vm_real from;    /* g has been looked at up to here, as a fraction of the step */
+    vm_real slack;   /* after an event the side stays unknown while |g| <= slack, */
+    vm_real quiet;   /* but no longer than for this time */
+} ode_event;
+
+enum {
+    ODE_RECORD = 0, /* go on */
+    ODE_STOP = 1,   /* a terminal event: the run ends there with ODE_EVENT */
+    ODE_RESTART = 2 /* the step ends there, change is called, and a new step begins */
+};
+
+typedef struct VM_TAG(rk45_options) {
+    vm_real rtol;             /* default 1e-6 (float 1e-4) */
+    vm_real atol;             /* default 1e-3 rtol */
+    vm_real h0;               /* first step; default chosen from f. Its sign is rk45_step's direction */
+    vm_real h_min, h_max;     /* defaults: what t can resolve; no limit */
+    long max_steps;           /* attempts in one rk45_solve; default 1000000, negative: no limit */
+    const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol; 0 is none */
+    ode_event *events;        /* n_events of them, or null */
+    int n_events;
+    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
+} rk45_options;
+
+typedef struct VM_TAG(rk45) {
+    vm_real t;      /* current time */
+    vm_real *y;     /* current state, n values (in work) */
+    vm_real t_old;  /* rk45_interpolate covers t_old .. t, the last accepted step; only t after an error */
+    vm_real h;      /* the next step to be tried, signed; 0 before the first */
+    long steps;     /* accepted */
+    long rejected;  /* and rejected steps */
+    long evals;     /* of f */
+    long missed;    /* steps of the smallest size that were accepted though their error was above the tolerance */
+    int rhs_status; /* what f returned last */
+    int event;      /* index of the terminal event that ended the last call, else -1 */
+    int stiff;      /* nonzero once the run has looked stiff */
+    ode_rhs f;
+    void *ctx;
+    int n;
+    int method;            /* VMI_RK45 or VMI_RK87 */
+    rk45_options options;  /* as resolved */
+    vm_real *work;         /* from here on internal */
+    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2, */
+    vm_real t_old_low;     /* and the last step began at t_old + t_old_low */
+    vm_real h_done;        /* the last accepted step */
+    vm_real inverse_error; /* 1 over its error, in tolerances */
+    long attempts;         /* left; negative: no limit */
+    int k1, extended;      /* state of the derivatives in work */
+    int failure;           /* of the attempt before: VMI_REJECTED, VMI_NOT_FINITE */
+    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
+    int stiff_wait, stiff_hits, stiff_misses;
+} rk45;
+
+#define RK45_WORK(n) (10 * (n))
+
+/* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk87_interpolate is of
+   order 8 and evaluates f seven times in a step in which it is used; ODE_NOT_FINITE where f is not finite there. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+#define RK87_WORK(n) (24 * (n))
 enum { VMI_RK45, VMI_RK87 }; /* the methods */
 
 /* What the roundings within a step allow: rk87 has coefficients up to 123 */
@@ -684,6 +783,7 @@ enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K }; /* parts of work: y, y at t_old, an arg
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of the attempt before */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+
 /* So many steps must keep the tolerance between two steps that may miss it. Behind a jump these steps are 1, 10 and
    100 times as long as the smallest step; next to a singularity there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
@@ -759,28 +859,6 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
     return vmi_ode_init(s, VMI_RK87, f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
-/* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
-VM_API void vmi_forget_events(rk45 *s)
-{
-    int i;
-    for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
-}
-
-VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
-{
-    if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
-    if (t != s->t) vmi_forget_events(s);
-    if (t != s->t) s->t_low = 0;
-    s->t = t;
-    s->t_old = t;
-    s->t_old_low = s->t_low;
-    if (y != s->y) vmi_copy(s->n, y, s->y);
-    s->k1 = VMI_K1_MISSING;
-    s->failure = VMI_NONE_FAILED;
-    s->next_miss = s->steps;
-    return ODE_OK;
-}
-
 VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 {
     s->evals++;
@@ -794,77 +872,10 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
     return (o->atol_each ? o->atol_each[i] : o->atol) + o->rtol * VM_FABS(y) + VM_MIN;
 }
 
-/* The first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 % of itself,
-   and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
-VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longest)
-{
-    const vm_real largest = VM_C(1e10), order = method == VMI_RK45 ? 5 : 8;
-    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
-    vm_real d0 = 0, d1 = 0, d2 = 0, h0, h1;
-    int i, status;
-    for (i = 0; i < s->n; i++) {
-        vm_real tolerance = vmi_tolerance(&s->options, i, s->y[i]);
-        if (VM_FABS(s->y[i]) / tolerance > d0) d0 = VM_FABS(s->y[i]) / tolerance;
-        if (VM_FABS(k1[i]) / tolerance > d1) d1 = VM_FABS(k1[i]) / tolerance;
-    }
-    if (d0 > largest) d0 = largest;
-    if (d1 > largest) d1 = largest;
-    h0 = d0 < VM_C(1e-5) || d1 < VM_C(1e-5) ? VM_C(1e-6) : VM_C(0.01) * d0 / d1;
-    if (h0 > longest) h0 = longest;
-    for (i = 0; i < s->n; i++) z[i] = s->y[i] + direction * h0 * k1[i];
-    status = vmi_eval(s, s->t + direction * h0, z, k2);
-    if (status) return status;
-    for (i = 0; i < s->n; i++) {
-        vm_real c = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
-        if (!(c < largest)) c = largest; /* or f does not reach so far */
-        if (c > d2) d2 = c;
-    }
-    if (d1 > d2) d2 = d1;
-    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_power(VM_C(0.01) / d2, 1 / order);
-    if (h1 > 100 * h0) h1 = 100 * h0;
-    if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
-    s->h = direction * (h1 < longest ? h1 : longest);
-    return ODE_OK;
-}
-
-/* The shortest step that is tried; not 0 at t = 0, where steps that fail would become shorter without end */
-VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
-{
-    vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
-    return least > o->h_min ? least : o->h_min;
-}
-
-VM_API int vmi_watch_events(rk45 *s);
-
-/* The time from where y is to t_end */
-VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
-
-/* k_1, and a step that is not too short to be tried */
-VMI_APART int vmi_prepare(rk45 *s, int method, vm_real t_end)
-{
-    const vm_real left = vmi_time_left(s, t_end);
-    vm_real longest = VM_FABS(left), direction = left < 0 ? -1 : 1, *k1 = vmi_part(s, VMI_K), least;
-    int status = ODE_OK;
-    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(method)), k1);
-    if (s->k1 == VMI_K1_MISSING) {
-        status = vmi_eval(s, s->t, s->y, k1);
-        if (status) return status;
-        if (!vmi_all_finite(s->n, k1)) return ODE_NOT_FINITE;
-        status = vmi_watch_events(s);
-        if (status) return status;
-    }
-    s->k1 = VMI_K1_READY;
-    s->t_old = s->t;
-    s->t_old_low = s->t_low;
-    if (longest > s->options.h_max) longest = s->options.h_max;
-    if (s->h == 0) status = vmi_first_step(s, method, direction, longest);
-    if (status) return status;
-    least = vmi_least_step(&s->options, s->t);
-    s->h = direction * (VM_FABS(s->h) > least ? VM_FABS(s->h) : least);
-    return ODE_OK;
-}
-
-/* ---- Adaptive runs: the stages ------------------------------------------------------------------------------ */
+#endif
+/* integrators/pairs.h - the stages of the Runge-Kutta pairs */
+#ifndef VARMASS_INTEGRATORS_PAIRS_H
+#define VARMASS_INTEGRATORS_PAIRS_H
 
 /* A step is made in w, m numbers a part. h is folded into the coefficients and the newest k comes last in every sum:
    the chain from one evaluation of f to the next is a multiplication and an addition long. */
@@ -1012,6 +1023,11 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
     *bad += e - e;
 }
 
+#endif
+/* integrators/rk45_pair.h - the pair of orders 5 and 4 of Dormand and Prince: error and dense output */
+#ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
+#define VARMASS_INTEGRATORS_RK45_PAIR_H
+
 /* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders
    5 and 4 */
 VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
@@ -1029,6 +1045,26 @@ VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const 
               y[i], z[i], &worst, &bad);
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
+
+/* Weights b_j of y(t_old + x h) = y_old + h sum b_j k_j, of order 4 [1]; returns how many */
+VM_API int vmi_rk45_weights(vm_real x, vm_real *b)
+{
+    const vm_real xx = x * x;
+    b[0] = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
+           ((x - VM_C(1.4364028541716351)) * x + VM_C(0.7139816917074209));
+    b[1] = VM_C(0.1017) * xx * ((x - VM_C(2.1966568338249754)) * x + VM_C(1.2949852507374631));
+    b[2] = VM_C(2.490627285651252793) * xx * ((x - VM_C(2.38535645472061657)) * x + VM_C(1.57803468208092486));
+    b[3] = VM_C(-16.54810288924490272) * xx * (x - VM_C(1.21712927295533244)) * (x - VM_C(0.61620406037800089));
+    b[4] = VM_C(47.37952196281928122) * xx * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
+    b[5] = VM_C(-34.87065786149660974) * xx * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
+    b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
+    return 7;
+}
+
+#endif
+/* integrators/rk87_pair.h - the pair of orders 8 and 7: error and dense output */
+#ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
+#define VARMASS_INTEGRATORS_RK87_PAIR_H
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
    k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
@@ -1066,7 +1102,340 @@ VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const 
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* ---- Adaptive runs: step size control ----------------------------------------------------------------------- */
+/* The seven further stages that the continuous extension of order 8 needs, once for a step. They may leave the domain
+   of f where the step's own did not: ODE_NOT_FINITE. */
+VM_API int vmi_rk87_extend(rk45 *s)
+{
+    VM_TABLE vm_real c[7] = {
+        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    VM_TABLE vm_real a[7][20] = {
+        {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
+         VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
+         VM_C(-44.855785077694125248), VM_C(-0.063798587686474440095), 0, VM_C(-0.012595035543861662682)},
+        {VM_C(0.050379468554820409931), 0, 0, 0, 0, VM_C(0.041098361310460793399), VM_C(0.17180541533481957833),
+         VM_C(4.6141053199815188697), VM_C(-1.7916678830853964497), VM_C(2.5316589304850414085),
+         VM_C(-5.3249778602057307193), VM_C(-0.030655325953856347349), 0, VM_C(-0.0052544799794296135705),
+         VM_C(-0.083991946442247929975)},
+        {VM_C(0.040828971329970796202), 0, 0, 0, 0, VM_C(0.42444795142476322189), VM_C(0.23260915312752345395),
+         VM_C(2.6779825207118060628), VM_C(0.74208266573389452165), VM_C(0.14603778479414611939),
+         VM_C(-3.579344509890565218), VM_C(0.11388443896001737045), 0, VM_C(0.012677906510331900474),
+         VM_C(-0.074434363499466744298), VM_C(0.047827480797578515546)},
+        {VM_C(0.052126823936684136299), 0, 0, 0, 0, VM_C(0.053925083967447977182), VM_C(0.016607580974346408285),
+         VM_C(-4.4544857579267796554), VM_C(6.8352182786321463817), VM_C(-8.7113348221819937398),
+         VM_C(6.4916358392329170537), VM_C(-0.070725518098443464221), 0, VM_C(-0.018540314919932164291),
+         VM_C(0.023504021054353846451), VM_C(0.23447951034078220906), VM_C(-0.082410725011528988858)},
+        {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
+         VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
+         VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
+         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521), 0},
+        {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
+         VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
+         VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
+         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532), 0, 0},
+        {VM_C(0.039390583455282509434),
+         0,
+         0,
+         0,
+         0,
+         VM_C(0.35585161412344241831),
+         VM_C(0.41973822259526100294),
+         VM_C(0.87204497780719416629),
+         VM_C(0.89895208348765948613),
+         VM_C(-0.63058061610598835902),
+         VM_C(-1.1218872205954835507),
+         VM_C(0.04298219512400197177),
+         0,
+         VM_C(0.01332557566873915707),
+         VM_C(0.018762270539641480344),
+         VM_C(-0.18594111329221055705),
+         VM_C(0.17736142719246027452),
+         0,
+         0,
+         0}};
+    const vm_real *k1 = vmi_part(s, VMI_K);
+    vm_real *z = vmi_part(s, VMI_Z);
+    int i, j, stage;
+    for (stage = 0; stage < 7; stage++) {
+        int status;
+        for (i = 0; i < s->n; i++) {
+            vm_real sum = 0;
+            for (j = 1; j < 14 + stage; j++) sum += VM_READ(a[stage][j]) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
+        }
+        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
+        if (status) return status;
+        if (!vmi_all_finite(s->n, vmi_part(s, VMI_K + 14 + stage))) return ODE_NOT_FINITE;
+    }
+    s->extended = 1;
+    return ODE_OK;
+}
+
+/* The same of order 8 [4]: b_j/x in Bernstein's polynomials of degree 7, which keep the coefficients small */
+VM_API int vmi_rk87_weights(vm_real x, vm_real *b)
+{
+    VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
+    VM_TABLE vm_real c[8][21] = {{VM_C(1.0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                 {VM_C(-0.43416495007921699754),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(22.599667701739659115),
+                                  VM_C(15.825878858282545737),
+                                  VM_C(-1001.6345768873305842),
+                                  VM_C(1600.9139385497353343),
+                                  VM_C(-2025.6045200650977012),
+                                  VM_C(1463.9659668459635268),
+                                  VM_C(-15.07043425264423982),
+                                  0,
+                                  VM_C(-2.1233733390382044607),
+                                  VM_C(2.0499551075579231761),
+                                  VM_C(-14.649321001586286937),
+                                  VM_C(-5.4474375904092477119),
+                                  VM_C(-9.4832565472422686612),
+                                  VM_C(-12.916982247390083982),
+                                  VM_C(-8.5341205186269588664),
+                                  VM_C(-8.4572196638341962641)},
+                                 {VM_C(0.69319890739505714536),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(-28.322636845067825264),
+                                  VM_C(-19.833504880369087028),
+                                  VM_C(1255.2809513415663983),
+                                  VM_C(-2006.3172919246540112),
+                                  VM_C(2538.5533084238865914),
+                                  VM_C(-1834.6896502962782204),
+                                  VM_C(18.886757189012005795),
+                                  0,
+                                  VM_C(2.6943768290163844672),
+                                  VM_C(-3.0569914252730377376),
+                                  VM_C(21.845770438002692514),
+                                  VM_C(8.1234803348592602041),
+                                  VM_C(9.4063330192350021072),
+                                  VM_C(18.54462542925865921),
+                                  VM_C(8.8787596622304847795),
+                                  VM_C(10.312513797179645635)},
+                                 {VM_C(-0.3338485911070980487),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(25.558764868971263012),
+                                  VM_C(17.898047082901598187),
+                                  VM_C(-1132.7840290910181075),
+                                  VM_C(1810.5302905715595678),
+                                  VM_C(-2290.8279152212470487),
+                                  VM_C(1655.6509775545015219),
+                                  VM_C(-17.043688014358484614),
+                                  0,
+                                  VM_C(-2.3369125341274148978),
+                                  VM_C(2.6643387606508049922),
+                                  VM_C(-19.039809026959079785),
+                                  VM_C(-7.0800668096793834609),
+                                  VM_C(-5.8665758746530908169),
+                                  VM_C(-18.840844904715375167),
+                                  VM_C(-7.4879415981794647994),
+                                  VM_C(-9.6607871725402081249)},
+                                 {VM_C(0.28379400641185437856),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(-12.759481686923881245),
+                                  VM_C(-8.9350876365402469061),
+                                  VM_C(565.50999817576301139),
+                                  VM_C(-903.85541729421673952),
+                                  VM_C(1143.6302568613132692),
+                                  VM_C(-826.5363540196210053),
+                                  VM_C(8.5085733294123855395),
+                                  0,
+                                  VM_C(1.0603712833693789051),
+                                  VM_C(-1.4442533272143088419),
+                                  VM_C(10.320875086467535406),
+                                  VM_C(3.837879100734673622),
+                                  VM_C(2.5580949193757614888),
+                                  VM_C(11.224293673899100669),
+                                  VM_C(2.4797359224550151757),
+                                  VM_C(5.1167216053141960113)},
+                                 {VM_C(0.0072914402964293461022),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(3.7687355910342448606),
+                                  VM_C(2.6391340660294149651),
+                                  VM_C(-167.03324707890411572),
+                                  VM_C(266.9694713223930137),
+                                  VM_C(-337.79115467001014473),
+                                  VM_C(244.13193663420704719),
+                                  VM_C(-2.5131556220142955157),
+                                  0,
+                                  VM_C(-0.17281686321712024563),
+                                  VM_C(0.3583670958947128915),
+                                  VM_C(-2.5609510202503622271),
+                                  VM_C(-0.95230494665234715357),
+                                  VM_C(-0.5896647722763897408),
+                                  VM_C(-2.8631165722737584704),
+                                  VM_C(-0.47177361047292321216),
+                                  VM_C(-1.9267509937834059465)},
+                                 {VM_C(0.050605593360090869425),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(0.40469135905422271369),
+                                  VM_C(0.28339338913787860899),
+                                  VM_C(-17.936230901529238915),
+                                  VM_C(28.667502817781214415),
+                                  VM_C(-36.272420327154601678),
+                                  VM_C(26.215180884558610231),
+                                  VM_C(-0.26986567235103338803),
+                                  0,
+                                  VM_C(-0.14285714285714285714),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0},
+                                 {VM_C(0.044279894190079510747),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  VM_C(0.35410493917244487448),
+                                  VM_C(0.24796921549564378287),
+                                  VM_C(-15.694202038838084051),
+                                  VM_C(25.084064965558562613),
+                                  VM_C(-31.738367786260276468),
+                                  VM_C(22.938283273988783952),
+                                  VM_C(-0.23613246330715421453),
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0,
+                                  0}};
+    const vm_real u = 1 - x;
+    vm_real up[8];
+    vm_real power = x;
+    int i, j;
+    for (up[0] = 1, i = 1; i < 8; i++) up[i] = up[i - 1] * u;
+    for (j = 0; j < 21; j++) b[j] = 0;
+    for (i = 0; i < 8; i++, power *= x)
+        for (j = 0; j < 21; j++) b[j] += VM_READ(binomial[i]) * power * up[7 - i] * VM_READ(c[i][j]);
+    return 21;
+}
+
+#endif
+/* integrators/dense.h - the solution inside a step */
+#ifndef VARMASS_INTEGRATORS_DENSE_H
+#define VARMASS_INTEGRATORS_DENSE_H
+
+/* y at t_old + x h, 0 <= x <= 1. The weights add up to x, so those of the differences to k_1 do as well, with less
+   rounding. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+VMI_APART void vmi_inside(const rk45 *s, int method, vm_real x, vm_real *y)
+{
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
+    vm_real b[21];
+    int i, j, count = method == VMI_RK45 ? vmi_rk45_weights(x, b) : vmi_rk87_weights(x, b);
+    for (i = 0; i < s->n; i++) {
+        vm_real sum = 0;
+        for (j = 1; j < count; j++) sum += b[j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+        y[i] = y_old[i] + s->h_done * (x * k1[i] + sum);
+    }
+}
+
+VM_API int vmi_within_last_step(const rk45 *s, int method, vm_real t)
+{
+    return s->method == method && ((s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old));
+}
+
+/* Where t, which is within the last step, is in it: 0 at its beginning, 1 at its end */
+VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
+{
+    const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
+    if (x < 0) return 0;
+    return VMI_SMALLER(x, VM_C(1.0));
+}
+
+/* y(t) for t within the last step, to about the step's own accuracy; refuses other t. */
+VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
+{
+    if (!s || !y || !vmi_within_last_step(s, VMI_RK45, t)) return ODE_BAD_ARGUMENT;
+    if (t == s->t) vmi_copy(s->n, s->y, y);
+    else vmi_inside(s, VMI_RK45, vmi_place_of(s, t), y);
+    return ODE_OK;
+}
+
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
+{
+    if (!s || !y || !vmi_within_last_step(s, VMI_RK87, t)) return ODE_BAD_ARGUMENT;
+    if (t == s->t) {
+        vmi_copy(s->n, s->y, y);
+        return ODE_OK;
+    }
+    if (!s->extended) {
+        int status = vmi_rk87_extend(s);
+        if (status) return status;
+    }
+    vmi_inside(s, VMI_RK87, vmi_place_of(s, t), y);
+    return ODE_OK;
+}
+
+#endif
+/* integrators/steps.h - step size control */
+#ifndef VARMASS_INTEGRATORS_STEPS_H
+#define VARMASS_INTEGRATORS_STEPS_H
+
+/* The first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 % of itself,
+   and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
+VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longest)
+{
+    const vm_real largest = VM_C(1e10), order = method == VMI_RK45 ? 5 : 8;
+    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
+    vm_real d0 = 0, d1 = 0, d2 = 0, h0, h1;
+    int i, status;
+    for (i = 0; i < s->n; i++) {
+        vm_real tolerance = vmi_tolerance(&s->options, i, s->y[i]);
+        if (VM_FABS(s->y[i]) / tolerance > d0) d0 = VM_FABS(s->y[i]) / tolerance;
+        if (VM_FABS(k1[i]) / tolerance > d1) d1 = VM_FABS(k1[i]) / tolerance;
+    }
+    if (d0 > largest) d0 = largest;
+    if (d1 > largest) d1 = largest;
+    h0 = d0 < VM_C(1e-5) || d1 < VM_C(1e-5) ? VM_C(1e-6) : VM_C(0.01) * d0 / d1;
+    if (h0 > longest) h0 = longest;
+    for (i = 0; i < s->n; i++) z[i] = s->y[i] + direction * h0 * k1[i];
+    status = vmi_eval(s, s->t + direction * h0, z, k2);
+    if (status) return status;
+    for (i = 0; i < s->n; i++) {
+        vm_real c = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (!(c < largest)) c = largest; /* or f does not reach so far */
+        if (c > d2) d2 = c;
+    }
+    if (d1 > d2) d2 = d1;
+    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_power(VM_C(0.01) / d2, 1 / order);
+    if (h1 > 100 * h0) h1 = 100 * h0;
+    if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
+    s->h = direction * (h1 < longest ? h1 : longest);
+    return ODE_OK;
+}
+
+/* The shortest step that is tried; not 0 at t = 0, where steps that fail would become shorter without end */
+VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
+{
+    vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
+    return least > o->h_min ? least : o->h_min;
+}
+
+/* The time from where y is to t_end */
+VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
 /* PI control [2, IV.2]: after an accepted step the next is 0.9 error^(-4/(5 order)) error_before^(1/(5 order)) times
    as long, at most 10 times */
@@ -1247,309 +1616,14 @@ VM_INLINE int vmi_advance_small(rk45 *s, int method, ode_rhs f, int n, vm_real t
     return status;
 }
 
-/* ---- Adaptive runs: inside a step --------------------------------------------------------------------------- */
-
-/* The seven further stages that the continuous extension of order 8 needs, once for a step. They may leave the domain
-   of f where the step's own did not: ODE_NOT_FINITE. */
-VM_API int vmi_rk87_extend(rk45 *s)
-{
-    VM_TABLE vm_real c[7] = {
-        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
-    VM_TABLE vm_real a[7][20] = {
-        {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
-         VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
-         VM_C(-44.855785077694125248), VM_C(-0.063798587686474440095), 0, VM_C(-0.012595035543861662682)},
-        {VM_C(0.050379468554820409931), 0, 0, 0, 0, VM_C(0.041098361310460793399), VM_C(0.17180541533481957833),
-         VM_C(4.6141053199815188697), VM_C(-1.7916678830853964497), VM_C(2.5316589304850414085),
-         VM_C(-5.3249778602057307193), VM_C(-0.030655325953856347349), 0, VM_C(-0.0052544799794296135705),
-         VM_C(-0.083991946442247929975)},
-        {VM_C(0.040828971329970796202), 0, 0, 0, 0, VM_C(0.42444795142476322189), VM_C(0.23260915312752345395),
-         VM_C(2.6779825207118060628), VM_C(0.74208266573389452165), VM_C(0.14603778479414611939),
-         VM_C(-3.579344509890565218), VM_C(0.11388443896001737045), 0, VM_C(0.012677906510331900474),
-         VM_C(-0.074434363499466744298), VM_C(0.047827480797578515546)},
-        {VM_C(0.052126823936684136299), 0, 0, 0, 0, VM_C(0.053925083967447977182), VM_C(0.016607580974346408285),
-         VM_C(-4.4544857579267796554), VM_C(6.8352182786321463817), VM_C(-8.7113348221819937398),
-         VM_C(6.4916358392329170537), VM_C(-0.070725518098443464221), 0, VM_C(-0.018540314919932164291),
-         VM_C(0.023504021054353846451), VM_C(0.23447951034078220906), VM_C(-0.082410725011528988858)},
-        {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
-         VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
-         VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
-         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521), 0},
-        {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
-         VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
-         VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
-         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532), 0, 0},
-        {VM_C(0.039390583455282509434),
-         0,
-         0,
-         0,
-         0,
-         VM_C(0.35585161412344241831),
-         VM_C(0.41973822259526100294),
-         VM_C(0.87204497780719416629),
-         VM_C(0.89895208348765948613),
-         VM_C(-0.63058061610598835902),
-         VM_C(-1.1218872205954835507),
-         VM_C(0.04298219512400197177),
-         0,
-         VM_C(0.01332557566873915707),
-         VM_C(0.018762270539641480344),
-         VM_C(-0.18594111329221055705),
-         VM_C(0.17736142719246027452),
-         0,
-         0,
-         0}};
-    const vm_real *k1 = vmi_part(s, VMI_K);
-    vm_real *z = vmi_part(s, VMI_Z);
-    int i, j, stage;
-    for (stage = 0; stage < 7; stage++) {
-        int status;
-        for (i = 0; i < s->n; i++) {
-            vm_real sum = 0;
-            for (j = 1; j < 14 + stage; j++) sum += VM_READ(a[stage][j]) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
-        }
-        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
-        if (status) return status;
-        if (!vmi_all_finite(s->n, vmi_part(s, VMI_K + 14 + stage))) return ODE_NOT_FINITE;
-    }
-    s->extended = 1;
-    return ODE_OK;
-}
-
-/* Weights b_j of y(t_old + x h) = y_old + h sum b_j k_j, of order 4 [1]; returns how many */
-VM_API int vmi_rk45_weights(vm_real x, vm_real *b)
-{
-    const vm_real xx = x * x;
-    b[0] = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
-           ((x - VM_C(1.4364028541716351)) * x + VM_C(0.7139816917074209));
-    b[1] = VM_C(0.1017) * xx * ((x - VM_C(2.1966568338249754)) * x + VM_C(1.2949852507374631));
-    b[2] = VM_C(2.490627285651252793) * xx * ((x - VM_C(2.38535645472061657)) * x + VM_C(1.57803468208092486));
-    b[3] = VM_C(-16.54810288924490272) * xx * (x - VM_C(1.21712927295533244)) * (x - VM_C(0.61620406037800089));
-    b[4] = VM_C(47.37952196281928122) * xx * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
-    b[5] = VM_C(-34.87065786149660974) * xx * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
-    b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
-    return 7;
-}
-
-/* The same of order 8 [4]: b_j/x in Bernstein's polynomials of degree 7, which keep the coefficients small */
-VM_API int vmi_rk87_weights(vm_real x, vm_real *b)
-{
-    VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
-    VM_TABLE vm_real c[8][21] = {{VM_C(1.0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
-                                 {VM_C(-0.43416495007921699754),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(22.599667701739659115),
-                                  VM_C(15.825878858282545737),
-                                  VM_C(-1001.6345768873305842),
-                                  VM_C(1600.9139385497353343),
-                                  VM_C(-2025.6045200650977012),
-                                  VM_C(1463.9659668459635268),
-                                  VM_C(-15.07043425264423982),
-                                  0,
-                                  VM_C(-2.1233733390382044607),
-                                  VM_C(2.0499551075579231761),
-                                  VM_C(-14.649321001586286937),
-                                  VM_C(-5.4474375904092477119),
-                                  VM_C(-9.4832565472422686612),
-                                  VM_C(-12.916982247390083982),
-                                  VM_C(-8.5341205186269588664),
-                                  VM_C(-8.4572196638341962641)},
-                                 {VM_C(0.69319890739505714536),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(-28.322636845067825264),
-                                  VM_C(-19.833504880369087028),
-                                  VM_C(1255.2809513415663983),
-                                  VM_C(-2006.3172919246540112),
-                                  VM_C(2538.5533084238865914),
-                                  VM_C(-1834.6896502962782204),
-                                  VM_C(18.886757189012005795),
-                                  0,
-                                  VM_C(2.6943768290163844672),
-                                  VM_C(-3.0569914252730377376),
-                                  VM_C(21.845770438002692514),
-                                  VM_C(8.1234803348592602041),
-                                  VM_C(9.4063330192350021072),
-                                  VM_C(18.54462542925865921),
-                                  VM_C(8.8787596622304847795),
-                                  VM_C(10.312513797179645635)},
-                                 {VM_C(-0.3338485911070980487),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(25.558764868971263012),
-                                  VM_C(17.898047082901598187),
-                                  VM_C(-1132.7840290910181075),
-                                  VM_C(1810.5302905715595678),
-                                  VM_C(-2290.8279152212470487),
-                                  VM_C(1655.6509775545015219),
-                                  VM_C(-17.043688014358484614),
-                                  0,
-                                  VM_C(-2.3369125341274148978),
-                                  VM_C(2.6643387606508049922),
-                                  VM_C(-19.039809026959079785),
-                                  VM_C(-7.0800668096793834609),
-                                  VM_C(-5.8665758746530908169),
-                                  VM_C(-18.840844904715375167),
-                                  VM_C(-7.4879415981794647994),
-                                  VM_C(-9.6607871725402081249)},
-                                 {VM_C(0.28379400641185437856),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(-12.759481686923881245),
-                                  VM_C(-8.9350876365402469061),
-                                  VM_C(565.50999817576301139),
-                                  VM_C(-903.85541729421673952),
-                                  VM_C(1143.6302568613132692),
-                                  VM_C(-826.5363540196210053),
-                                  VM_C(8.5085733294123855395),
-                                  0,
-                                  VM_C(1.0603712833693789051),
-                                  VM_C(-1.4442533272143088419),
-                                  VM_C(10.320875086467535406),
-                                  VM_C(3.837879100734673622),
-                                  VM_C(2.5580949193757614888),
-                                  VM_C(11.224293673899100669),
-                                  VM_C(2.4797359224550151757),
-                                  VM_C(5.1167216053141960113)},
-                                 {VM_C(0.0072914402964293461022),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(3.7687355910342448606),
-                                  VM_C(2.6391340660294149651),
-                                  VM_C(-167.03324707890411572),
-                                  VM_C(266.9694713223930137),
-                                  VM_C(-337.79115467001014473),
-                                  VM_C(244.13193663420704719),
-                                  VM_C(-2.5131556220142955157),
-                                  0,
-                                  VM_C(-0.17281686321712024563),
-                                  VM_C(0.3583670958947128915),
-                                  VM_C(-2.5609510202503622271),
-                                  VM_C(-0.95230494665234715357),
-                                  VM_C(-0.5896647722763897408),
-                                  VM_C(-2.8631165722737584704),
-                                  VM_C(-0.47177361047292321216),
-                                  VM_C(-1.9267509937834059465)},
-                                 {VM_C(0.050605593360090869425),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(0.40469135905422271369),
-                                  VM_C(0.28339338913787860899),
-                                  VM_C(-17.936230901529238915),
-                                  VM_C(28.667502817781214415),
-                                  VM_C(-36.272420327154601678),
-                                  VM_C(26.215180884558610231),
-                                  VM_C(-0.26986567235103338803),
-                                  0,
-                                  VM_C(-0.14285714285714285714),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0},
-                                 {VM_C(0.044279894190079510747),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(0.35410493917244487448),
-                                  VM_C(0.24796921549564378287),
-                                  VM_C(-15.694202038838084051),
-                                  VM_C(25.084064965558562613),
-                                  VM_C(-31.738367786260276468),
-                                  VM_C(22.938283273988783952),
-                                  VM_C(-0.23613246330715421453),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0}};
-    const vm_real u = 1 - x;
-    vm_real up[8];
-    vm_real power = x;
-    int i, j;
-    for (up[0] = 1, i = 1; i < 8; i++) up[i] = up[i - 1] * u;
-    for (j = 0; j < 21; j++) b[j] = 0;
-    for (i = 0; i < 8; i++, power *= x)
-        for (j = 0; j < 21; j++) b[j] += VM_READ(binomial[i]) * power * up[7 - i] * VM_READ(c[i][j]);
-    return 21;
-}
-
-/* y at t_old + x h, 0 <= x <= 1. The weights add up to x, so those of the differences to k_1 do as well, with less
-   rounding. Not inlined, so that it is contracted in one way only: the same x has the same y. */
-VMI_APART void vmi_inside(const rk45 *s, int method, vm_real x, vm_real *y)
-{
-    const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
-    vm_real b[21];
-    int i, j, count = method == VMI_RK45 ? vmi_rk45_weights(x, b) : vmi_rk87_weights(x, b);
-    for (i = 0; i < s->n; i++) {
-        vm_real sum = 0;
-        for (j = 1; j < count; j++) sum += b[j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-        y[i] = y_old[i] + s->h_done * (x * k1[i] + sum);
-    }
-}
-
-VM_API int vmi_within_last_step(const rk45 *s, int method, vm_real t)
-{
-    return s->method == method && ((s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old));
-}
-
-/* Where t, which is within the last step, is in it: 0 at its beginning, 1 at its end */
-VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
-{
-    const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
-    if (x < 0) return 0;
-    return VMI_SMALLER(x, VM_C(1.0));
-}
-
-VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
-{
-    if (!s || !y || !vmi_within_last_step(s, VMI_RK45, t)) return ODE_BAD_ARGUMENT;
-    if (t == s->t) vmi_copy(s->n, s->y, y);
-    else vmi_inside(s, VMI_RK45, vmi_place_of(s, t), y);
-    return ODE_OK;
-}
-
-VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
-{
-    if (!s || !y || !vmi_within_last_step(s, VMI_RK87, t)) return ODE_BAD_ARGUMENT;
-    if (t == s->t) {
-        vmi_copy(s->n, s->y, y);
-        return ODE_OK;
-    }
-    if (!s->extended) {
-        int status = vmi_rk87_extend(s);
-        if (status) return status;
-    }
-    vmi_inside(s, VMI_RK87, vmi_place_of(s, t), y);
-    return ODE_OK;
-}
-
-/* ---- Adaptive runs: events ---------------------------------------------------------------------------------- */
+#endif
+/* integrators/events.h - events: where a function of the solution changes its sign */
+#ifndef VARMASS_INTEGRATORS_EVENTS_H
+#define VARMASS_INTEGRATORS_EVENTS_H
 
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
-
 #define VMI_NONE VM_C(2.0) /* no place in a step */
+
 /* After an event, g is first looked at after the fraction VMI_FIRST_LOOK of a step, then at distances that grow by
    the factor VMI_WIDER. Its side is decided after the fraction VMI_QUIET at the latest. */
 #if VM_MANT_DIG > 24
@@ -1874,7 +1948,59 @@ VM_API int vmi_events(rk45 *s, int method)
     return status || cut == VMI_NONE ? status : vmi_cut_step(s, method, cut);
 }
 
-/* ---- Adaptive runs: from step to step ----------------------------------------------------------------------- */
+#endif
+/* integrators/adaptive.h - adaptive runs with rk45 and rk87 */
+#ifndef VARMASS_INTEGRATORS_ADAPTIVE_H
+#define VARMASS_INTEGRATORS_ADAPTIVE_H
+
+/* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
+VM_API void vmi_forget_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
+}
+
+/* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. If t is
+   s->t, events that have just happened are not found again, and t_low, the rest of the time, is kept. */
+VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
+{
+    if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
+    if (t != s->t) vmi_forget_events(s);
+    if (t != s->t) s->t_low = 0;
+    s->t = t;
+    s->t_old = t;
+    s->t_old_low = s->t_low;
+    if (y != s->y) vmi_copy(s->n, y, s->y);
+    s->k1 = VMI_K1_MISSING;
+    s->failure = VMI_NONE_FAILED;
+    s->next_miss = s->steps;
+    return ODE_OK;
+}
+
+/* k_1, and a step that is not too short to be tried */
+VMI_APART int vmi_prepare(rk45 *s, int method, vm_real t_end)
+{
+    const vm_real left = vmi_time_left(s, t_end);
+    vm_real longest = VM_FABS(left), direction = left < 0 ? -1 : 1, *k1 = vmi_part(s, VMI_K), least;
+    int status = ODE_OK;
+    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(method)), k1);
+    if (s->k1 == VMI_K1_MISSING) {
+        status = vmi_eval(s, s->t, s->y, k1);
+        if (status) return status;
+        if (!vmi_all_finite(s->n, k1)) return ODE_NOT_FINITE;
+        status = vmi_watch_events(s);
+        if (status) return status;
+    }
+    s->k1 = VMI_K1_READY;
+    s->t_old = s->t;
+    s->t_old_low = s->t_low;
+    if (longest > s->options.h_max) longest = s->options.h_max;
+    if (s->h == 0) status = vmi_first_step(s, method, direction, longest);
+    if (status) return status;
+    least = vmi_least_step(&s->options, s->t);
+    s->h = direction * (VM_FABS(s->h) > least ? VM_FABS(s->h) : least);
+    return ODE_OK;
+}
 
 /* Hairer's test [2, IV.2]: two stages at the end of the step, whose states differ by h dz and whose derivatives by dk,
    show |dk|/|dz|, about h times the largest eigenvalue. Stiff: 15 times beyond the end of the stability region,
@@ -1958,25 +2084,35 @@ VM_INLINE int vmi_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
     return vmi_run(s, method, f, n, t_end, 0);
 }
 
+/* One accepted step, or less of it to a terminal event or a restart. */
 VM_INLINE int rk45_step(rk45 *s) { return vmi_step(s, VMI_RK45); }
+
+/* To t_end exactly, forward or backward, at once if s->t is there; or to a terminal event. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     return s ? vmi_solve(s, VMI_RK45, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
 }
+
+/* The same for an s that was initialised with this f and n: constants here are inlined however s came about. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     return s ? vmi_solve(s, VMI_RK45, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
 }
 
 VM_INLINE int rk87_step(rk87 *s) { return vmi_step(s, VMI_RK87); }
+
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
     return s ? vmi_solve(s, VMI_RK87, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
 }
+
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     return s ? vmi_solve(s, VMI_RK87, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
 }
+
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return rk45_restart(s, t, y); }
+
+#endif
 
 #endif

@@ -76,13 +76,63 @@
      [2] R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions, Numer. Math. 7 (1965) 78-90.
      [3] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [4] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (307) are its.
-     [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication). */
+     [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
+
+   INDEX
+     base/self_check: whether this compiler and processor keep the rules of floating-point arithmetic
+       vm_self_check                  1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers are made for
+
+     jacobi/integrals: complete elliptic integrals K and E
+       jacobi_K_m1                    Documented with jacobi_K
+       jacobi_E_m1                    Documented with jacobi_K
+       jacobi_K                       Complete elliptic integrals of the first and second kind, K(m) and E(m), m <= 1
+       jacobi_E                       Documented with jacobi_K
+       jacobi_kpK                     k'K(k^2) = sqrt(1 - m) K(m), the left side of (307)
+
+     jacobi/functions: sn, cn, dn and their quotients
+       jacobi_sncndn                  sn, cn, dn (u | m) for any real u and m <= 1
+       jacobi_sncndn_m1               Documented with jacobi_sncndn
+       jacobi_cd                      Documented with jacobi_sn
+       jacobi_sd                      Documented with jacobi_sn
+       jacobi_nd                      Documented with jacobi_sn
+       jacobi_sc                      Documented with jacobi_sn
+       jacobi_dc                      Documented with jacobi_sn
+       jacobi_nc                      Documented with jacobi_sn
+       jacobi_cs                      Documented with jacobi_sn
+       jacobi_ds                      Documented with jacobi_sn
+       jacobi_ns                      Documented with jacobi_sn
+       jacobi_sn                      The twelve functions one by one
+       jacobi_cn                      Documented with jacobi_sn
+       jacobi_dn                      Documented with jacobi_sn
+
+     jacobi/amplitude: the amplitude am
+       jacobi_am                      Jacobi's amplitude
+
+     jacobi/plans: sn, cn, dn for many arguments and one parameter
+       jacobi_plan_init               Prepares m (or m1)
+       jacobi_plan_init_m1            Documented with jacobi_plan_init
+       jacobi_plan_sncndn             As jacobi_sncndn, for the plan's m
+       jacobi_plan_sncndn_array       The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u
+
+     jacobi/modulus: the parameter from K or from k' K
+       jacobi_solve_kpK               The modulus solver
+       jacobi_solve_kpK_m1            Documented with jacobi_solve_kpK
+       jacobi_solve_K_m1              Documented with jacobi_solve_K
+       jacobi_solve_K                 The inverse of K
+
+     jacobi/means: mean values of powers of cn
+       jacobi_cn_means                Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408)
+
+     jacobi/descending: sn, cn, dn and K by the arithmetic-geometric mean, for comparison
+       jacobi_agm_sncndn              The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted
+       jacobi_agm_K                   Documented with jacobi_agm_sncndn */
 #ifndef VARMASS_JACOBI_H
 #define VARMASS_JACOBI_H
 
-/* ---- Shared block: the same, word for word, in the four headers; tests/test_headers.sh keeps it so ---------- */
-#ifndef VM_SHARED
-#define VM_SHARED
+/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+#ifndef VARMASS_BASE_REAL_H
+#define VARMASS_BASE_REAL_H
+
 #define VARMASS_VERSION "0.1.0"
 
 #if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
@@ -167,15 +217,27 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
-typedef struct VM_TAG(vm_two) {
-    vm_real hi, lo;
-} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
-
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
     x = VM_FABS(x);
     return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
 }
+
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define VMI_APART \
+    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#else
+#define VMI_APART VM_API
+#endif
+
+#endif
+/* base/sums.h - exact sums: numbers in two words */
+#ifndef VARMASS_BASE_SUMS_H
+#define VARMASS_BASE_SUMS_H
+
+typedef struct VM_TAG(vm_two) {
+    vm_real hi, lo;
+} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
 
 /* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
@@ -198,6 +260,28 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     s.lo = vmi_rounded((a - (s.hi - b_part)) + (b - b_part));
     return s;
 }
+
+/* a + b exactly, for |a| >= |b| (Dekker) */
+VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
+{
+    vm_two s;
+    s.hi = vmi_rounded(a + b);
+    s.lo = vmi_rounded((a - s.hi) + b);
+    return s;
+}
+
+VM_API vm_two vmi_two(vm_real hi, vm_real lo)
+{
+    vm_two x;
+    x.hi = hi;
+    x.lo = lo;
+    return x;
+}
+
+#endif
+/* base/self_check.h - whether this compiler and processor keep the rules of floating-point arithmetic */
+#ifndef VARMASS_BASE_SELF_CHECK_H
+#define VARMASS_BASE_SELF_CHECK_H
 
 /* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
@@ -258,11 +342,9 @@ VM_API int vm_self_check(void)
 }
 
 #endif
-/* ---- End of the shared block -------------------------------------------------------------------------------- */
-
-/* ---- Elementary kernels: the same, word for word, in jacobi.h and ateb.h ------------------------------------ */
-#ifndef VM_ELEMENTARY
-#define VM_ELEMENTARY
+/* base/bits.h - the bits of a number, scaling by powers of two */
+#ifndef VARMASS_BASE_BITS_H
+#define VARMASS_BASE_BITS_H
 
 #include <stdint.h>
 #include <string.h>
@@ -302,14 +384,33 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* a + b exactly, for |a| >= |b| (Dekker) */
-VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
+/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
-    vm_two s;
-    s.hi = vmi_rounded(a + b);
-    s.lo = vmi_rounded((a - s.hi) + b);
-    return s;
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
+        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+        const vm_two sum = vmi_fast_two_sum(large, y);
+        y = (sum.hi + (sum.lo + y_lo)) - large;
+        y_lo = 0;
+    }
+    return vmi_ldexp(y + y_lo, k);
 }
+
+/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
+   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
+   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
+#if VM_MANT_DIG > 24
+typedef int64_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
+#else
+typedef int32_t vmi_signed_bits;
+#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
+#endif
+
+#endif
+/* base/words.h - products, quotients and roots in two and three words */
+#ifndef VARMASS_BASE_WORDS_H
+#define VARMASS_BASE_WORDS_H
 
 /* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
    where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
@@ -319,6 +420,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 #else
 #define VM_SPLIT VM_C(4097.0)
 #endif
+
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -332,14 +434,6 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
 #endif
     return p;
-}
-
-VM_API vm_two vmi_two(vm_real hi, vm_real lo)
-{
-    vm_two x;
-    x.hi = hi;
-    x.lo = lo;
-    return x;
 }
 
 /* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
@@ -359,6 +453,163 @@ VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
     p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
     return vmi_two(p.hi / scale, p.lo / scale);
 }
+
+/* x without the second half of its digits */
+VM_API vm_real vmi_head(vm_real x)
+{
+    const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
+    return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
+}
+
+/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
+VM_API vm_two vmi_two_times(vm_two x, vm_two y)
+{
+    vm_two p = vmi_two_product(x.hi, y.hi);
+    return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
+{
+    vm_two s = vmi_two_sum(x.hi, y.hi);
+    return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
+}
+
+VM_API vm_two vmi_two_over(vm_two x, vm_two y)
+{
+    vm_real z = vmi_rounded(x.hi / y.hi);
+    vm_two p = vmi_two_product(z, y.hi);
+    return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
+}
+
+/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
+   is below 2^-(3p - 4) */
+typedef struct VM_TAG(vmi_three) {
+    vm_real hi, mid, lo;
+} vmi_three;
+
+VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
+{
+    const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
+    vmi_three x;
+    x.hi = high.hi;
+    x.mid = rest.hi;
+    x.lo = rest.lo;
+    return x;
+}
+
+VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
+{
+    const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
+    const vm_two sum = vmi_two_sum(high.lo, mid.hi);
+    return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
+}
+
+VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
+{
+    const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
+    const vm_two b = vmi_two_product(x.mid, y.hi);
+    const vm_two sum = vmi_two_sum(a.hi, b.hi), mid = vmi_two_sum(p.lo, sum.hi);
+    return vmi_three_words(p.hi, mid.hi,
+                           mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
+}
+
+VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
+{
+    vm_real quotient[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        quotient[i] = vmi_rounded(x.hi / y.hi);
+        x = vmi_three_plus(x, vmi_three_times(y, vmi_three_words(-quotient[i], 0, 0)));
+    }
+    return vmi_three_words(quotient[0], quotient[1], quotient[2]);
+}
+
+VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
+
+/* x times a power of two */
+VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
+{
+    return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
+}
+
+/* The square root of a: one of one word, each of two corrections brings another */
+VM_API vmi_three vmi_three_sqrt(vmi_three a)
+{
+    const vm_real root = VM_SQRT(a.hi);
+    vmi_three x = vmi_three_words(root, 0, 0);
+    int i;
+    for (i = 0; i < 2; i++) {
+        const vmi_three rest = vmi_three_plus(a, vmi_three_scaled(vmi_three_times(x, x), -1));
+        x = vmi_three_plus(x, vmi_three_words((rest.hi + (rest.mid + rest.lo)) / (2 * root), 0, 0));
+    }
+    return x;
+}
+
+/* pi/2, words 0, 1 and 2 */
+VM_API vmi_three vmi_half_pi(void)
+{
+#if VM_MANT_DIG > 24
+    return vmi_three_words(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
+                           VM_C(-1.497384904859169832944e-33));
+#else
+    return vmi_three_words(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
+                           VM_C(-1.715124510005881872804e-15));
+#endif
+}
+
+/* a - root^2 */
+VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
+{
+    const vm_real head = vmi_head(root), tail = root - head;
+    return ((a - head * head) - 2 * head * tail) - tail * tail;
+}
+
+/* The square root of a + a_lo */
+VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
+{
+    const vm_real root = vmi_rounded(VM_SQRT(a));
+    return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
+}
+
+VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
+{
+    const vm_real below = x > high ? high : x;
+    return below < low ? low : below;
+}
+
+/* x times a power of two; x - y */
+VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
+VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
+
+/* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
+VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
+
+VM_API vm_two vmi_minus(vm_two x)
+{
+    x.hi = -x.hi;
+    x.lo = -x.lo;
+    return x;
+}
+
+VM_API vm_two vmi_half(vm_two x)
+{
+    x.hi /= 2;
+    x.lo /= 2;
+    return x;
+}
+
+VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
+{
+    vm_two p = vmi_two_product(x.hi, factor);
+    return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
+}
+
+#endif
+/* base/elementary.h - logarithm, exponential, power, sine, cosine, arctangent, the same bits on every machine */
+#ifndef VARMASS_BASE_ELEMENTARY_H
+#define VARMASS_BASE_ELEMENTARY_H
+
+#include <stdint.h>
 
 /* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
    1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
@@ -505,18 +756,6 @@ VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
     return sum.hi;
 }
 
-/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
-VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
-{
-    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
-        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
-        const vm_two sum = vmi_fast_two_sum(large, y);
-        y = (sum.hi + (sum.lo + y_lo)) - large;
-        y_lo = 0;
-    }
-    return vmi_ldexp(y + y_lo, k);
-}
-
 /* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
 VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 {
@@ -542,200 +781,92 @@ VM_API vm_real vmi_pow(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* x without the second half of its digits */
-VM_API vm_real vmi_head(vm_real x)
+/* atan(y/x) for x, y >= 0, not both 0: within 1 ulp. |argument of the series| <= tan(pi/8). */
+VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
-    const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
-    return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
+    const vmi_three half_pi = vmi_half_pi();
+    const int steep = y > x;
+    const vm_real low = steep ? x : y, high = steep ? y : x;
+    const int middle = low > VM_C(0.4142135623730950488) * high;
+    const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
+    vm_real angle, rest;
+#if VM_MANT_DIG > 24
+    const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
+    const vm_real A23 = VM_C(-0.142857141959989442) + t * VM_C(0.111111066814559886);
+    const vm_real A45 = VM_C(-0.090907830050303437) + t * VM_C(0.0769007587545607746);
+    const vm_real A67 = VM_C(-0.0664118057808822659) + t * VM_C(0.0569281822630746878);
+    const vm_real A89 = VM_C(-0.0435981713871582341) + t * VM_C(0.0212677217547787116);
+    const vm_real A = (A01 + tt * A23) + tt * tt * (A45 + tt * (A67 + tt * A89));
+#else
+    const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
+    const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
+#endif
+    rest = z + z * (t * A) + (middle ? half_pi.mid / 2 : 0);
+    angle = middle ? half_pi.hi / 2 + rest : rest;
+    return steep ? (half_pi.hi - angle) + half_pi.mid : angle;
 }
 
-/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
-VM_API vm_two vmi_two_times(vm_two x, vm_two y)
+/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
+VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
-    vm_two p = vmi_two_product(x.hi, y.hi);
-    return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+    const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
+#if VM_MANT_DIG > 24
+    const vm_real S01 = VM_C(-0.166666666666666269) + t * VM_C(8.33333333332120924e-3);
+    const vm_real S23 = VM_C(-1.98412698288076529e-4) + t * VM_C(2.75573133340740356e-6);
+    const vm_real S45 = VM_C(-2.5050700566966798e-8) + t * VM_C(1.58933807848550637e-10);
+    const vm_real C01 = VM_C(0.041666666666666588) + t * VM_C(-1.38888888888725006e-3);
+    const vm_real C23 = VM_C(2.48015872884295392e-5) + t * VM_C(-2.75573140380815829e-7);
+    const vm_real C45 = VM_C(2.08756793176115783e-9) + t * VM_C(-1.13573139592429182e-11);
+    const vm_real S = S01 + tt * (S23 + tt * S45), C = C01 + tt * (C23 + tt * C45);
+#else
+    const vm_real S = VM_C(-0.1666666716) + t * VM_C(8.333329111e-3) +
+                      tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
+    const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
+#endif
+    *sine = z.hi + (z.hi * t * S + z.lo * w);
+    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
 }
 
-VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
+/* The integer next to x, |x| < 2^15; 0 for NaN */
+VM_INLINE int vmi_nearest(vm_real x) { return x == x ? (int)(x + VM_COPYSIGN(VM_C(0.5), x)) : 0; }
+
+VM_API vm_two vmi_two_log(vm_two x)
 {
-    vm_two s = vmi_two_sum(x.hi, y.hi);
-    return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
+    const vm_two l = vmi_log(x.hi);
+    const vm_real t = x.lo / x.hi;
+    return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-VM_API vm_two vmi_two_over(vm_two x, vm_two y)
+/* sin and cos of any x, reduced by pi/2 in two words; NaN for infinite x */
+VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
-    vm_real z = vmi_rounded(x.hi / y.hi);
-    vm_two p = vmi_two_product(z, y.hi);
-    return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
+    const vmi_three half_pi = vmi_half_pi();
+    int quarter;
+    vm_real s, c;
+    vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
+    if (!VM_IS_FINITE(x)) s = c = VM_NAN;
+    *sine = quarter & 1 ? c : s;
+    *cosine = quarter & 1 ? s : c;
+    if (quarter & 2) *sine = -*sine;
+    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+    if (x < 0) *sine = -*sine;
 }
 
-/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
-   is below 2^-(3p - 4) */
-typedef struct VM_TAG(vmi_three) {
-    vm_real hi, mid, lo;
-} vmi_three;
-
-VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
+/* atan2(y, x), within 2 ulp; 0 for x = y = 0 */
+VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 {
-    const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
-    vmi_three x;
-    x.hi = high.hi;
-    x.mid = rest.hi;
-    x.lo = rest.lo;
-    return x;
-}
-
-VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
-{
-    const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
-    const vm_two sum = vmi_two_sum(high.lo, mid.hi);
-    return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
-}
-
-VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
-{
-    const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
-    const vm_two b = vmi_two_product(x.mid, y.hi);
-    const vm_two sum = vmi_two_sum(a.hi, b.hi), mid = vmi_two_sum(p.lo, sum.hi);
-    return vmi_three_words(p.hi, mid.hi,
-                           mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
-}
-
-VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
-{
-    vm_real quotient[3];
-    int i;
-    for (i = 0; i < 3; i++) {
-        quotient[i] = vmi_rounded(x.hi / y.hi);
-        x = vmi_three_plus(x, vmi_three_times(y, vmi_three_words(-quotient[i], 0, 0)));
-    }
-    return vmi_three_words(quotient[0], quotient[1], quotient[2]);
+    vm_real angle = x == 0 && y == 0 ? 0 : vmi_arctan(VM_FABS(y), VM_FABS(x));
+    if (x < 0) angle = VM_PI - angle;
+    return VM_COPYSIGN(angle, y);
 }
 
 #endif
-/* ---- End of the elementary kernels -------------------------------------------------------------------------- */
-
-/* ---- Table of contents -------------------------------------------------------------------------------------- */
-
-/* Complete elliptic integrals of the first and second kind, K(m) and E(m), m <= 1. */
-VM_API vm_real jacobi_K(vm_real m);
-VM_API vm_real jacobi_E(vm_real m);
-VM_API vm_real jacobi_K_m1(vm_real m1);
-VM_API vm_real jacobi_E_m1(vm_real m1);
-
-/* sn, cn, dn (u | m) for any real u and m <= 1. |sn|, |cn| <= 1, dn between 1 and sqrt(1 - m); sn is odd, cn and dn
-   are even in u, to the bit. */
-VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn);
-VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn);
-
-/* The twelve functions one by one: jacobi_pq = theta_p/theta_q, infinite at its poles, within 8 ulp as sn, cn, dn. */
-VM_API vm_real jacobi_sn(vm_real u, vm_real m);
-VM_API vm_real jacobi_cn(vm_real u, vm_real m);
-VM_API vm_real jacobi_dn(vm_real u, vm_real m);
-VM_API vm_real jacobi_cd(vm_real u, vm_real m);
-VM_API vm_real jacobi_sd(vm_real u, vm_real m);
-VM_API vm_real jacobi_nd(vm_real u, vm_real m);
-VM_API vm_real jacobi_sc(vm_real u, vm_real m);
-VM_API vm_real jacobi_dc(vm_real u, vm_real m);
-VM_API vm_real jacobi_nc(vm_real u, vm_real m);
-VM_API vm_real jacobi_cs(vm_real u, vm_real m);
-VM_API vm_real jacobi_ds(vm_real u, vm_real m);
-VM_API vm_real jacobi_ns(vm_real u, vm_real m);
-
-/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 4 ulp), am(u + 2K) = am(u) + pi.
-   Radians, within 8 ulp for |u| <= 100 K. */
-VM_API vm_real jacobi_am(vm_real u, vm_real m);
-
-/* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
-typedef struct VM_TAG(vmi_theta_form) {
-    vm_real kp, kp_lo; /* k' = sqrt(1 - m) */
-    vm_real q, defect; /* the nome of 1 - m or 1/(1 - m), and 1 - (phase per unit of argument) */
-    vm_real f[3], g[2], scale[2];
-} vmi_theta_form;
-
-enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
-enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
-
-typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
-    vm_real m1;          /* 1 - m */
-    vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
-    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
-    vmi_theta_form theta;               /* k' is there in any case */
-} jacobi_plan;
-
-/* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
-VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m);
-VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1);
-
-/* As jacobi_sncndn, for the plan's m. */
-VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn);
-
-/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. Where the compiler
-   fuses multiplications and additions, the last bits may depend on the place in the array. */
-VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
-                                     vm_real *dn);
-
-/* k'K(k^2) = sqrt(1 - m) K(m), the left side of (307): falls from infinity (m -> -infinity) to 0 (m = 1). */
-VM_API vm_real jacobi_kpK(vm_real m);
-
-/* The modulus solver: the one m (or m1) with k'K(k^2) = c, for any c >= 0; m < 0 for c > pi/2. */
-VM_API vm_real jacobi_solve_kpK(vm_real c);
-VM_API vm_real jacobi_solve_kpK_m1(vm_real c);
-
-/* The inverse of K: the one m (or m1) with K(m) = c, for any c >= 0; m < 0 for c < pi/2. */
-VM_API vm_real jacobi_solve_K(vm_real c);
-VM_API vm_real jacobi_solve_K_m1(vm_real c);
-
-/* Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408). */
-VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6);
-
-/* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
-   less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
-   words of pi/2, not of K, so that the error grows with |u|: 3 eps M (1 + M |u|), M = max(1, k'), for |u| <= 5K. */
-VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn);
-VM_API vm_real jacobi_agm_K(vm_real m);
-
-/* ---- Sums, products and roots in two and three words ---------------------------------------------------------- */
-
-VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
+/* jacobi/agm.h - the arithmetic-geometric mean */
+#ifndef VARMASS_JACOBI_AGM_H
+#define VARMASS_JACOBI_AGM_H
 
 /* 1 - m < 0, NaN or infinite */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
-
-/* x times a power of two */
-VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
-{
-    return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
-}
-
-/* The square root of a: one of one word, each of two corrections brings another */
-VM_API vmi_three vmi_three_sqrt(vmi_three a)
-{
-    const vm_real root = VM_SQRT(a.hi);
-    vmi_three x = vmi_three_words(root, 0, 0);
-    int i;
-    for (i = 0; i < 2; i++) {
-        const vmi_three rest = vmi_three_plus(a, vmi_three_scaled(vmi_three_times(x, x), -1));
-        x = vmi_three_plus(x, vmi_three_words((rest.hi + (rest.mid + rest.lo)) / (2 * root), 0, 0));
-    }
-    return x;
-}
-
-/* pi/2, words 0, 1 and 2 */
-VM_API vmi_three vmi_half_pi(void)
-{
-#if VM_MANT_DIG > 24
-    return vmi_three_words(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
-                           VM_C(-1.497384904859169832944e-33));
-#else
-    return vmi_three_words(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
-                           VM_C(-1.715124510005881872804e-15));
-#endif
-}
-
-/* ---- The arithmetic-geometric mean [1, 2] --------------------------------------------------------------------- */
-
 #define VMI_LADDER 16 /* levels; 13 are needed at m1 = 5e-324 */
 
 typedef struct VM_TAG(vmi_ladder) {
@@ -779,60 +910,38 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-#define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
-
-/* K as three pieces so short that a product with j < VMI_EXACT_QUARTERS is exact, and a last word: multiples of
-   2^(e-21), 2^(e-44), 2^(e-67) where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)) */
-VM_API void vmi_pieces(vmi_three K, vm_real *piece)
+/* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
+   x = (c/s)^2, which leaves a relative error of x eps/8 < 2^-85 (float 2^-41), and less than an eighth of an eps of
+   sn, cn, dn/k', whose slope in u is max(1, k'). m1 > 0. */
+VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
-    const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
-    vm_real large = 3 * VMI_EXACT_QUARTERS * vmi_from_bits(exponent);
-    int i;
-    for (i = 0; i < 3; i++) {
-        const vm_real sum = vmi_rounded(K.hi + large);
-        piece[i] = sum - large;
-        K = vmi_three_plus(K, vmi_three_words(-piece[i], 0, 0));
-        large *= VMI_EXACT_QUARTERS * VM_EPSILON / 2;
+    const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
+    const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
+    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
+    const vm_two kp = vmi_two(root.hi / lift, root.lo / lift);
+    const vm_real slope = kp.hi > 1 ? kp.hi : 1;
+    vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
+    a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
+    for (;;) {
+        const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
+        const vm_two sum = vmi_two_sum(a.hi, b.hi), s = vmi_two(sum.hi / 2, (sum.lo + (a.lo + b.lo)) / 2);
+        const int enough = c * c * (u * slope) < s.hi * s.hi / 4 || VM_FABS(c) < VM_EPSILON * s.hi;
+        if (VM_FABS(c) < last * s.hi && enough) {
+            const vm_real x = (c / s.hi) * (c / s.hi);
+            return vmi_two_sum(s.hi, s.lo - s.hi * x * (VM_C(0.25) + x * VM_C(0.078125)));
+        }
+        p = vmi_two_product(a.hi, b.hi);
+        b = vmi_root(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+        a = s;
     }
-    piece[3] = K.hi;
 }
 
-VM_INLINE vm_two vmi_two_terms(vmi_three x)
-{
-    const vm_two sum = vmi_two_sum(x.hi, x.mid);
-    return vmi_two_sum(sum.hi, sum.lo + x.lo);
-}
-
-/* u less the next multiple of K in pieces, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K and per_K = 1/K, and
-   which multiple it is; so that loops over it vectorise */
-VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
-{
-    const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
-    vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: a multiple of 2^-p K, below K */
-    rest.mid = -j * K[2];
-    rest.lo = -j * K[3];
-    *quarters = vmi_to_bits(shifted); /* its last bits count */
-    return rest;
-}
-
-/* ---- The quarter period --------------------------------------------------------------------------------------- */
+#endif
+/* jacobi/integrals.h - complete elliptic integrals K and E */
+#ifndef VARMASS_JACOBI_INTEGRALS_H
+#define VARMASS_JACOBI_INTEGRALS_H
 
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
-
-/* a - root^2 */
-VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
-{
-    const vm_real head = vmi_head(root), tail = root - head;
-    return ((a - head * head) - 2 * head * tail) - tail * tail;
-}
-
-/* The square root of a + a_lo */
-VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
-{
-    const vm_real root = vmi_rounded(VM_SQRT(a));
-    return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
-}
 
 /* ln(4/k') for m1 < 1, ln(4 k') for m1 > 1 */
 VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
@@ -936,33 +1045,93 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
-   x = (c/s)^2, which leaves a relative error of x eps/8 < 2^-85 (float 2^-41), and less than an eighth of an eps of
-   sn, cn, dn/k', whose slope in u is max(1, k'). m1 > 0. */
-VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
+/* By the series after two steps of the AGM, 2 pi (1 + x S)/(1 + f)^2, x = ((1 - f)/(1 + f))^4, f^2 = k'; for m near 1
+   and m < -33.5 by logarithms, there by k'K(m) = K(mu) with 1 - mu = 1/(1 - m) */
+VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
-    const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
-    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
-    const vm_two kp = vmi_two(root.hi / lift, root.lo / lift);
-    const vm_real slope = kp.hi > 1 ? kp.hi : 1;
-    vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
-    a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
-    for (;;) {
-        const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
-        const vm_two sum = vmi_two_sum(a.hi, b.hi), s = vmi_two(sum.hi / 2, (sum.lo + (a.lo + b.lo)) / 2);
-        const int enough = c * c * (u * slope) < s.hi * s.hi / 4 || VM_FABS(c) < VM_EPSILON * s.hi;
-        if (VM_FABS(c) < last * s.hi && enough) {
-            const vm_real x = (c / s.hi) * (c / s.hi);
-            return vmi_two_sum(s.hi, s.lo - s.hi * x * (VM_C(0.25) + x * VM_C(0.078125)));
-        }
-        p = vmi_two_product(a.hi, b.hi);
-        b = vmi_root(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
-        a = s;
+    vm_two K, root;
+    vm_real quotient;
+    if (VMI_MIDDLE(m1)) {
+        const vmi_three half_pi = vmi_half_pi();
+        const vm_real kp = VM_SQRT(m1), f = VM_SQRT(kp), h = (1 - f) / (1 + f), x = vmi_fourth_power(h);
+        const vm_two first = vmi_two_sum(1, kp), sum = vmi_fast_two_sum(first.hi, 2 * f);
+        const vm_real start = 4 * half_pi.hi / sum.hi, low = (first.lo + sum.lo) * VM_C(0.1591549430918953358);
+        return start + start * (x * vmi_K_series(x) - start * low + half_pi.mid / half_pi.hi);
     }
+    if (vmi_refused(m1)) return VM_NAN;
+    if (m1 == 0) return VM_INFINITY;
+    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
+    if (m1 < 1) return K.hi;
+    root = vmi_root(m1, m1_lo);
+    quotient = K.hi / root.hi;
+    return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* ---- Theta functions ------------------------------------------------------------------------------------------ */
+/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -33.5 by E(m) = k'E(mu) */
+VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
+{
+    vm_two root;
+    vm_real rest;
+    if (VMI_MIDDLE(m1)) {
+        const vmi_three half_pi = vmi_half_pi();
+        const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
+        const vm_two sum = vmi_two_sum(1, kp);
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') where it counts, for m < -15 */
+        const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
+        return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
+    }
+    if (vmi_refused(m1)) return VM_NAN;
+    if (m1 == 0) return 1;
+    rest = vmi_E_rest(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo).hi);
+    if (m1 < 1) return 1 + rest;
+    root = vmi_root(m1, m1_lo);
+    return root.hi + (root.lo + root.hi * rest);
+}
+
+/* Documented with jacobi_K. */
+VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
+
+/* Documented with jacobi_K. */
+VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
+
+/* Complete elliptic integrals of the first and second kind, K(m) and E(m), m <= 1. */
+VM_API vm_real jacobi_K(vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_K(m1.hi, m1.lo);
+}
+
+/* Documented with jacobi_K. */
+VM_API vm_real jacobi_E(vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_E(m1.hi, m1.lo);
+}
+
+/* k'K(k^2) = sqrt(1 - m) K(m), the left side of (307): falls from infinity (m -> -infinity) to 0 (m = 1). */
+VM_API vm_real jacobi_kpK(vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    if (vmi_refused(m1.hi)) return VM_NAN;
+    if (m1.hi == 0) return 0;
+    if (m1.hi > 10) return vmi_K_by_log(1 / m1.hi, vmi_log_4(m1.hi, m1.lo)).hi;
+    return VM_SQRT(m1.hi) * vmi_K(m1.hi, m1.lo);
+}
+
+#endif
+/* jacobi/theta.h - theta functions */
+#ifndef VARMASS_JACOBI_THETA_H
+#define VARMASS_JACOBI_THETA_H
+
+/* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
+typedef struct VM_TAG(vmi_theta_form) {
+    vm_real kp, kp_lo; /* k' = sqrt(1 - m) */
+    vm_real q, defect; /* the nome of 1 - m or 1/(1 - m), and 1 - (phase per unit of argument) */
+    vm_real f[3], g[2], scale[2];
+} vmi_theta_form;
+
+enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
+enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
 /* Neville's theta functions but for a common factor, so that pq = theta_p/theta_q: each relatively accurate, since no
    difference loses digits */
@@ -1110,12 +1279,6 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
-{
-    const vm_real below = x > high ? high : x;
-    return below < low ? low : below;
-}
-
 /* dn lies between 1 and bound */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -1125,7 +1288,47 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
     *dn = vmi_clamp(theta.d * per_n, low, high);
 }
 
-/* ---- The phase and its quarter -------------------------------------------------------------------------------- */
+#endif
+/* jacobi/reduction.h - the argument of an elliptic function as a fraction of the quarter period */
+#ifndef VARMASS_JACOBI_REDUCTION_H
+#define VARMASS_JACOBI_REDUCTION_H
+
+#define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
+
+/* K as three pieces so short that a product with j < VMI_EXACT_QUARTERS is exact, and a last word: multiples of
+   2^(e-21), 2^(e-44), 2^(e-67) where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)) */
+VM_API void vmi_pieces(vmi_three K, vm_real *piece)
+{
+    const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
+    vm_real large = 3 * VMI_EXACT_QUARTERS * vmi_from_bits(exponent);
+    int i;
+    for (i = 0; i < 3; i++) {
+        const vm_real sum = vmi_rounded(K.hi + large);
+        piece[i] = sum - large;
+        K = vmi_three_plus(K, vmi_three_words(-piece[i], 0, 0));
+        large *= VMI_EXACT_QUARTERS * VM_EPSILON / 2;
+    }
+    piece[3] = K.hi;
+}
+
+VM_INLINE vm_two vmi_two_terms(vmi_three x)
+{
+    const vm_two sum = vmi_two_sum(x.hi, x.mid);
+    return vmi_two_sum(sum.hi, sum.lo + x.lo);
+}
+
+/* u less the next multiple of K in pieces, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K and per_K = 1/K, and
+   which multiple it is; so that loops over it vectorise */
+VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
+{
+    const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
+    vmi_three rest;
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: a multiple of 2^-p K, below K */
+    rest.mid = -j * K[2];
+    rest.lo = -j * K[3];
+    *quarters = vmi_to_bits(shifted); /* its last bits count */
+    return rest;
+}
 
 /* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE, kp = k': two
    steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
@@ -1206,7 +1409,10 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
     return m1 != 0 ? VM_NAN : u > VMI_LONGEST ? VMI_LONGEST : u;
 }
 
-/* ---- sn, cn, dn and their quotients --------------------------------------------------------------------------- */
+#endif
+/* jacobi/functions.h - sn, cn, dn and their quotients */
+#ifndef VARMASS_JACOBI_FUNCTIONS_H
+#define VARMASS_JACOBI_FUNCTIONS_H
 
 /* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused.
    Near 0 nothing is reduced, and neither K nor k' is asked for. */
@@ -1235,12 +1441,15 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less, where K - u and k' have some more */
 }
 
+/* sn, cn, dn (u | m) for any real u and m <= 1. |sn|, |cn| <= 1, dn between 1 and sqrt(1 - m); sn is odd, cn and dn
+   are even in u, to the bit. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     vmi_sncndn(u, m1.hi, m1.lo, sn, cn, dn);
 }
 
+/* Documented with jacobi_sncndn. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1, 0, sn, cn, dn);
@@ -1257,16 +1466,34 @@ VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
     return above == below ? 1 : above / below;
 }
 
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 'd'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'd'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'd'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'c'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 'c'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'c'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 's'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 's'); }
+
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 's'); }
 
+/* The twelve functions one by one: jacobi_pq = theta_p/theta_q, infinite at its poles, within 8 ulp as sn, cn, dn. */
 VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1274,6 +1501,7 @@ VM_API vm_real jacobi_sn(vm_real u, vm_real m)
     return sn;
 }
 
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_cn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1281,6 +1509,7 @@ VM_API vm_real jacobi_cn(vm_real u, vm_real m)
     return cn;
 }
 
+/* Documented with jacobi_sn. */
 VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1288,7 +1517,49 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
     return dn;
 }
 
-/* ---- One m prepared ------------------------------------------------------------------------------------------- */
+#endif
+/* jacobi/amplitude.h - the amplitude am */
+#ifndef VARMASS_JACOBI_AMPLITUDE_H
+#define VARMASS_JACOBI_AMPLITUDE_H
+
+/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 4 ulp), am(u + 2K) = am(u) + pi.
+   Radians, within 8 ulp for |u| <= 100 K. */
+/* j pi + atan(sn/cn), j the multiple of 2K next to u */
+VM_API vm_real jacobi_am(vm_real u, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    const vmi_three half_pi = vmi_half_pi();
+    vm_real K, turns, j, odd, am, bound;
+    vm_two p;
+    vmi_thetas theta = vmi_neville(VM_FABS(u), m1.hi, m1.lo, &bound);
+    if (theta.n != theta.n) return VM_NAN;
+    if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta.s, theta.c), u);
+    K = vmi_K(m1.hi, m1.lo);
+    turns = VM_FABS(u) / (2 * K);
+    j = VM_FLOOR(turns + VM_C(0.5));
+    if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
+    odd = j - 2 * VM_FLOOR(j / 2);
+    if ((odd > 0) != (theta.c < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
+    am = vmi_arctan(VM_FABS(theta.s), VM_FABS(theta.c));
+    if ((theta.s < 0) != (theta.c < 0)) am = -am;
+    p = vmi_two_product(j, 2 * half_pi.hi);
+    return VM_COPYSIGN(p.hi + (am + (p.lo + j * (2 * half_pi.mid))), u);
+}
+
+#endif
+/* jacobi/plans.h - sn, cn, dn for many arguments and one parameter */
+#ifndef VARMASS_JACOBI_PLANS_H
+#define VARMASS_JACOBI_PLANS_H
+
+#include <string.h>
+
+typedef struct VM_TAG(jacobi_plan) {
+    int form;            /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
+    vm_real m1;          /* 1 - m */
+    vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
+    vmi_theta_form theta;               /* k' is there in any case */
+} jacobi_plan;
 
 /* p(y) = 1 + c_1 y + c_2 y^2 + ... */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
@@ -1360,12 +1631,14 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
     return 0;
 }
 
+/* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_plan_init(p, m1.hi, m1.lo);
 }
 
+/* Documented with jacobi_plan_init. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
 /* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a',
@@ -1415,6 +1688,7 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
+/* As jacobi_sncndn, for the plan's m. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -1453,6 +1727,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
+/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. Where the compiler
+   fuses multiplications and additions, the last bits may depend on the place in the array. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
@@ -1466,125 +1742,10 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
     else vmi_plan_loop(&local, VMI_RECIPROCAL, n, u, sn, cn, dn);
 }
 
-/* ---- Complete integrals --------------------------------------------------------------------------------------- */
-
-/* By the series after two steps of the AGM, 2 pi (1 + x S)/(1 + f)^2, x = ((1 - f)/(1 + f))^4, f^2 = k'; for m near 1
-   and m < -33.5 by logarithms, there by k'K(m) = K(mu) with 1 - mu = 1/(1 - m) */
-VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
-{
-    vm_two K, root;
-    vm_real quotient;
-    if (VMI_MIDDLE(m1)) {
-        const vmi_three half_pi = vmi_half_pi();
-        const vm_real kp = VM_SQRT(m1), f = VM_SQRT(kp), h = (1 - f) / (1 + f), x = vmi_fourth_power(h);
-        const vm_two first = vmi_two_sum(1, kp), sum = vmi_fast_two_sum(first.hi, 2 * f);
-        const vm_real start = 4 * half_pi.hi / sum.hi, low = (first.lo + sum.lo) * VM_C(0.1591549430918953358);
-        return start + start * (x * vmi_K_series(x) - start * low + half_pi.mid / half_pi.hi);
-    }
-    if (vmi_refused(m1)) return VM_NAN;
-    if (m1 == 0) return VM_INFINITY;
-    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
-    if (m1 < 1) return K.hi;
-    root = vmi_root(m1, m1_lo);
-    quotient = K.hi / root.hi;
-    return quotient + (K.lo - quotient * root.lo) / root.hi;
-}
-
-/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -33.5 by E(m) = k'E(mu) */
-VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
-{
-    vm_two root;
-    vm_real rest;
-    if (VMI_MIDDLE(m1)) {
-        const vmi_three half_pi = vmi_half_pi();
-        const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
-        const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') where it counts, for m < -15 */
-        const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
-        return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
-    }
-    if (vmi_refused(m1)) return VM_NAN;
-    if (m1 == 0) return 1;
-    rest = vmi_E_rest(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo).hi);
-    if (m1 < 1) return 1 + rest;
-    root = vmi_root(m1, m1_lo);
-    return root.hi + (root.lo + root.hi * rest);
-}
-
-VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
-VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
-
-VM_API vm_real jacobi_K(vm_real m)
-{
-    const vm_two m1 = vmi_two_sum(1, -m);
-    return vmi_K(m1.hi, m1.lo);
-}
-
-VM_API vm_real jacobi_E(vm_real m)
-{
-    const vm_two m1 = vmi_two_sum(1, -m);
-    return vmi_E(m1.hi, m1.lo);
-}
-
-VM_API vm_real jacobi_kpK(vm_real m)
-{
-    const vm_two m1 = vmi_two_sum(1, -m);
-    if (vmi_refused(m1.hi)) return VM_NAN;
-    if (m1.hi == 0) return 0;
-    if (m1.hi > 10) return vmi_K_by_log(1 / m1.hi, vmi_log_4(m1.hi, m1.lo)).hi;
-    return VM_SQRT(m1.hi) * vmi_K(m1.hi, m1.lo);
-}
-
-/* ---- The amplitude -------------------------------------------------------------------------------------------- */
-
-/* atan(y/x) for x, y >= 0, not both 0: within 1 ulp. |argument of the series| <= tan(pi/8). */
-VM_API vm_real vmi_arctan(vm_real y, vm_real x)
-{
-    const vmi_three half_pi = vmi_half_pi();
-    const int steep = y > x;
-    const vm_real low = steep ? x : y, high = steep ? y : x;
-    const int middle = low > VM_C(0.4142135623730950488) * high;
-    const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
-    vm_real angle, rest;
-#if VM_MANT_DIG > 24
-    const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
-    const vm_real A23 = VM_C(-0.142857141959989442) + t * VM_C(0.111111066814559886);
-    const vm_real A45 = VM_C(-0.090907830050303437) + t * VM_C(0.0769007587545607746);
-    const vm_real A67 = VM_C(-0.0664118057808822659) + t * VM_C(0.0569281822630746878);
-    const vm_real A89 = VM_C(-0.0435981713871582341) + t * VM_C(0.0212677217547787116);
-    const vm_real A = (A01 + tt * A23) + tt * tt * (A45 + tt * (A67 + tt * A89));
-#else
-    const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
-    const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
 #endif
-    rest = z + z * (t * A) + (middle ? half_pi.mid / 2 : 0);
-    angle = middle ? half_pi.hi / 2 + rest : rest;
-    return steep ? (half_pi.hi - angle) + half_pi.mid : angle;
-}
-
-/* j pi + atan(sn/cn), j the multiple of 2K next to u */
-VM_API vm_real jacobi_am(vm_real u, vm_real m)
-{
-    const vm_two m1 = vmi_two_sum(1, -m);
-    const vmi_three half_pi = vmi_half_pi();
-    vm_real K, turns, j, odd, am, bound;
-    vm_two p;
-    vmi_thetas theta = vmi_neville(VM_FABS(u), m1.hi, m1.lo, &bound);
-    if (theta.n != theta.n) return VM_NAN;
-    if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta.s, theta.c), u);
-    K = vmi_K(m1.hi, m1.lo);
-    turns = VM_FABS(u) / (2 * K);
-    j = VM_FLOOR(turns + VM_C(0.5));
-    if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
-    odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta.c < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
-    am = vmi_arctan(VM_FABS(theta.s), VM_FABS(theta.c));
-    if ((theta.s < 0) != (theta.c < 0)) am = -am;
-    p = vmi_two_product(j, 2 * half_pi.hi);
-    return VM_COPYSIGN(p.hi + (am + (p.lo + j * (2 * half_pi.mid))), u);
-}
-
-/* ---- The modulus solver --------------------------------------------------------------------------------------- */
+/* jacobi/modulus.h - the parameter from K or from k' K */
+#ifndef VARMASS_JACOBI_MODULUS_H
+#define VARMASS_JACOBI_MODULUS_H
 
 /* m = 16 q R, R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4, from (1 - R)/q, which rounds less; |q| <= 0.1. With
    b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
@@ -1702,6 +1863,7 @@ VM_API vm_real vmi_solution_m(const vmi_solution *s)
     return 1 - vmi_solution_m1(s);
 }
 
+/* The modulus solver: the one m (or m1) with k'K(k^2) = c, for any c >= 0; m < 0 for c > pi/2. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -1711,6 +1873,7 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
+/* Documented with jacobi_solve_kpK. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -1720,6 +1883,7 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
+/* Documented with jacobi_solve_K. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
@@ -1729,6 +1893,7 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
+/* The inverse of K: the one m (or m1) with K(m) = c, for any c >= 0; m < 0 for c < pi/2. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;
@@ -1737,7 +1902,10 @@ VM_API vm_real jacobi_solve_K(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* ---- Means ---------------------------------------------------------------------------------------------------- */
+#endif
+/* jacobi/means.h - mean values of powers of cn */
+#ifndef VARMASS_JACOBI_MEANS_H
+#define VARMASS_JACOBI_MEANS_H
 
 /* From the nome q of m, |q| <= 0.1, where the recurrences of (384), (408) divide 0 by 0: with d = 1/2 - C2 = q S,
    m = 16 q R, both recurrences are divided by m on paper. */
@@ -1764,6 +1932,7 @@ VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_r
     *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
 }
 
+/* Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408). */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1782,28 +1951,10 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
     }
 }
 
-/* ---- The route by the AGM [1, 2] ---------------------------------------------------------------------------- */
-
-/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
-VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
-{
-    const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
-#if VM_MANT_DIG > 24
-    const vm_real S01 = VM_C(-0.166666666666666269) + t * VM_C(8.33333333332120924e-3);
-    const vm_real S23 = VM_C(-1.98412698288076529e-4) + t * VM_C(2.75573133340740356e-6);
-    const vm_real S45 = VM_C(-2.5050700566966798e-8) + t * VM_C(1.58933807848550637e-10);
-    const vm_real C01 = VM_C(0.041666666666666588) + t * VM_C(-1.38888888888725006e-3);
-    const vm_real C23 = VM_C(2.48015872884295392e-5) + t * VM_C(-2.75573140380815829e-7);
-    const vm_real C45 = VM_C(2.08756793176115783e-9) + t * VM_C(-1.13573139592429182e-11);
-    const vm_real S = S01 + tt * (S23 + tt * S45), C = C01 + tt * (C23 + tt * C45);
-#else
-    const vm_real S = VM_C(-0.1666666716) + t * VM_C(8.333329111e-3) +
-                      tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
-    const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
 #endif
-    *sine = z.hi + (z.hi * t * S + z.lo * w);
-    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
-}
+/* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean, for comparison */
+#ifndef VARMASS_JACOBI_DESCENDING_H
+#define VARMASS_JACOBI_DESCENDING_H
 
 /* Down the ladder by Gauss' transformation in homogeneous form, sn : cn : dn : 1 = s : c : d : q,
      s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     (a+ = a_(n+1))
@@ -1823,6 +1974,9 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
+/* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
+   less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
+   words of pi/2, not of K, so that the error grows with |u|: 3 eps M (1 + M |u|), M = max(1, k'), for |u| <= 5K. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1842,6 +1996,7 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
     if ((quarter & 2 ? -1 : 1) * VM_COPYSIGN((vm_real)1, u) < 0) *sn = -*sn;
 }
 
+/* Documented with jacobi_agm_sncndn. */
 VM_API vm_real jacobi_agm_K(vm_real m)
 {
     vmi_ladder l;
@@ -1851,14 +2006,10 @@ VM_API vm_real jacobi_agm_K(vm_real m)
     return VM_PI / 2 / l.a[l.n];
 }
 
-/* ---- For free rotation in varmass.h: roots of zero, R_F, Pi, a theta function of complex argument ------------- */
-
-/* x times a power of two; x - y */
-VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
-VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
-
-/* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
-VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
+#endif
+/* jacobi/third_kind.h - integrals of the third kind and theta functions of complex argument, for torque-free rotation */
+#ifndef VARMASS_JACOBI_THIRD_KIND_H
+#define VARMASS_JACOBI_THIRD_KIND_H
 
 /* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1,
    19.36.1] in what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument
@@ -1927,9 +2078,6 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     result.rest = vmi_two_times(share, sum);
     return result;
 }
-
-/* The integer next to x, |x| < 2^15; 0 for NaN */
-VM_INLINE int vmi_nearest(vm_real x) { return x == x ? (int)(x + VM_COPYSIGN(VM_C(0.5), x)) : 0; }
 
 /* sin and cos of x turns, |x| < 2^13: within an ulp */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
@@ -2020,5 +2168,7 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
         *im = sine * vmi_cubic(d->im, cosine);
     }
 }
+
+#endif
 
 #endif

@@ -1,5 +1,5 @@
-# The loops of a header, one a line: header, tab, function or macro, tab, the keyword and its parenthesis. A do is
-# listed by its while. usage: awk -f loops.awk HEADER...
+# The loops of files of src, one a line: file, tab, function or macro, tab, the keyword and its parenthesis. A do is
+# listed by its while. usage: awk -f loops.awk FILE...
 FNR == 1 { header = FILENAME; where = ""; comment = 0 }
 {
     line = $0
@@ -7,7 +7,7 @@ FNR == 1 { header = FILENAME; where = ""; comment = 0 }
     comment = 0
     while (match(line, /\/\*([^*]|\*+[^*\/])*\*+\//)) line = substr(line, 1, RSTART - 1) substr(line, RSTART + RLENGTH)
     if (sub(/\/\*.*/, "", line)) comment = 1
-    if (match(line, /^(VM_API|VM_INLINE|static) .*\(/) || match(line, /^#define [A-Za-z0-9_]+/)) {
+    if (match(line, /^(VM_API|VM_INLINE|VMI_APART|static) .*\(/) || match(line, /^#define [A-Za-z0-9_]+/)) {
         where = line
         sub(/^#define /, "", where)
         sub(/\(.*/, "", where)

@@ -176,7 +176,7 @@ def in_copy(folders, work, *arguments):
 def controls(folders, chosen, sources, seconds):
     for header in chosen:
         text = '\n'.join(sources[header])
-        end = text.index('/* ---- End of the shared block')
+        end = text.index('#define VM_NAN')
         wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
         verdicts = [in_copy(folders, judge, header, text, some, [header], seconds) for some in (text, wrong)]
         if verdicts != ['survived', 'caught']:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Print the tables and polynomials of the elementary kernels in jacobi.h and ateb.h.
+"""Print the tables and polynomials of the elementary functions, src/base/elementary.h.
 
 Logarithm: x = 2^k z, z from 0.7083 to 1.4167 in 32 intervals of 1/44, one of them with 1 in its middle. Of each: 1/c,
 close to the reciprocal of its middle and short, and ln c in two words, the first a multiple of a power of two, so

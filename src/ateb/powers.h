@@ -1,0 +1,101 @@
+/* ateb/powers.h - logarithm and exponential in one word */
+#ifndef VARMASS_ATEB_POWERS_H
+#define VARMASS_ATEB_POWERS_H
+
+#include <stdint.h>
+
+#include "../base/bits.h"
+#include "../base/real.h"
+#include "../base/sums.h"
+
+/* ---- Logarithm and exponential in one word ---------------------------------------------------------------------
+
+   For what is multiplied by less than 1/2 or so later: errors of an ulp or two, less to do than vmi_log and vmi_exp
+   have. */
+/* ln((1 + t)/(1 - t)), |t| < 0.18: 2 t + t^3 L(t^2) */
+VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
+{
+    const vm_real x = t * t;
+#if VM_MANT_DIG > 24
+    const vm_real xx = x * x;
+    const vm_real L01 = VM_C(0.66666666666666727634) + x * VM_C(0.39999999999816214631);
+    const vm_real L23 = VM_C(0.28571428661769779675) + x * VM_C(0.2222220559437561072);
+    const vm_real L45 = VM_C(0.18183272190739985335) + x * VM_C(0.15319628746766105066);
+    const vm_real L = (L01 + xx * L23) + (xx * xx) * (L45 + xx * VM_C(0.1475852205325647575));
+#else
+    const vm_real L = VM_C(0.666666914868) + x * (VM_C(0.399862738125) + x * VM_C(0.296881029198));
+#endif
+    return 2 * t + t * x * L;
+}
+
+/* z = x/2^k from sqrt(1/2) to sqrt 2, for normal x > 0 */
+VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least = UINT64_C(0x3fe6a09e667f3bcd); /* sqrt(1/2) */
+#else
+    const vmi_bits least = UINT32_C(0x3f3504f3);
+#endif
+    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG, above = vmi_to_bits(x) - least;
+    *k = (vm_real)((int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1));
+    return vmi_from_bits((above & (one - 1)) + least);
+}
+
+/* ln(2^k (1 + t)/(1 - t)) */
+VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
+{
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    return k * ln2_hi + (vmi_ateb_ln_ratio(t) + k * ln2_lo);
+}
+
+/* ln x for normal x > 0 */
+VM_API vm_real vmi_ateb_ln(vm_real x)
+{
+    vm_real k;
+    const vm_real z = vmi_ateb_mantissa(x, &k);
+    return vmi_ateb_ln_of(k, (z - 1) / (z + 1));
+}
+
+/* (e^z - 1 - z)/z^2, |z| < 0.36 */
+VM_API vm_real vmi_ateb_exp_series(vm_real z)
+{
+    const vm_real zz = z * z;
+#if VM_MANT_DIG > 24
+    const vm_real E01 = VM_C(0.50000000000000000036) + z * VM_C(0.16666666666666673812);
+    const vm_real E23 = VM_C(0.041666666666666509662) + z * VM_C(0.0083333333333225907093);
+    const vm_real E45 = VM_C(0.0013888888888994840818) + z * VM_C(1.9841269886522535599e-4);
+    const vm_real E67 = VM_C(2.4801587060781651877e-5) + z * VM_C(2.7557241366121292995e-6);
+    const vm_real E89 = VM_C(2.7557527466964916697e-7) + z * VM_C(2.5110746416563258294e-8);
+    const vm_real high = E89 + zz * VM_C(2.0830505426946652755e-9);
+    return (E01 + zz * E23) + (zz * zz) * ((E45 + zz * E67) + (zz * zz) * high);
+#else
+    const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
+    const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
+    const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
+    return E01 + zz * (E23 + zz * E45); /* z^4 could be subnormal, which takes time */
+#endif
+}
+
+/* e^x for a normal result */
+VM_INLINE vm_real vmi_ateb_exp(vm_real x)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const vm_real shifted = vmi_rounded(x * one_over_ln2 + to_integer), k = vmi_rounded(shifted - to_integer);
+    const vm_real z = (x - k * ln2_hi) - k * ln2_lo;
+    const vm_real scale = vmi_from_bits((vmi_to_bits(shifted) + VMI_BIAS) << VMI_STORED_DIG);
+    return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
+}
+
+/* a for weight 1, b for 0: compilers make branches of conditions, which are mispredicted */
+VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
+
+#endif

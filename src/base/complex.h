@@ -1,0 +1,56 @@
+/* base/complex.h - complex numbers */
+#ifndef VARMASS_BASE_COMPLEX_H
+#define VARMASS_BASE_COMPLEX_H
+
+#include "elementary.h"
+#include "hypot.h"
+#include "real.h"
+
+typedef struct VM_TAG(vm_complex) {
+    vm_real re, im;
+} vm_complex;
+
+VM_API vm_complex vmi_complex(vm_real re, vm_real im)
+{
+    vm_complex z;
+    z.re = re;
+    z.im = im;
+    return z;
+}
+
+VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
+VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
+VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
+VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); } /* i c a */
+
+VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
+{
+    return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
+}
+
+VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
+
+VM_API vm_complex vmi_c_turn(vm_real angle) /* e^(i angle) */
+{
+    vm_complex e;
+    vmi_sincos(angle, &e.im, &e.re);
+    return e;
+}
+
+VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
+
+/* a/b by Smith's method, where b.re^2 + b.im^2 may underflow */
+VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
+{
+    vm_real q, d;
+    if (VM_FABS(b.re) < VM_FABS(b.im)) {
+        q = b.re / b.im;
+        d = b.im + b.re * q;
+        return vmi_complex((a.re * q + a.im) / d, (a.im * q - a.re) / d);
+    }
+    q = b.im / b.re;
+    d = b.re + b.im * q;
+    return vmi_complex((a.re + a.im * q) / d, (a.im - a.re * q) / d);
+}
+
+#endif

@@ -1,0 +1,108 @@
+/* base/polynomial.h - all roots of a polynomial */
+#ifndef VARMASS_BASE_POLYNOMIAL_H
+#define VARMASS_BASE_POLYNOMIAL_H
+
+#include "complex.h"
+#include "elementary.h"
+#include "hypot.h"
+#include "real.h"
+
+/* The step of z = (re[i], im[i]) towards a root of c[0] z^n + ... + c[n], which the other approximations repel:
+   p/p' of p over the product of the z - z_j (Ehrlich, Aberth). 0 where p is within its rounding errors of 0. */
+VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
+{
+    const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
+    const vm_real modulus = vmi_hypot(z.re, z.im);
+    vm_complex p = vmi_complex(c[0], 0), slope = vmi_complex(0, 0), others = slope;
+    vm_real size = VM_FABS(c[0]);
+    int j;
+    for (j = 1; j <= n; j++) {
+        const vm_complex q = vmi_c_times(slope, z);
+        slope = vmi_complex(q.re + p.re, q.im + p.im);
+        p = vmi_c_times(p, z);
+        p.re += c[j];
+        size = size * modulus + VM_FABS(c[j]);
+    }
+    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size) return vmi_complex(0, 0);
+    for (j = 0; j < n; j++) {
+        const vm_complex apart = vmi_complex(z.re - re[j], z.im - im[j]);
+        vm_complex share;
+        if (j == i || (apart.re == 0 && apart.im == 0)) continue;
+        share = vmi_c_over(one, apart);
+        others.re += share.re;
+        others.im += share.im;
+    }
+    others = vmi_c_times(p, others);
+    return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
+}
+
+VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
+{
+    vm_real p = c[0], size = VM_FABS(c[0]);
+    int j;
+    for (j = 1; j <= n; j++) {
+        p = p * x + c[j];
+        size = size * VM_FABS(x) + VM_FABS(c[j]);
+    }
+    return VM_FABS(p) <= (vm_real)(4 * n) * VM_EPSILON * size;
+}
+
+VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
+{
+    const vm_real x = re[i], y = im[i];
+    re[i] = re[j];
+    im[i] = im[j];
+    re[j] = x;
+    im[j] = y;
+}
+
+/* Makes what rounding left of an imaginary part 0, and conjugate the others by twos: im > 0, then im < 0; by rising
+   |im|, real ones by falling re */
+VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
+{
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
+    int i, j, k;
+    for (i = 0; i < n; i++) {
+        if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
+        for (j = i; j > 0; j--) {
+            const vm_real rise = VM_FABS(im[j]) - VM_FABS(im[j - 1]);
+            if (rise > 0 || (rise == 0 && re[j] <= re[j - 1])) break;
+            vmi_poly_swap(re, im, j, j - 1);
+        }
+    }
+    for (i = 0; i < n && im[i] == 0;) i++;
+    if ((n - i) % 2) im[i++] = 0;
+    for (; i < n; i += 2) {
+        for (j = k = i + 1; k < n; k++)
+            if (VM_FABS(re[k] - re[i]) + VM_FABS(im[k] + im[i]) < VM_FABS(re[j] - re[i]) + VM_FABS(im[j] + im[i]))
+                j = k;
+        vmi_poly_swap(re, im, i + 1, j);
+        re[i] = re[i + 1] = (re[i] + re[i + 1]) / 2;
+        im[i] = (VM_FABS(im[i]) + VM_FABS(im[i + 1])) / 2;
+        im[i + 1] = -im[i];
+    }
+}
+
+/* The roots of c[0] z^n + ... + c[n], c[0] != 0, simple ones each to a few n eps times its condition number */
+VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
+{
+    const int most_sweeps = 100;
+    int i, sweep, moving = 1, m = n;
+    while (m > 0 && c[m] == 0) {
+        m--;
+        re[m] = im[m] = 0;
+    }
+    for (i = 0; i < m; i++) /* not symmetric about the real axis, which no step would then leave */
+        vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
+    for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
+        for (moving = i = 0; i < m; i++) {
+            const vm_complex step = vmi_poly_step(m, c, re, im, i);
+            re[i] -= step.re;
+            im[i] -= step.im;
+            moving += VM_FABS(step.re) + VM_FABS(step.im) > VM_EPSILON * (VM_FABS(re[i]) + VM_FABS(im[i]));
+        }
+    }
+    vmi_poly_order(n, c, re, im);
+}
+
+#endif

@@ -1,0 +1,102 @@
+/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+#ifndef VARMASS_BASE_REAL_H
+#define VARMASS_BASE_REAL_H
+
+#define VARMASS_VERSION "0.1.0"
+
+#if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "varmass is C99 or C++11: compile with -std=c99 or later"
+#endif
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#if !defined(VM_ALLOW_FAST_MATH) &&                                                                                 \
+    (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                      \
+     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) ||                  \
+     defined(_M_FP_FAST) || defined(__ARM_FP_FAST))
+#error "-ffast-math or a part of it (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, \
+-ffinite-math-only, -fno-signed-zeros, /fp:fast) changes results; VM_ALLOW_FAST_MATH compiles anyway"
+#endif
+
+#ifndef VM_API
+#define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
+#if !defined(VM_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
+#define VM_INLINE static inline __attribute__((always_inline)) /* of what must be inlined for speed */
+#endif
+#endif
+#ifndef VM_INLINE
+#define VM_INLINE VM_API /* which is enough for the results */
+#endif
+
+#ifdef VM_USE_FLOAT
+typedef float vm_real;
+#define VM_C(x) x##f            /* a constant */
+#define VM_LIBM(name) name##f   /* a function of the C library */
+#define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
+#define VM_EPSILON FLT_EPSILON
+#define VM_MAX FLT_MAX
+#define VM_MIN FLT_MIN /* normal */
+#define VM_MANT_DIG FLT_MANT_DIG
+#ifdef FP_FAST_FMAF
+#define VM_FAST_FMA
+#endif
+#else
+typedef double vm_real;
+#define VM_C(x) x
+#define VM_LIBM(name) name
+#define VM_TAG(tag) tag
+#define VM_EPSILON DBL_EPSILON
+#define VM_MAX DBL_MAX
+#define VM_MIN DBL_MIN
+#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#ifdef FP_FAST_FMA
+#define VM_FAST_FMA
+#endif
+#endif
+
+/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
+
+#if defined(VM_TABLE) != defined(VM_READ)
+#error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
+#elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
+#include <avr/pgmspace.h>
+#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_READ(x) pgm_read_float(&(x))
+#elif !defined(VM_TABLE)
+#define VM_TABLE static const /* storage of every table */
+#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
+#endif
+
+#ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
+#define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
+#define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
+#define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
+#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* gcc's inline code for "x = copysign(x, y)" gives y here */
+#else
+#define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
+#endif
+#endif
+
+#define VM_NAN ((vm_real)NAN)
+#define VM_INFINITY ((vm_real)INFINITY)
+#define VM_IS_FINITE(x) ((x) - (x) == 0)
+#define VM_PI VM_C(3.141592653589793238463)
+
+VM_API vm_real vmi_copysign(vm_real x, vm_real y)
+{
+    x = VM_FABS(x);
+    return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
+}
+
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define VMI_APART \
+    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#else
+#define VMI_APART VM_API
+#endif
+
+#endif

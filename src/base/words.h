@@ -1,0 +1,201 @@
+/* base/words.h - products, quotients and roots in two and three words */
+#ifndef VARMASS_BASE_WORDS_H
+#define VARMASS_BASE_WORDS_H
+
+#include "bits.h"
+#include "real.h"
+#include "sums.h"
+
+/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
+   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
+   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
+#if VM_MANT_DIG > 24
+#define VM_SPLIT VM_C(134217729.0)
+#else
+#define VM_SPLIT VM_C(4097.0)
+#endif
+
+VM_API vm_two vmi_two_product(vm_real a, vm_real b)
+{
+    vm_two p;
+#ifdef VM_FAST_FMA
+    p.hi = a * b + 0;
+    p.lo = VM_LIBM(fma)(a, b, -p.hi);
+#else
+    vm_real ta = vmi_rounded(VM_SPLIT * a + 0), a_rest = vmi_rounded(ta - a), ah = ta - a_rest, al = a - ah;
+    vm_real tb = vmi_rounded(VM_SPLIT * b + 0), b_rest = vmi_rounded(tb - b), bh = tb - b_rest, bl = b - bh;
+    p.hi = vmi_rounded(a * b + 0);
+    p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
+#endif
+    return p;
+}
+
+/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
+   rest in two words, |rest| <= q/2 but for a rounding, accurate to 2^-(2p) x. From 2^(p-1) quarters on the argument
+   holds no phase: rest 0, quarter 0. */
+VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
+{
+    const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
+    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
+    vm_two p;
+    *quarter = 0;
+    if (j == 0) return vmi_two(x, 0);
+    if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
+    p = vmi_two_product(j, q.hi * scale);
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* the difference is exact */
+    p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
+    return vmi_two(p.hi / scale, p.lo / scale);
+}
+
+/* x without the second half of its digits */
+VM_API vm_real vmi_head(vm_real x)
+{
+    const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
+    return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
+}
+
+/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
+VM_API vm_two vmi_two_times(vm_two x, vm_two y)
+{
+    vm_two p = vmi_two_product(x.hi, y.hi);
+    return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
+{
+    vm_two s = vmi_two_sum(x.hi, y.hi);
+    return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
+}
+
+VM_API vm_two vmi_two_over(vm_two x, vm_two y)
+{
+    vm_real z = vmi_rounded(x.hi / y.hi);
+    vm_two p = vmi_two_product(z, y.hi);
+    return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
+}
+
+/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
+   is below 2^-(3p - 4) */
+typedef struct VM_TAG(vmi_three) {
+    vm_real hi, mid, lo;
+} vmi_three;
+
+VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
+{
+    const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
+    vmi_three x;
+    x.hi = high.hi;
+    x.mid = rest.hi;
+    x.lo = rest.lo;
+    return x;
+}
+
+VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
+{
+    const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
+    const vm_two sum = vmi_two_sum(high.lo, mid.hi);
+    return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
+}
+
+VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
+{
+    const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
+    const vm_two b = vmi_two_product(x.mid, y.hi);
+    const vm_two sum = vmi_two_sum(a.hi, b.hi), mid = vmi_two_sum(p.lo, sum.hi);
+    return vmi_three_words(p.hi, mid.hi,
+                           mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
+}
+
+VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
+{
+    vm_real quotient[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        quotient[i] = vmi_rounded(x.hi / y.hi);
+        x = vmi_three_plus(x, vmi_three_times(y, vmi_three_words(-quotient[i], 0, 0)));
+    }
+    return vmi_three_words(quotient[0], quotient[1], quotient[2]);
+}
+
+VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
+
+/* x times a power of two */
+VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
+{
+    return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
+}
+
+/* The square root of a: one of one word, each of two corrections brings another */
+VM_API vmi_three vmi_three_sqrt(vmi_three a)
+{
+    const vm_real root = VM_SQRT(a.hi);
+    vmi_three x = vmi_three_words(root, 0, 0);
+    int i;
+    for (i = 0; i < 2; i++) {
+        const vmi_three rest = vmi_three_plus(a, vmi_three_scaled(vmi_three_times(x, x), -1));
+        x = vmi_three_plus(x, vmi_three_words((rest.hi + (rest.mid + rest.lo)) / (2 * root), 0, 0));
+    }
+    return x;
+}
+
+/* pi/2, words 0, 1 and 2 */
+VM_API vmi_three vmi_half_pi(void)
+{
+#if VM_MANT_DIG > 24
+    return vmi_three_words(VM_C(1.570796326794896557999), VM_C(6.123233995736766035869e-17),
+                           VM_C(-1.497384904859169832944e-33));
+#else
+    return vmi_three_words(VM_C(1.570796370506286621094), VM_C(-4.371138828673792886548e-8),
+                           VM_C(-1.715124510005881872804e-15));
+#endif
+}
+
+/* a - root^2 */
+VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
+{
+    const vm_real head = vmi_head(root), tail = root - head;
+    return ((a - head * head) - 2 * head * tail) - tail * tail;
+}
+
+/* The square root of a + a_lo */
+VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
+{
+    const vm_real root = vmi_rounded(VM_SQRT(a));
+    return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
+}
+
+VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
+{
+    const vm_real below = x > high ? high : x;
+    return below < low ? low : below;
+}
+
+/* x times a power of two; x - y */
+VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
+VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
+
+/* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
+VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
+
+VM_API vm_two vmi_minus(vm_two x)
+{
+    x.hi = -x.hi;
+    x.lo = -x.lo;
+    return x;
+}
+
+VM_API vm_two vmi_half(vm_two x)
+{
+    x.hi /= 2;
+    x.lo /= 2;
+    return x;
+}
+
+VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
+{
+    vm_two p = vmi_two_product(x.hi, factor);
+    return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
+}
+
+#endif

@@ -1,0 +1,56 @@
+/* jacobi/means.h - mean values of powers of cn */
+#ifndef VARMASS_JACOBI_MEANS_H
+#define VARMASS_JACOBI_MEANS_H
+
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "agm.h"
+#include "integrals.h"
+#include "modulus.h"
+
+/* From the nome q of m, |q| <= 0.1, where the recurrences of (384), (408) divide 0 by 0: with d = 1/2 - C2 = q S,
+   m = 16 q R, both recurrences are divided by m on paper. */
+VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
+{
+    const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
+    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y)),
+                  high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
+    const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
+    const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* d/m */
+    const vm_real eta = (loss + q * series) / (256 * R * R);           /* (delta - 1/16)/m */
+    *C2 = VM_C(0.5) - d;
+    *C4 = (1 - 4 * d + 2 * delta) / 3;
+    *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
+}
+
+/* (383), (384), (408), from K and E in two words, for 1 - m = c < 1/2; l = ln(4/k') */
+VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_real *C6)
+{
+    const vm_real m = 1 - c;
+    const vm_two K = vmi_K_by_log(c, l), less = vmi_two_product(c, K.hi);
+    *C2 = ((1 - less.hi) + (vmi_E_rest(c, l.hi) - (less.lo + c * K.lo))) / (m * K.hi);
+    *C4 = (2 * (m - c) * *C2 + c) / (3 * m);
+    *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
+}
+
+/* Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408). */
+VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    *C2 = *C4 = *C6 = vmi_refused(m1.hi) ? VM_NAN : 0;
+    if (vmi_refused(m1.hi) || m1.hi == 0) return;
+    if (m1.hi >= VM_C(0.5) && m1.hi <= 5) {
+        const vm_real root = VM_SQRT(m1.hi), fourth = VM_SQRT(root);
+        const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
+        vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
+    } else {
+        vmi_means_from_K(m1.hi < 1 ? m1.hi : 1 / m1.hi, vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
+        if (m1.hi < 1) return;
+        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* cn(u | m) = cd(k'u | mu), of sn's means */
+        *C4 = 1 - 2 * *C2 + *C4;
+        *C2 = 1 - *C2;
+    }
+}
+
+#endif

@@ -1,0 +1,204 @@
+/* jacobi/plans.h - sn, cn, dn for many arguments and one parameter */
+#ifndef VARMASS_JACOBI_PLANS_H
+#define VARMASS_JACOBI_PLANS_H
+
+#include <string.h>
+
+#include "../base/bits.h"
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "agm.h"
+#include "reduction.h"
+#include "theta.h"
+
+typedef struct VM_TAG(jacobi_plan) {
+    int form;            /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
+    vm_real m1;          /* 1 - m */
+    vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
+    vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
+    vmi_theta_form theta;               /* k' is there in any case */
+} jacobi_plan;
+
+/* p(y) = 1 + c_1 y + c_2 y^2 + ... */
+VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
+{
+    const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
+#if VM_MANT_DIG > 24
+    const vm_real high = ((c[4] + y * c[5]) + yy * (c[6] + y * c[7])) + y4 * (c[8] + y * c[9]);
+#else
+    const vm_real high = c[4];
+#endif
+    return 1 + y * (low + y4 * high);
+}
+
+enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 }; /* what is left out is below eps/500 at a plan's K/2 */
+
+/* The polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^.. by one of degree VMI_TERMS, for 0 <= t <= 1: its highest
+   power is time and again replaced by what Chebyshev's polynomial of that degree has below it */
+VM_API void vmi_shorten(vm_real *c)
+{
+    int n, k;
+    for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) {
+        vm_real term = c[n];
+        for (k = n; k > 1; k--) {
+            term *= -(vm_real)(k * (2 * k - 1)) / (vm_real)(2 * (n + k - 1) * (n - k + 1));
+            c[k - 1] -= term;
+        }
+    }
+}
+
+/* The series of a = theta cs^2(w) and of its kin -theta d(cs^2)/d theta, at w = v/2, in powers of v^2 <= longest^2 */
+VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
+{
+    const vm_real theta = longest * longest / 4;
+    vm_real a[VMI_MORE_TERMS + 1], b[VMI_MORE_TERMS + 1], power = 1;
+    int k, i;
+    vmi_laurent(theta, p->m1 * theta, a);
+    for (k = 4; k <= VMI_MORE_TERMS; k++) {
+        vm_real sum = 0;
+        for (i = 2; i <= k - 2; i++) sum += a[i] * a[k - i];
+        a[k] = 3 * sum / (vm_real)((2 * k + 1) * (k - 3));
+    }
+    for (k = 1; k <= VMI_MORE_TERMS; k++) b[k] = (vm_real)(1 - k) * a[k];
+    vmi_shorten(a);
+    vmi_shorten(b);
+    for (k = 1; k <= VMI_TERMS; k++) {
+        power *= longest * longest;
+        p->a[k - 1] = a[k] / power;
+        p->b[k - 1] = b[k] / power;
+    }
+}
+
+VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
+{
+    vmi_three K;
+    int is_near;
+    if (vmi_refused(m1)) return -1;
+    memset(p, 0, sizeof *p);
+    p->m1 = m1;
+    p->theta.kp = VM_SQRT(m1);
+    if (m1 > 0) {
+        K = vmi_K_three_words(m1, m1_lo);
+        vmi_pieces(K, p->K);
+        p->per_K = 1 / K.hi;
+    }
+    is_near = m1 > 0 && K.hi * K.hi / 4 * (m1 > 1 ? m1 : 1) <= VMI_NEAR;
+    p->form = is_near ? VMI_NEAR_FORM : m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
+    if (is_near) vmi_plan_prepare(p, K.hi / 2);
+    else vmi_far_prepare(&p->theta, m1, m1_lo);
+    return 0;
+}
+
+/* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
+VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_plan_init(p, m1.hi, m1.lo);
+}
+
+/* Documented with jacobi_plan_init. */
+VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
+
+/* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a',
+   since sc^2 of w has the derivative 2 sc nc dc */
+VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
+{
+    vmi_thetas theta;
+    const vm_real y = v * v, a = vmi_plan_series(p->a, y), b = y / 4, s = p->m1 * b, aa = a * a, sb = s * b;
+    theta.s = v * vmi_plan_series(p->b, y);
+    theta.c = aa - sb;
+    theta.d = aa + (2 * s * a + sb);
+    theta.n = aa + (2 * b * a + sb);
+    return theta;
+}
+
+/* One point u from |u| = j K + rest; no branch where form is known to the compiler */
+VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
+                              vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    vmi_thetas theta;
+    if (form == VMI_NEAR_FORM) theta = vmi_plan_near(p, (rest.hi + rest.mid) + rest.lo);
+    else {
+        vm_two v = vmi_two_terms(rest);
+        if (form == VMI_RECIPROCAL) {
+            const vm_two product = vmi_two_product(v.hi, p->theta.kp);
+            v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
+        }
+        v.hi = v.hi > -VMI_LONGEST ? v.hi < VMI_LONGEST ? v.hi : VMI_LONGEST : -VMI_LONGEST; /* NaN stays in v.lo */
+        theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
+    }
+    theta = vmi_theta_shift(theta, p->theta.kp, quarters);
+    theta.s *= VM_COPYSIGN((vm_real)1, u);
+    vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
+}
+
+/* Any argument u >= 0 that is too long for K in pieces */
+VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
+{
+    const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
+    vm_two v;
+    int quarter;
+    *quarters = 0;
+    if (p->per_K == 0) return vmi_three_words(u > VMI_LONGEST ? VMI_LONGEST : u, 0, 0); /* m = 1 */
+    if (!VM_IS_FINITE(u)) return vmi_three_words(VM_NAN, 0, 0);
+    v = vmi_reduce(u, K, &quarter);
+    *quarters = (vmi_bits)quarter;
+    return vmi_three_words(v.hi, v.lo, 0);
+}
+
+/* As jacobi_sncndn, for the plan's m. */
+VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real x = VM_FABS(u);
+    vmi_bits quarters;
+    vmi_three v;
+    if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
+    else v = vmi_plan_reduce_long(p, x, &quarters);
+    if (p->form == VMI_NEAR_FORM) {
+        vmi_plan_point(p, VMI_NEAR_FORM, u, v, quarters, sn, cn, dn);
+        return;
+    }
+    vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
+    if (*sn == 0) {
+        /* not almost */
+        *cn = VM_COPYSIGN((vm_real)1, *cn);
+        *dn = 1;
+    }
+}
+
+/* For |u| < VMI_EXACT_QUARTERS K a loop that compilers vectorise */
+VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
+                             vm_real *dn)
+{
+    int i;
+    for (i = 0; i < n; i++) {
+        vmi_bits quarters;
+        const vmi_three v = vmi_reduce_pieces(VM_FABS(u[i]), p->K, p->per_K, &quarters);
+        vmi_plan_point(p, form, u[i], v, quarters, sn + i, cn + i, dn + i);
+    }
+    if (form == VMI_NEAR_FORM) return;
+    for (i = 0; i < n; i++)
+        if (sn[i] == 0) {
+            /* not almost */
+            cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
+            dn[i] = 1;
+        }
+}
+
+/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. Where the compiler
+   fuses multiplications and additions, the last bits may depend on the place in the array. */
+VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
+                                     vm_real *dn)
+{
+    const jacobi_plan local = *p; /* the compiler sees that no element of the arrays is a part of it */
+    int i, any_far = 0;
+    for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
+    if (any_far)
+        for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
+    else if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
+    else if (local.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
+    else vmi_plan_loop(&local, VMI_RECIPROCAL, n, u, sn, cn, dn);
+}
+
+#endif

@@ -1,0 +1,176 @@
+/* jacobi/theta.h - theta functions */
+#ifndef VARMASS_JACOBI_THETA_H
+#define VARMASS_JACOBI_THETA_H
+
+#include "../base/bits.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+
+/* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
+typedef struct VM_TAG(vmi_theta_form) {
+    vm_real kp, kp_lo; /* k' = sqrt(1 - m) */
+    vm_real q, defect; /* the nome of 1 - m or 1/(1 - m), and 1 - (phase per unit of argument) */
+    vm_real f[3], g[2], scale[2];
+} vmi_theta_form;
+
+enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
+enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
+
+/* Neville's theta functions but for a common factor, so that pq = theta_p/theta_q: each relatively accurate, since no
+   difference loses digits */
+typedef struct VM_TAG(vmi_thetas) {
+    vm_real s, c, d, n;
+} vmi_thetas;
+
+/* v^2 max(1, 1 - m) up to which the Laurent series serves: all |v| <= K/2 for -21.5 < m < 0.955 */
+#define VMI_NEAR VM_C(2.2)
+
+/* Terms 1 to 3 of theta cs^2(w) = 1 + c_1 + c_2 + ..., theta = w^2; cs^2(w) + (2 - m)/3 is Weierstrass' function of
+   w, whence [5]
+     c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
+VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
+{
+    const vm_real e = theta + m1_theta, product = theta * m1_theta, ee = e * e;
+    c[1] = -e * VM_C(0.3333333333333333333);
+    c[2] = (ee - 3 * product) * VM_C(0.06666666666666666667);
+    c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
+}
+
+/* By this series at w = v/4 to the ninth term (float: the fifth) and two duplications, where no difference occurs but
+   in c and f, far from their zeros: if b/a = sc^2(w),
+     sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
+     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
+VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
+{
+    vmi_thetas theta;
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* w2 may underflow where r does not */
+    vm_real c[4], more, a, f, g, b, s, aa, rb;
+#if VM_MANT_DIG > 24
+    vm_real c22;
+#endif
+    vmi_laurent(w2, r, c);
+#if VM_MANT_DIG > 24
+    c22 = c[2] * c[2];
+    more = c22 * ((VM_C(0.3333333333333333333) + c22 * VM_C(7.541478129713423831e-3)) +
+                  (c[2] * VM_C(0.05128205128205128205) + c[3] * VM_C(0.06060606060606060606))) +
+           c[3] * (c[2] * ((VM_C(0.2727272727272727273) + c[3] * VM_C(0.02468120115178938708)) +
+                           c22 * VM_C(0.01067353698932646301)) +
+                   c[3] * (VM_C(0.07692307692307692308) + c[3] * VM_C(4.048582995951417004e-3)));
+#else
+    more = c[2] * (c[2] * VM_C(0.3333333333) + c[3] * VM_C(0.2727272727));
+#endif
+    a = 1 + ((c[1] + (c[2] + c[3])) + more);
+    f = a * a - r * w2;
+    g = a * ((a + w2) * (a + r)); /* sc^2(2w) = 4 w^2 g/f^2 = b/a from here on */
+    b = 4 * w2 * g;
+    s = 4 * r * g;
+    a = f * f;
+    aa = a * a;
+    rb = s * b;
+    theta.s = v * (f * VM_SQRT(g * ((a + b) * (a + s))));
+    theta.c = aa - rb;
+    theta.d = aa + (2 * s * a + rb);
+    theta.n = aa + (2 * b * a + rb);
+    return theta;
+}
+
+/* Far from 0, where c <= 0.05: theta functions of the imaginary argument i z, z = u agm(1, k), with the nome q of
+   c = 1 - m, or reciprocal, z = k'u agm(1, k) with that of c = 1/(1 - m), by sn(u | m) = sd(k'u | m/(m - 1))/k' and
+   its kin. The coefficients: with X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
+     theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
+     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X;
+   what is left out is below 1e-18. f carries the factor between d and n, so that f0 is near 1/2, and scale is near 1
+   but for 1/k': a simple number and a small part, rounded once. One step of the AGM from 1 and k reaches (1 + k)/2
+   and the parameter x. */
+VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
+{
+    const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
+    const vm_real half = c / (2 * (1 + root)), k1 = 2 * half / (1 + root), x = k1 * k1;
+    const vm_two kp = m1 > 1 ? vmi_root(m1, m1_lo) : vmi_two(VM_SQRT(m1), 0);
+    vm_real q2, q4, q6, even, odd, f0, share;
+    t->kp = kp.hi;
+    t->kp_lo = kp.lo;
+    t->q = k1 / 4 * (1 + x * (VM_C(0.25) + x * (VM_C(0.1328125) + x * VM_C(0.087890625))));
+    t->defect = half + (1 - half) * (x * (VM_C(0.25) + x * (VM_C(0.078125) + x * VM_C(0.04296875))));
+    q2 = t->q * t->q;
+    q4 = q2 * q2;
+    q6 = q2 * q4;
+    even = q2 + q6;
+    odd = 2 * t->q + 2 * q4;
+    f0 = ((odd - 2 * even) - even * odd) / (2 * (1 + even)); /* f0 - 1/2 */
+    t->f[0] = VM_C(0.5) + f0;
+    share = t->f[0] / (1 - even);
+    t->f[1] = share * 2 * t->q * (1 - q4);
+    t->f[2] = share * 4 * q4;
+    t->g[0] = 2 * q4;
+    t->g[1] = 4 * q2;
+    t->scale[1] = 1 + 2 * half / ((1 + fourth) * fourth);
+    t->scale[0] = m1 > 1 ? (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi : t->scale[1];
+}
+
+#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-it) is 0: tanh is 1, sech 0 */
+
+/* All four by 2 exp(-z), which makes sinh z 1 - exp(-2z) and cosh z 1 + exp(-2z); |argument| <= VMI_LONGEST */
+VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
+{
+    vmi_thetas theta;
+    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* q: then X <= sqrt(q)/2 is negligible */
+    const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
+    const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
+    vm_real p, p_lo, power, root, less, e, X, XX, P, Q, E, O, d, n;
+    int k;
+    p = vmi_exp_core(-z, -z_lo, &k, &p_lo);
+    power = vmi_ldexp(1, k);
+    root = power + power * p;       /* exp(-z) */
+    less = (1 - power) - power * p; /* 1 - exp(-z) */
+    e = root * root;
+    X = t->q > tiny ? t->q * ((e + 1 / e) / 2) : 0;
+    XX = X * X;
+    P = t->f[2] * XX; /* less f0 */
+    Q = t->f[1] * X;
+    E = t->g[1] * XX - t->g[0]; /* less 1 */
+    O = 2 * X;
+    d = root * (1 + (E + O));
+    n = (1 + e) * (t->f[0] + (P + Q));
+    theta.s = sign * (t->scale[0] * (less * (1 + root) * (t->f[0] + (P - Q))));
+    theta.c = t->scale[1] * (root * (1 + (E - O)));
+    theta.d = reciprocal ? n : d;
+    theta.n = reciprocal ? d : n;
+    return theta;
+}
+
+VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
+{
+    vmi_theta_form t;
+    vmi_far_prepare(&t, m1, m1_lo);
+    return vmi_theta_far(&t, m1 > 1, m1 > 1 ? vmi_two_times(v, vmi_two(t.kp, t.kp_lo)) : v);
+}
+
+/* The thetas so many quarters on: at one s, c, d, n become c, -k's, k'n, d; at two s and c change their sign. With no
+   branch, which would be mispredicted every other time: products with 0 and +-1. */
+VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
+{
+    const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
+    const vmi_bits sign = (quarters >> 1 & 1) << (sizeof(vm_real) * 8 - 1);
+    const vm_real stays = vmi_from_bits((one & ~odd) ^ sign), turns = vmi_from_bits((one & odd) ^ sign);
+    const vm_real stay = stays * stays, turn = turns * turns;
+    vmi_thetas shifted;
+    shifted.s = stays * theta.s + turns * theta.c;
+    shifted.c = stays * theta.c - turns * kp * theta.s;
+    shifted.d = stay * theta.d + turn * kp * theta.n;
+    shifted.n = stay * theta.n + turn * theta.d;
+    return shifted;
+}
+
+/* dn lies between 1 and bound */
+VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real low = bound < 1 ? bound : 1, high = bound > 1 ? bound : 1, per_n = 1 / theta.n;
+    *sn = vmi_clamp(theta.s, -theta.n, theta.n) * per_n; /* n (1/n) rounds to 1 at most */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) * per_n;
+    *dn = vmi_clamp(theta.d * per_n, low, high);
+}
+
+#endif

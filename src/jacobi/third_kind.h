@@ -1,0 +1,169 @@
+/* jacobi/third_kind.h - integrals of the third kind and theta functions of complex argument, for torque-free rotation */
+#ifndef VARMASS_JACOBI_THIRD_KIND_H
+#define VARMASS_JACOBI_THIRD_KIND_H
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "theta.h"
+
+/* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1,
+   19.36.1] in what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument
+   2^-n of the largest asks for log2(n) rounds more than the usual 7. */
+VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
+{
+    const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
+    vm_two A, X, Y, Z, E2, E3, sum;
+    vm_real e2, e3, rest;
+    for (;;) {
+        A = vmi_two_over(vmi_two_plus(vmi_two_plus(x, y), z), vmi_two(3, 0));
+        X = vmi_two_over(vmi_two_minus(A, x), A);
+        Y = vmi_two_over(vmi_two_minus(A, y), A);
+        Z = vmi_two_shifted(vmi_two_plus(X, Y), -1);
+        if (!(VM_FABS(X.hi) > enough || VM_FABS(Y.hi) > enough || VM_FABS(Z.hi) > enough)) break;
+        X = vmi_two_root(x);
+        Y = vmi_two_root(y);
+        Z = vmi_two_root(z);
+        A = vmi_two_plus(vmi_two_times(X, vmi_two_plus(Y, Z)), vmi_two_times(Y, Z));
+        x = vmi_two_shifted(vmi_two_plus(x, A), VM_C(0.25));
+        y = vmi_two_shifted(vmi_two_plus(y, A), VM_C(0.25));
+        z = vmi_two_shifted(vmi_two_plus(z, A), VM_C(0.25));
+    }
+    E2 = vmi_two_times(X, Y);
+    E3 = vmi_two_times(E2, Z);
+    E2 = vmi_two_minus(E2, vmi_two_times(Z, Z));
+    e2 = E2.hi;
+    e3 = E3.hi;
+    rest = e2 * e2 * (VM_C(1.0) / 24 - VM_C(5.0) / 208 * e2 + e3 / 16) +
+           e3 * (VM_C(3.0) / 104 * e3 - VM_C(3.0) / 44 * e2);
+    sum = vmi_two_minus(vmi_two_over(E3, vmi_two(14, 0)), vmi_two_over(E2, vmi_two(10, 0)));
+    sum = vmi_two_plus(vmi_two(1, 0), vmi_two_plus(sum, vmi_two(rest, 0)));
+    return vmi_two_over(sum, vmi_two_root(A));
+}
+
+/* agm(1, k'), Pi(-N | m)/K(m) and what that is less than 1, by one ladder in two words, for
+   m1 = k'^2 > 0, share = N/(1 + N) and below = 1/(1 + N), N >= 0. From p = sqrt(1 + N) [1, 19.8.6-7] with
+     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2,
+   where sum Q = 2 - sum Q (1 - e), so that both come from positive terms: relatively accurate for any N. */
+typedef struct VM_TAG(vmi_third_kind) {
+    vm_two mean, ratio, rest;
+} vmi_third_kind;
+
+VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
+{
+    vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
+    vm_two sum = vmi_two(0, 0), less = sum;
+    vmi_third_kind result;
+    int step;
+    for (step = 0; step < 200; step++) { /* 5 to 10, and one for every binary digit of p */
+        const vm_real apart = VM_FABS(a.hi - g.hi);
+        ag = vmi_two_times(a, g);
+        pp = vmi_two_times(p, p);
+        above = vmi_two_plus(pp, ag);
+        sum = vmi_two_plus(sum, Q);
+        less = vmi_two_plus(less, vmi_two_times(Q, vmi_two_over(vmi_two_shifted(ag, 2), above)));
+        Q = vmi_two_shifted(vmi_two_times(Q, vmi_two_over(vmi_two_minus(pp, ag), above)), VM_C(0.5));
+        p = vmi_two_over(above, vmi_two_shifted(p, 2));
+        a = vmi_two_shifted(vmi_two_plus(a, g), VM_C(0.5));
+        g = vmi_two_root(ag);
+        if (!(apart > VM_EPSILON * a.hi) && !(VM_FABS(Q.hi) > VM_EPSILON * VM_EPSILON / 4 * less.hi)) break;
+    }
+    result.mean = a;
+    share = vmi_two_shifted(share, VM_C(0.5));
+    result.ratio = vmi_two_plus(below, vmi_two_times(share, less));
+    result.rest = vmi_two_times(share, sum);
+    return result;
+}
+
+/* sin and cos of x turns, |x| < 2^13: within an ulp */
+VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const int j = vmi_nearest(4 * x), quarter = j & 3;
+    const vm_real rest = 4 * x - (vm_real)j;
+    vm_two z = vmi_two_product(rest, half_pi.hi);
+    vm_real s, c;
+    z.lo += rest * half_pi.mid;
+    vmi_sin_cos(z, &s, &c);
+    *sine = quarter & 1 ? c : s;
+    *cosine = quarter & 1 ? s : c;
+    if (quarter & 2) *sine = -*sine;
+    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+}
+
+/* theta_4(z + i zy) with the nome Q of the doubled lattice, Q = q^2, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K':
+   its argument is what turns a free body beyond its mean rate. Directly where K <= 2K', so that Q <= exp(-pi),
+     1 + sum (-1)^n (C_n cos 2nz - i S_n sin 2nz),  C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)),
+   else by Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi), but for a real factor, as e^(-i pi u
+   y/(4KK')) times the sum of
+     Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')),  v = (2n + 1) pi/(4K'),  |u| <= K.
+   Four terms leave 1e-19 of either. The first form as polynomials in cos 2z, the second in exp(+-pi |u|/(2K')). */
+typedef struct VM_TAG(vmi_doubled_theta) {
+    vm_real decay; /* -d ln exp(..)/dx in the second form, x = u/(4K); 0 in the first */
+    vm_real shift; /* turns for each x: the factor before the second sum */
+    vm_real Q;     /* Qd */
+    vm_real re[4], im[4];
+} vmi_doubled_theta;
+
+VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
+{
+    vmi_doubled_theta d;
+    vm_real C[4], S[4];
+    int n;
+    for (n = 1; n < 4; n++) {
+        const vm_real rate = (vm_real)n * VM_PI / K, more = vmi_exp(-rate * (2 * (vm_real)n * Kc - y), 0);
+        const vm_real less = vmi_exp(-rate * (2 * (vm_real)n * Kc + y), 0);
+        C[n] = more + less;
+        S[n] = more - less;
+    }
+    d.decay = d.shift = d.Q = 0;
+    d.re[0] = 1 - C[2];
+    d.re[1] = 3 * C[3] - C[1];
+    d.re[2] = 2 * C[2];
+    d.re[3] = -4 * C[3];
+    d.im[0] = S[1] - S[3];
+    d.im[1] = -2 * S[2];
+    d.im[2] = 4 * S[3];
+    d.im[3] = 0;
+    return d;
+}
+
+/* K may be infinite: then x is u itself */
+VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
+{
+    const int aperiodic = !VM_IS_FINITE(K);
+    vmi_doubled_theta d;
+    vm_real power = 1, sine, cosine;
+    int n;
+    d.Q = aperiodic ? 0 : vmi_exp(-VM_PI * K / (2 * Kc), 0);
+    d.decay = aperiodic ? 1 : 2 * VM_PI * K / Kc;
+    d.shift = aperiodic ? 0 : -y / (2 * Kc);
+    for (n = 0; n < 4; n++) {
+        vmi_sincos_turns((vm_real)(2 * n + 1) * y / (8 * Kc), &sine, &cosine);
+        d.re[n] = power * cosine; /* Qd^(n^2) */
+        d.im[n] = power * sine;
+        power *= vmi_exp(-(vm_real)(2 * n + 1) * (d.Q > 0 ? VM_PI * K / (2 * Kc) : VMI_LONGEST), 0);
+    }
+    return d;
+}
+
+VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
+
+/* For |x| <= 1/4, so that |u| <= K; the factor e^(2 pi i shift x) is left to the caller */
+VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
+{
+    if (d->decay > 0) {
+        const vm_real g = vmi_exp(-d->decay * VM_FABS(x), 0), f = d->Q / g, h = d->Q * g;
+        const vm_real size = vmi_cubic(d->im, f) - g * vmi_cubic(d->im, h);
+        *re = vmi_cubic(d->re, f) + g * vmi_cubic(d->re, h);
+        *im = x < 0 ? -size : size;
+    } else {
+        vm_real sine, cosine;
+        vmi_sincos_turns(2 * x, &sine, &cosine);
+        *re = vmi_cubic(d->re, cosine);
+        *im = sine * vmi_cubic(d->im, cosine);
+    }
+}
+
+#endif

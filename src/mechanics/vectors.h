@@ -1,0 +1,147 @@
+/* mechanics/vectors.h - vectors, quaternions, rotations */
+#ifndef VARMASS_MECHANICS_VECTORS_H
+#define VARMASS_MECHANICS_VECTORS_H
+
+#include "../base/hypot.h"
+#include "../base/real.h"
+
+typedef struct VM_TAG(vm_vec3) {
+    vm_real x, y, z;
+} vm_vec3;
+
+typedef struct VM_TAG(vm_quat) {
+    vm_real w, x, y, z;
+} vm_quat;
+
+typedef struct VM_TAG(vmi_mat3) {
+    vm_vec3 x, y, z;
+} vmi_mat3; /* columns: the images of the axes */
+
+VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
+{
+    vm_vec3 a;
+    a.x = x;
+    a.y = y;
+    a.z = z;
+    return a;
+}
+
+VM_API vm_vec3 vmi_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
+{
+    return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
+VM_API vm_real vmi_size(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
+
+VM_API vm_real vmi_largest(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_abs(a);
+    const vm_real c = b.x > b.y ? b.x : b.y;
+    return c > b.z ? c : b.z;
+}
+
+VM_API vm_real vmi_length(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
+
+VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
+{
+    return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
+}
+
+VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
+{
+    return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
+}
+
+/* None given, which reads as the identity */
+VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
+
+/* With 1 as the size of the largest part, so that squares neither over- nor underflow; the identity for all zero */
+VM_API vm_quat vmi_quat_scaled(vm_quat q)
+{
+    vm_real largest = VM_FABS(q.w);
+    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
+    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
+    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
+    if (largest == 0) q.w = largest = 1;
+    q.w /= largest;
+    q.x /= largest;
+    q.y /= largest;
+    q.z /= largest;
+    return q;
+}
+
+/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+VM_API vmi_mat3 vmi_rotation(vm_quat q)
+{
+    vm_real s;
+    vmi_mat3 m;
+    q = vmi_quat_scaled(q);
+    s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
+    m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
+    m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
+    return m;
+}
+
+/* p q: the rotation of q followed by that of p */
+VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
+{
+    vm_quat r;
+    r.w = p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z;
+    r.x = p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y;
+    r.y = p.w * q.y + p.y * q.w + p.z * q.x - p.x * q.z;
+    r.z = p.w * q.z + p.z * q.w + p.x * q.y - p.y * q.x;
+    return r;
+}
+
+VM_API vm_vec3 vmi_load3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+
+VM_API void vmi_store3(vm_real *y, vm_vec3 a) {
+y[0] = a.x;
+y[1] = a.y;
+y[2] = a.z; }
+
+VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
+{
+    vm_quat q;
+    q.w = y[0];
+    q.x = y[1];
+    q.y = y[2];
+    q.z = y[3];
+    return q;
+}
+
+/* The rotation of a quaternion whose length is nowhere near the ends of the type's range */
+VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
+{
+    const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
+    const vm_real xx = x * q.x, yy = y * q.y, zz = z * q.z, xy = x * q.y, xz = x * q.z, yz = y * q.z;
+    const vm_real wx = x * q.w, wy = y * q.w, wz = z * q.w;
+    vmi_mat3 m;
+    m.x = vmi_vec3(1 - (yy + zz), xy + wz, xz - wy);
+    m.y = vmi_vec3(xy - wz, 1 - (xx + zz), yz + wx);
+    m.z = vmi_vec3(xz + wy, yz - wx, 1 - (xx + yy));
+    return m;
+}
+
+/* Of length 1; the identity for all zero */
+VM_API vm_quat vmi_stream_unit(vm_quat q)
+{
+    vm_real length;
+    q = vmi_quat_scaled(q);
+    length = VM_SQRT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    q.w /= length;
+    q.x /= length;
+    q.y /= length;
+    q.z /= length;
+    return q;
+}
+
+#endif
