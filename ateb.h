@@ -1549,7 +1549,7 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 }
 
 /* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
-VM_API vm_real vmi_pow(vm_two x, vm_two y)
+VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
     vm_two l = vmi_log(x.hi), p;
@@ -2024,7 +2024,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     p->g = c.g.hi;
     p->twice_alpha = alpha <= 7 && 2 * alpha == VM_FLOOR(2 * alpha) ? (int)(2 * alpha) : -1;
     length = vmi_ateb_part_init(p->part, 0, p, alpha, 1, tolerance);
-    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, p->twice_alpha < 0 ? 1 : vmi_pow(p->twice_q, n),
+    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, p->twice_alpha < 0 ? 1 : vmi_pow_two(p->twice_q, n),
                                        tolerance);
     p->length = (length > length_beyond ? length + 1 : length_beyond + 1) / 2 * 2;
     return 0;
@@ -2100,7 +2100,7 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 }
 
 /* Beyond, series and fractions have no bound that a caller would wait for, and float no digits */
-VM_API int vmi_beta_domain(vm_real a, vm_real b)
+VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
 }
@@ -2111,7 +2111,7 @@ VM_API int vmi_beta_domain(vm_real a, vm_real b)
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
-    if (!vmi_beta_domain(a, b)) return VM_NAN;
+    if (!vmi_beta_is_in_domain(a, b)) return VM_NAN;
     l = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
     return vmi_exp(l.hi, l.lo);
 }
@@ -2198,7 +2198,7 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
 {
     vmi_beta_point at;
     vm_two ln_p, ln_q;
-    if (!vmi_beta_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
+    if (!vmi_beta_is_in_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
         *p = *q = VM_NAN;
         return;
     }
@@ -2267,7 +2267,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
                                    vm_real *ln_x)
 {
     vm_two l, ignored;
-    if (!vmi_beta_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
+    if (!vmi_beta_is_in_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
         *x = *y = *ln_x = VM_NAN;
         return;
     }

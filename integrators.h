@@ -515,7 +515,7 @@ VM_API const char *ode_strerror(int status)
     }
 }
 
-VM_INLINE vm_real vmi_power(vm_real x, vm_real p)
+VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
     vmi_signed_bits bits;
@@ -758,7 +758,7 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 }
 
 /* Every component has a tolerance, none is negative or NaN */
-VM_API int vmi_tolerances_good(const rk45_options *o, int n)
+VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
 {
     int i;
     for (i = 0; i < n; i++) {
@@ -768,10 +768,10 @@ VM_API int vmi_tolerances_good(const rk45_options *o, int n)
     return 1;
 }
 
-VM_API int vmi_options_good(const rk45_options *o, int n)
+VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 {
     int i;
-    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_good(o, n)) return 0;
+    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_are_valid(o, n)) return 0;
     if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
     if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
     for (i = 0; i < o->n_events; i++)
@@ -802,7 +802,7 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
     vm_real rtol = options_or_NULL ? options_or_NULL->rtol : 0;
     int i;
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
-        !vmi_options_good(&o, n))
+        !vmi_options_are_valid(&o, n))
         return ODE_BAD_ARGUMENT;
     if (o.work_size && o.work_size < vmi_work_size(method, n)) return ODE_WORK_TOO_SMALL;
     for (i = 0; i < o.n_events; i++) {
@@ -1420,7 +1420,7 @@ VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longes
         if (c > d2) d2 = c;
     }
     if (d1 > d2) d2 = d1;
-    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_power(VM_C(0.01) / d2, 1 / order);
+    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_pow_rough(VM_C(0.01) / d2, 1 / order);
     if (h1 > 100 * h0) h1 = 100 * h0;
     if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
     s->h = direction * (h1 < longest ? h1 : longest);
@@ -1443,7 +1443,7 @@ VM_INLINE vm_real vmi_factor(int method, vm_real error, vm_real inverse_error_be
 {
     vm_real square = error * error, factor;
     factor = VM_C(0.9) *
-             vmi_power(square * square * inverse_error_before, method == VMI_RK45 ? VM_C(-0.04) : VM_C(-0.025));
+             vmi_pow_rough(square * square * inverse_error_before, method == VMI_RK45 ? VM_C(-0.04) : VM_C(-0.025));
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
@@ -1452,7 +1452,7 @@ VM_INLINE vm_real vmi_shrink(int method, vm_real error)
 {
     vm_real factor;
     if (error != error) return VM_C(0.1);
-    factor = VM_C(0.9) * vmi_power(error, method == VMI_RK45 ? VM_C(-0.2) : VM_C(-0.125));
+    factor = VM_C(0.9) * vmi_pow_rough(error, method == VMI_RK45 ? VM_C(-0.2) : VM_C(-0.125));
     return VMI_LARGER(factor, VM_C(0.2));
 }
 

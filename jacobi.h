@@ -771,7 +771,7 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 }
 
 /* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
-VM_API vm_real vmi_pow(vm_two x, vm_two y)
+VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
     vm_two l = vmi_log(x.hi), p;
@@ -1416,7 +1416,7 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
 
 /* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused.
    Near 0 nothing is reduced, and neither K nor k' is asked for. */
-VM_INLINE vmi_thetas vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
+VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
     vm_real v, v_lo;
@@ -1436,7 +1436,7 @@ VM_INLINE vmi_thetas vmi_neville(vm_real u, vm_real m1, vm_real m1_lo, vm_real *
 VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_real bound;
-    const vmi_thetas theta = vmi_neville(u, m1, m1_lo, &bound);
+    const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
     *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less, where K - u and k' have some more */
 }
@@ -1460,7 +1460,7 @@ VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
     const vm_two m1 = vmi_two_sum(1, -m);
-    const vmi_thetas t = vmi_neville(u, m1.hi, m1.lo, &bound);
+    const vmi_thetas t = vmi_thetas_of(u, m1.hi, m1.lo, &bound);
     const vm_real above = p == 's' ? t.s : p == 'c' ? t.c : p == 'd' ? t.d : t.n;
     const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : t.d; /* sn, cn, dn go another way */
     return above == below ? 1 : above / below;
@@ -1531,7 +1531,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     const vmi_three half_pi = vmi_half_pi();
     vm_real K, turns, j, odd, am, bound;
     vm_two p;
-    vmi_thetas theta = vmi_neville(VM_FABS(u), m1.hi, m1.lo, &bound);
+    vmi_thetas theta = vmi_thetas_of(VM_FABS(u), m1.hi, m1.lo, &bound);
     if (theta.n != theta.n) return VM_NAN;
     if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta.s, theta.c), u);
     K = vmi_K(m1.hi, m1.lo);

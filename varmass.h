@@ -31,7 +31,7 @@
                     Lambert's W
      Chapter 6      Lagrange's equations with variable mass, masses frozen; Euler's angles
      Chapter 7.2-3  the oscillator m x'' + k x|x|^(alpha-1) = 0: exact, trigonometric and Jacobi motion
-     Chapter 7.4    the same with laws of mass and stiffness: routes to x(t) from a cosine to rk87, and vm_osc_at,
+     Chapter 7.4    the same with laws of mass and stiffness: routes to x(t) from a cosine to rk87, and vm_osc_within,
                     which picks the cheapest within a tolerance and says which it took
      Chapter 7.6    Van der Pol with variable mass: amplitude law in closed form, steady amplitudes
      Chapter 7.7    Laval's rotor: two-frequency and one-frequency averaging, radius law, gyroscopic
@@ -83,7 +83,7 @@
      terms; body and everything shed keep momentum, angular momentum and energy to 7e-15 (rk87), to 0.3 of the
      tolerance (rk45). Lambert's W within 1 ulp; the drum on a rigid shaft within 4 ulp, through e = 0 and k1 = 0.
      The constants of the oscillator are right to 8 eps; the second-order law errs by (q/Om)^2 to t = 3/q (1e-6 for
-     eps = 0.01); every route estimates its error: below 3 estimates in 99 % of random problems by vm_osc_at, above
+     eps = 0.01); every route estimates its error: below 3 estimates in 99 % of random problems by vm_osc_within, above
      10 (and there by little) in 1 of 1000. Closed forms of Van der Pol, rotor and steady vibrations 3e-15,
      coefficients 5 eps for alpha to 1e6.
 
@@ -98,9 +98,9 @@
      base/lambert: Lambert's function W
        vm_lambert_w0                  Lambert's W, w e^w = x
        vm_lambert_wm1                 Documented with vm_lambert_w0
-       vm_lambert_w0_exp              The same from the logarithm of the argument, which itself may be too large or too small to be a number
-       vm_lambert_w0_mexp             Documented with vm_lambert_w0_exp
-       vm_lambert_wm1_mexp            Documented with vm_lambert_w0_exp
+       vm_wright_omega                The same from the logarithm of the argument, which itself may be too large or too small to be a number
+       vm_lambert_w0_neg_exp          Documented with vm_wright_omega
+       vm_lambert_wm1_neg_exp         Documented with vm_wright_omega
 
      mechanics/inertia: tensors of inertia
        vm_inertia_possible            1 where a body can have this inertia
@@ -115,7 +115,7 @@
      mechanics/bodies2: bodies that move in a plane
        vm_angular_momentum2           Documented with vm_momentum
        vm_kinetic_energy2             Documented with vm_momentum
-       vm_in_space                    The plane's body as a lamina in the plane z = 0 of space, which moves as it does
+       vm_body_from_body2             The plane's body as a lamina in the plane z = 0 of space, which moves as it does
 
      mechanics/jumps: parts separate from a body or are attached to it
        vm_separate                    A part, which moved as given the instant after, has left the whole
@@ -142,33 +142,33 @@
        vm_attach_relative2            Documented with vm_separate_relative
 
      mechanics/inverse: how a part must leave for the rest to move as wanted
-       vm_separate_for                The inverse question
-       vm_separate_for2               The same in the plane; *rest_v is vx, vy
-       vm_separate_for_spin2          The part keeps its spin
+       vm_separation_for_rest         The inverse question
+       vm_separation_for_rest2        The same in the plane; *rest_v is vx, vy
+       vm_separation_for_spin2        The part keeps its spin
 
      mechanics/jump_energy: the energy that a jump sets free or takes
        vm_energy_gain                 Kinetic energy that the n parts and the rest have more than the whole had, J, as the theorem (113), (118) has it
        vm_energy_loss                 What body and the n added have more than the whole has, J
 
      mechanics/broken_rotor: a rotor from which a piece breaks off
-       vm_rotor_rhs                   (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_rotor
-       vm_rotor_linear                The remainder for short times, |psi| << 1, linearised
-       vm_rotor_linear_uncoupled      Documented with vm_rotor_linear
-       vm_rotor_free                  State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0
-       vm_rotor_orbit                 A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, not 0
-       vm_rotor_break_off             The remainder's spin, state[5], is Omega_b + Omega_r1 [(59), (64) corrected]
-       vm_rotor_polar_rhs             Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0
-       vm_rotor_to_polar              Documented with vm_rotor_polar_rhs
-       vm_rotor_from_polar            Documented with vm_rotor_polar_rhs
-       vm_rotor_steady                Steady motion at psi' = Omega, which needs torque = damping Omega (47)
-       vm_rotor_char_poly             Small motions about it, exp(lambda t)
-       vm_rotor_routh                 Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2
-       vm_rotor_stable                1 where the steady motion is asymptotically stable, exactly Omega^2 < omega^2 (82) with k* > 0, s != 0, Omega != 0; else 0 (for k*, s or Omega = 0 some motions neither grow nor fade)
-       vm_rotor_eigenvalues           Its five roots, by rising |imaginary part|, pairs as (+, -)
-       vm_rotor_growth                r(t) after a start from rest where Omega = torque/damping is not below omega
+       vm_broken_rotor_rhs            (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_broken_rotor
+       vm_broken_rotor_linear         The remainder for short times, |psi| << 1, linearised
+       vm_broken_rotor_linear_uncoupled Documented with vm_broken_rotor_linear
+       vm_broken_rotor_free_motion    State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0
+       vm_broken_rotor_orbit          A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, not 0
+       vm_broken_rotor_break_off      The remainder's spin, state[5], is Omega_b + Omega_r1 [(59), (64) corrected]
+       vm_broken_rotor_polar_rhs      Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0
+       vm_broken_rotor_to_polar       Documented with vm_broken_rotor_polar_rhs
+       vm_broken_rotor_from_polar     Documented with vm_broken_rotor_polar_rhs
+       vm_broken_rotor_steady_radius  Steady motion at psi' = Omega, which needs torque = damping Omega (47)
+       vm_broken_rotor_characteristic Small motions about it, exp(lambda t)
+       vm_broken_rotor_routh          Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2
+       vm_broken_rotor_is_stable      1 where the steady motion is asymptotically stable, exactly Omega^2 < omega^2 (82) with k* > 0, s != 0, Omega != 0; else 0 (for k*, s or Omega = 0 some motions neither grow nor fade)
+       vm_broken_rotor_eigenvalues    Its five roots, by rising |imaginary part|, pairs as (+, -)
+       vm_broken_rotor_resonance_radius r(t) after a start from rest where Omega = torque/damping is not below omega
 
      mechanics/generalized_force: generalised forces
-       vm_add_force                   Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235)
+       vm_lagrange_add_force          Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235)
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
        vm_lagrange_mass               Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes)
@@ -176,42 +176,42 @@
        vm_lagrange_impulse            Documented with vm_lagrange_mass
        vm_lagrange_separate           
        vm_lagrange_attach             
-       vm_lagrange_hit                matrix (qdot_after - qdot) = impulse
+       vm_lagrange_impact             matrix (qdot_after - qdot) = impulse
 
      mechanics/pendulum: a pendulum from which a part is cut
        vm_pendulum_separate           part is l, 0 < l < L; u in the axes of the pendulum
 
      mechanics/torque_free: exact rotation of a body without torque
-       vm_free_init                   Prepares the motion of a body that is as given at t0
-       vm_free_init_principal         The same from principal moments (kg m^2), the body's axes being the principal ones, and omega (rad/s) along them; the body has mass 1 and rests at the origin
-       vm_free_attitude               Attitude and omega alone, the latter along body axes
-       vm_free_at                     The body at time t (s), later than t0 or earlier
-       vm_free_rotation               The body a time t (s) later, in one call
+       vm_torque_free_init            Prepares the motion of a body that is as given at t0
+       vm_torque_free_init_principal  The same from principal moments (kg m^2), the body's axes being the principal ones, and omega (rad/s) along them; the body has mass 1 and rests at the origin
+       vm_torque_free_attitude        Attitude and omega alone, the latter along body axes
+       vm_torque_free_at              The body at time t (s), later than t0 or earlier
+       vm_torque_free_rotation        The body a time t (s) later, in one call
 
      mechanics/streams: streams of mass: reactive force and torque
        vm_reactive_loads              centre
        vm_accelerations               v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the mass centre; VM_BAD_INERTIA where the inertia is singular
-       vm_levi_civita                 Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity
+       vm_velocity_by_momentum        Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity
 
      mechanics/flow: a free body with streams of mass
-       vm_rhs                         Documented with vm_flow_body
-       vm_rhs_given                   13 states; flow.update sets mass, centre and inertia
-       vm_rhs_balanced                vm_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have brought
-       vm_rhs_carried                 The same for what moves with the body (166)
+       vm_flow_rhs                    Documented with vm_flow_body
+       vm_flow_given_rhs              13 states; flow.update sets mass, centre and inertia
+       vm_flow_balanced_rhs           vm_flow_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have brought
+       vm_flow_carried_rhs            The same for what moves with the body (166)
        vm_flow_start                  y
        vm_flow_body                   The body of n states, with q of length 1
-       vm_flow_mass_left              Event functions of vm_rhs and vm_rhs_balanced, ctx the flow
+       vm_flow_mass_left              Event functions of vm_flow_rhs and vm_flow_balanced_rhs, ctx the flow
        vm_flow_inertia_left           Documented with vm_flow_mass_left
 
      mechanics/flow2: a body in a plane with streams of mass
-       vm_rhs2                        
+       vm_flow2_rhs                   
 
      mechanics/flow1: translation, bodies on a line or an axle with streams of mass
-       vm_rhs_translation             
-       vm_rhs1                        
+       vm_translation_rhs             
+       vm_flow1_rhs                   
 
      mechanics/rocket: closed forms: Tsiolkovsky's rocket, linear flow, jet damping
-       vm_tsiolkovsky                 Documented with vm_levi_civita
+       vm_tsiolkovsky                 Documented with vm_velocity_by_momentum
        vm_linear_flow                 Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE), through rate = 0 without loss
        vm_jet_damping                 With tau = rate gyration t/A0 and c likewise
 
@@ -231,10 +231,10 @@
        vm_drum_shaft_valid            (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
-       vm_lagrange_rhs                An ode_rhs of 2 n states q, pi, ctx a vm_lagrange
+       vm_lagrange_rhs                An ode_rhs of 2 n states q, pi, ctx a vm_lagrange_system
        vm_lagrange_start              y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE
        vm_lagrange_rates              Documented with vm_lagrange_start
-       vm_frozen_derivative           dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .
+       vm_lagrange_partial_q          dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .
 
      mechanics/euler_angles: Euler's angles
        vm_euler_313                   Euler's angles psi, theta, phi (3-1-3
@@ -250,14 +250,14 @@
        vm_osc_vmax                    Documented with vm_osc_period
        vm_osc_exact                   Exact motion, x(t) = x0 ca(alpha, 1, s) (282) and x'(t) (283), for x0 of either sign
        vm_osc_omega_trig              The approximations with the exact amplitude and period, started at rest
-       vm_osc_m_jacobi                Documented with vm_osc_omega_trig
+       vm_osc_jacobi_parameter        Documented with vm_osc_omega_trig
        vm_osc_omega_jacobi            Documented with vm_osc_omega_trig
        vm_osc_energy                  Energy by mass v^2/2 + omega0^2 |x|^(alpha+1)/(alpha+1) (259), m^2/s^2
        vm_osc_amplitude_phase         Amplitude A > 0 (m) and phase psi in (-Pi, Pi] of any state
        vm_osc_exact_from              Exact motion from any x(0) = x0, x'(0) = v0
        vm_osc_trig                    Documented with vm_osc_omega_trig
        vm_osc_jacobi                  Documented with vm_osc_omega_trig
-       vm_osc_compare                 
+       vm_osc_approximation_errors    
 
      oscillators/laws: laws of mass, stiffness and damping: numbers that depend on time
        vm_law_linear                  
@@ -278,17 +278,10 @@
        vm_osc_averaged                Averaged equations at (t, A) with the force F of the problem
 
      oscillators/routes: routes to x(t), and the cheapest within a tolerance
-       vm_osc_plan_by                 Documented with vm_osc_plan_init
-       vm_osc_plan_at                 Documented with vm_osc_plan_init
-       vm_osc_by                      The same for a problem that is asked once
-       vm_osc_at                      Documented with vm_osc_by
-       vm_osc_by_trig                 Documented with vm_osc_by
-       vm_osc_by_jacobi               Documented with vm_osc_by
-       vm_osc_by_ateb                 Documented with vm_osc_by
-       vm_osc_by_second               Documented with vm_osc_by
-       vm_osc_by_variation            Documented with vm_osc_by
-       vm_osc_by_rk45                 Documented with vm_osc_by
-       vm_osc_by_rk87                 Documented with vm_osc_by
+       vm_osc_plan_by_route           Documented with vm_osc_plan_init
+       vm_osc_plan_within             Documented with vm_osc_plan_init
+       vm_osc_by_route                The same for a problem that is asked once
+       vm_osc_within                  Documented with vm_osc_by_route
 
      oscillators/slow: what oscillators with slowly varying mass share
        vm_osc_amplitude_law           Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and damping = integral of b/m dt
@@ -298,29 +291,29 @@
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
        vm_vdp_init                    
        vm_vdp_amplitude               Amplitude at t where it was first_A at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0
-       vm_vdp_steady                  The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is none
+       vm_vdp_limit_cycle             The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is none
        vm_vdp_rhs                     Equations for rk45 or rk87, ctx a vm_vdp
        vm_vdp_averaged_rhs            Documented with vm_vdp_rhs
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
-       vm_laval_power                 
-       vm_laval_polar                 rho and phi in (-pi, pi] (448)
-       vm_laval_momentum              Angular momentum Im(conj z m z') - g |z|^2, kg m^2/s
-       vm_laval_rhs                   Equations of motion (449), (450) for rk45 or rk87, ctx a vm_laval, y = (x, y, x', y')
-       vm_laval_split                 Small nonlinearity
-       vm_laval_join                  Documented with vm_laval_split
-       vm_laval_exact_rhs             Documented with vm_laval_split
-       vm_laval_averaged_rhs          Documented with vm_laval_split
-       vm_laval_frequency             Strong nonlinearity
-       vm_laval_forward_rhs           Documented with vm_laval_frequency
-       vm_laval_backward_rhs          Documented with vm_laval_frequency
-       vm_laval_amplitude             The same without F_z
+       vm_jeffcott_power              
+       vm_jeffcott_polar              rho and phi in (-pi, pi] (448)
+       vm_jeffcott_momentum           Angular momentum Im(conj z m z') - g |z|^2, kg m^2/s
+       vm_jeffcott_rhs                Equations of motion (449), (450) for rk45 or rk87, ctx a vm_jeffcott, y = (x, y, x', y')
+       vm_jeffcott_to_averaged        Small nonlinearity
+       vm_jeffcott_from_averaged      Documented with vm_jeffcott_to_averaged
+       vm_jeffcott_exact_rhs          Documented with vm_jeffcott_to_averaged
+       vm_jeffcott_averaged_rhs       Documented with vm_jeffcott_to_averaged
+       vm_jeffcott_frequency          Strong nonlinearity
+       vm_jeffcott_forward_whirl_rhs  Documented with vm_jeffcott_frequency
+       vm_jeffcott_backward_whirl_rhs Documented with vm_jeffcott_frequency
+       vm_jeffcott_amplitude          The same without F_z
 
      oscillators/pair: two bodies with a nonlinear connection
        vm_pair_rhs                    
-       vm_pair_split                  q = x + y drifts, p = y - x vibrates (520)-(522)
-       vm_pair_join                   Documented with vm_pair_split
-       vm_pair_averaged_rhs           Documented with vm_pair_split
+       vm_pair_to_averaged            q = x + y drifts, p = y - x vibrates (520)-(522)
+       vm_pair_from_averaged          Documented with vm_pair_to_averaged
+       vm_pair_averaged_rhs           Documented with vm_pair_to_averaged
        vm_pair_at                     y at t where it was y0 at t = 0, for the mass m.mass + m.rate t, closed
 
      oscillators/forced: harmonic excitation
@@ -328,39 +321,39 @@
        vm_forced_rhs                  Equations for rk45 or rk87, ctx a vm_forced
        vm_forced_exact_rhs            Documented with vm_forced_rhs
        vm_forced_averaged_rhs         Documented with vm_forced_rhs
-       vm_forced_split                (x, x', theta) to the mean (A, delta, theta), and back, at time t
-       vm_forced_join                 Documented with vm_forced_split
+       vm_forced_to_averaged          (x, x', theta) to the mean (A, delta, theta), and back, at time t
+       vm_forced_from_averaged        Documented with vm_forced_to_averaged
 
      oscillators/resonance: steady vibrations, resonance curves, passage through resonance
-       vm_forced_steady               
+       vm_forced_steady_states        
        vm_forced_curve                The amplitude-frequency curve, traced by its amplitude
        vm_forced_peak                 The amplitude where the curve meets the backbone, its largest; infinite without damping
        vm_forced_passage              delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative drift of w - nu; and for gamma = 0 the same jump
 
      oscillators/diagnostics: turning points, zero crossings, envelopes
-       vm_find_points                 The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period, negative where t1 < t0) and located to an eps of t; the first room of them are written
-       vm_find_points_of_step         The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step
+       vm_find_samples                The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period, negative where t1 < t0) and located to an eps of t; the first room of them are written
+       vm_find_samples_of_step        The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step
        vm_envelope_error              Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings
        vm_adiabaticity                q/Om, what averaging takes for small
 
      scenes/motions: how each kind of body moves
-       vm_scene_line                  Bodies
-       vm_scene_axle                  Documented with vm_scene_line
-       vm_scene_plane                 Documented with vm_scene_line
-       vm_scene_point                 Documented with vm_scene_line
-       vm_scene_free                  Documented with vm_scene_line
-       vm_scene_with_mass_state       the same, its mass a state
-       vm_scene_absent                the same, not yet there
+       vm_scene_body_line             Bodies
+       vm_scene_body_axle             Documented with vm_scene_body_line
+       vm_scene_body_plane            Documented with vm_scene_body_line
+       vm_scene_body_point            Documented with vm_scene_body_line
+       vm_scene_body_free             Documented with vm_scene_body_line
+       vm_scene_body_with_mass_state  the same, its mass a state
+       vm_scene_body_absent           the same, not yet there
 
      scenes/growing: bodies whose mass centre and inertia change
-       vm_scene_growing_plane         The same, its mass, the mass centre in the body and its inertia states
-       vm_scene_growing_free          Documented with vm_scene_growing_plane
+       vm_scene_body_growing_plane    The same, its mass, the mass centre in the body and its inertia states
+       vm_scene_body_growing_free     Documented with vm_scene_body_growing_plane
 
      scenes/forces: forces as functions of numbers
        vm_force_spring                Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them
        vm_force_damper                -b v
        vm_force_van_der_pol           (b - c x^2) v
-       vm_force_drive                 torque - kappa omega
+       vm_force_motor                 torque - kappa omega
        vm_force_harmonic              Documented with vm_force_spring
        vm_force_stream                rate (u + share v - v)
        vm_force_gravity               mass g
@@ -375,11 +368,11 @@
        vm_effect_damper               Documented with vm_effect_spring
        vm_effect_rotational_damper    -b omega
        vm_effect_van_der_pol          Documented with vm_effect_spring
-       vm_effect_drive                Documented with vm_effect_spring
+       vm_effect_motor                Documented with vm_effect_spring
        vm_effect_harmonic             Documented with vm_effect_spring
-       vm_effect_user_between         Documented with vm_effect_user
-       vm_effect_user                 a force of one's own, which depends on t and the coordinate, and on what ctx points to
-       vm_effect_callback             an effect of one's own, which may depend on everything
+       vm_effect_force_between        Documented with vm_effect_force
+       vm_effect_force                a force of one's own, which depends on t and the coordinate, and on what ctx points to
+       vm_effect_custom               an effect of one's own, which may depend on everything
        vm_effect_shaft                an elastic shaft
        vm_effect_unbalance            an unbalance m e (kg m) that turns with Omega = frequency
        vm_effect_gyroscopic           force coupling (-vy, vx)
@@ -417,8 +410,8 @@
        vm_scene_start                 Checks the scene, and makes the state at the start
 
      scenes/balance: the book of momentum, angular momentum and energy
-       vm_scene_keep_book             Before vm_scene_start
-       vm_scene_balance               Momentum, angular momentum and energy in state y, what came in since the start, and the defects
+       vm_scene_keep_budget           Before vm_scene_start
+       vm_scene_budget_at             Momentum, angular momentum and energy in state y, what came in since the start, and the defects
 
      scenes/events: events of a scene and what they do
        vm_event_at                    Events
@@ -516,7 +509,7 @@ VM_API const char *vm_strerror(int status)
     case VM_NO_SUCH_EFFECT: return "no such effect";
     case VM_TWO_MASS_LAWS: return "two laws for one mass, or a law for a mass that is a state: leave one out";
     case VM_BAD_ORDER: return "a mass law stands after another effect on its body: list it first";
-    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state: vm_scene_with_mass_state";
+    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state: vm_scene_body_with_mass_state";
     case VM_TOO_MANY_EVENTS: return "events do not end: let an event stop the run where they crowd";
     case VM_BAD_OPTIONS: return "the integrator refuses its options: a tolerance, h0, h_min, h_max or h_max < h_min";
     case VM_STEP_TOO_SMALL: return "the tolerance asks for steps that the time cannot resolve: a force too stiff?";
@@ -525,12 +518,12 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_TIMES: return "times of output that do not rise, or a run to a time that is past";
     case VM_SAME_BODY: return "a link or a jump is between two bodies, not between a body and itself";
     case VM_NOT_ON_ANGLE: return "this effect cannot act on an angle: choose another coordinate";
-    case VM_IS_THERE: return "a part separates into a body that is there already: make it with vm_scene_absent";
+    case VM_IS_THERE: return "a part separates into a body that is there already: make it with vm_scene_body_absent";
     case VM_IS_AWAY: return "a jump of a body that is not there: order the events, or make it present";
     case VM_TWO_LINKS: return "two links of one body: leave one out";
     case VM_LINK_NOT_LAST: return "an effect stands after a link of its body: list the link last";
-    case VM_STORED_STREAM: return "a stream with a store is not for this: integrate vm_rhs";
-    case VM_DOES_NOT_GROW: return "this stream needs a growing body: vm_scene_growing_plane, vm_scene_growing_free";
+    case VM_STORED_STREAM: return "a stream with a store is not for this: integrate vm_flow_rhs";
+    case VM_DOES_NOT_GROW: return "this stream needs a growing body: vm_scene_body_growing_plane, vm_scene_body_growing_free";
     case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of a mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or has been changed since: vm_scene_start";
     default: return "unknown status";
@@ -538,7 +531,7 @@ VM_API const char *vm_strerror(int status)
 }
 
 /* A result of n numbers, where all are finite */
-VM_API int vmi_deliver(int n, const vm_real *from, vm_real *to)
+VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 {
     if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;
     memcpy(to, from, (size_t)n * sizeof *to);
@@ -628,7 +621,7 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 /* The zero of f in [a, b], where it has the values fa, fb of opposite signs: regula falsi whose standing end is
    halved (Illinois), a bisection wherever that does not halve the interval in three steps; to the resolution of x
    */
-VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
+VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
     vm_real width = VM_FABS(b - a);
@@ -836,13 +829,13 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 #define VARMASS_BASE_SCALARS_H
 
 /* x^y for x >= 0, within 0.6 ulp, with the limits of pow at 0 and infinity; NaN for x < 0 */
-VM_API vm_real vmi_raised(vm_real x, vm_real y)
+VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;
     if (y == 0 || x == 1) return 1;
     if (x == 0 || x > VM_MAX) return (y > 0) == (x > 0) ? VM_INFINITY : 0;
     if (!VM_IS_FINITE(y)) return (y > 0) == (x > 1) ? VM_INFINITY : 0;
-    return vmi_pow(vmi_two(x, 0), vmi_two(y, 0));
+    return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
 /* e^y - 1 in two words: within 2^-(p+4) (1 + e^y), p the type's digits; relative to the result below 2^-p for small
@@ -1002,7 +995,7 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 
 /* The same from the logarithm of the argument, which itself may be too large or too small to be a number:
    W_0(e^l) for all l (Wright's omega), W_0(-e^l) and W_-1(-e^l) for l <= -1 */
-VM_API vm_real vm_lambert_w0_exp(vm_real l)
+VM_API vm_real vm_wright_omega(vm_real l)
 {
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
@@ -1011,8 +1004,8 @@ VM_API vm_real vm_lambert_w0_exp(vm_real l)
                                                    : vmi_lambert_winitzki(l));
 }
 
-/* Documented with vm_lambert_w0_exp. */
-VM_API vm_real vm_lambert_w0_mexp(vm_real l)
+/* Documented with vm_wright_omega. */
+VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
@@ -1020,8 +1013,8 @@ VM_API vm_real vm_lambert_w0_mexp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* Documented with vm_lambert_w0_exp. */
-VM_API vm_real vm_lambert_wm1_mexp(vm_real l)
+/* Documented with vm_wright_omega. */
+VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
     if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
@@ -1065,16 +1058,16 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 }
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
-VM_API vm_real vmi_size(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
+VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-VM_API vm_real vmi_largest(vm_vec3 a)
+VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
     const vm_real c = b.x > b.y ? b.x : b.y;
     return c > b.z ? c : b.z;
 }
 
-VM_API vm_real vmi_length(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
@@ -1129,14 +1122,14 @@ VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
     return r;
 }
 
-VM_API vm_vec3 vmi_load3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
-VM_API void vmi_store3(vm_real *y, vm_vec3 a) {
+VM_API void vmi_set3(vm_real *y, vm_vec3 a) {
 y[0] = a.x;
 y[1] = a.y;
 y[2] = a.z; }
 
-VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
+VM_API vm_quat vmi_get_quat(const vm_real *y)
 {
     vm_quat q;
     q.w = y[0];
@@ -1147,7 +1140,7 @@ VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
 }
 
 /* The rotation of a quaternion whose length is nowhere near the ends of the type's range */
-VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
+VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
     const vm_real xx = x * q.x, yy = y * q.y, zz = z * q.z, xy = x * q.y, xz = x * q.z, yz = y * q.z;
@@ -1160,7 +1153,7 @@ VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
 }
 
 /* Of length 1; the identity for all zero */
-VM_API vm_quat vmi_stream_unit(vm_quat q)
+VM_API vm_quat vmi_unit_quat(vm_quat q)
 {
     vm_real length;
     q = vmi_quat_scaled(q);
@@ -1277,7 +1270,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 }
 
 /* Moments of a body: none larger than the two others together, to within slack (kg m^2) */
-VM_API int vmi_possible(const vmi_principal *p, vm_real slack)
+VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
 {
     vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack; /* so none is below -slack */
@@ -1285,7 +1278,7 @@ VM_API int vmi_possible(const vmi_principal *p, vm_real slack)
 
 /* Moments that a body can have exactly, of a tensor that is possible within slack. A moment lost in the rounding
    errors of terms of these sizes becomes 0, one above the sum of the others that sum. 1 where anything changed */
-VM_API int vmi_settle(vmi_principal *p, const vm_inertia *sizes)
+VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
     for (k = 0; k < 3; k++) {
@@ -1405,7 +1398,7 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-VM_API vm_inertia vmi_stream_load_inertia(const vm_real *y)
+VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
     i.xx = y[0];
@@ -1417,7 +1410,7 @@ VM_API vm_inertia vmi_stream_load_inertia(const vm_real *y)
     return i;
 }
 
-VM_API void vmi_stream_store_inertia(vm_real *y, const vm_inertia *i)
+VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
 {
     y[0] = i->xx;
     y[1] = i->yy;
@@ -1428,11 +1421,11 @@ VM_API void vmi_stream_store_inertia(vm_real *y, const vm_inertia *i)
 }
 
 /* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
-typedef struct VM_TAG(vmi_stream_ldl) {
+typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
-} vmi_stream_ldl;
+} vmi_inertia_ldl;
 
-VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
+VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     const vm_real lost = 8 * VM_EPSILON;
     vm_real y, z, t;
@@ -1451,7 +1444,7 @@ VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
 /* Whether a body can have the inertia i, whose moments are positive, at some time of a run. The inertia of a flat
    body keeps to the bound of the triangle inequality but for the roundings of all steps, so that the slack has room
    for 1e7 (float 3000) of them. */
-VMI_APART int vmi_stream_thin_body(const vm_inertia *i)
+VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* sqrt(eps), of the trace */
     return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
@@ -1459,20 +1452,20 @@ VMI_APART int vmi_stream_thin_body(const vm_inertia *i)
 
 /* First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive definite where its least diagonal
    entry is larger than the others in its row can be. */
-VM_INLINE int vmi_stream_body(const vm_inertia *i)
+VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
     const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
-    return (least > i->xx && least > i->yy && least > i->zz) || vmi_stream_thin_body(i);
+    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
 /* The same, with the factors that a body needs to be accelerated */
-VM_INLINE int vmi_stream_factor_body(const vm_inertia *i, vmi_stream_ldl *f)
+VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
-    return vmi_stream_factor(i, f) && vmi_stream_body(i);
+    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
 }
 
-VM_INLINE vm_vec3 vmi_stream_solve(const vmi_stream_ldl *f, vm_vec3 h)
+VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
     w.y = h.y - f->xy * h.x;
@@ -1556,7 +1549,7 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 }
 
 /* The plane's body with inertia.zz alone, which is all that motion in the plane asks for */
-VM_API vm_body vmi_lifted(const vm_body2 *body)
+VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     b.mass = body->mass;
@@ -1581,12 +1574,12 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     vm_vec3 momentum = vm_momentum(body);
-    vm_real size = vmi_length(momentum);
+    vm_real size = vmi_norm2(momentum);
     sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
     sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_length(body->omega) +
-                                   (vmi_length(body->r) + vmi_length(vmi_sub(body->r, about))) * size;
+    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
+                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
@@ -1608,9 +1601,9 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
         vm_vec3 moment = vmi_impulse_moment(j, about);
         sum.momentum = vmi_sub(sum.momentum, j->linear);
         sum.angular_momentum = vmi_sub(sum.angular_momentum, moment);
-        sum.momentum_scale += vmi_length(j->linear);
+        sum.momentum_scale += vmi_norm2(j->linear);
         sum.angular_momentum_scale +=
-            vmi_size(j->couple) + (vmi_size(j->at) + vmi_size(vmi_sub(j->at, about))) * vmi_size(j->linear);
+            vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
     }
     if (!VM_IS_FINITE(sum.energy) || !VM_IS_FINITE(sum.momentum_scale) ||
         !VM_IS_FINITE(sum.angular_momentum_scale) || !vmi_vec3_finite(sum.momentum) ||
@@ -1636,7 +1629,7 @@ VM_API int vmi_check_body(const vm_body *b)
 
 VM_API int vmi_check_body2(const vm_body2 *b)
 {
-    const vm_body lifted = vmi_lifted(b);
+    const vm_body lifted = vmi_body_to_space(b);
     if (!vmi_body_finite(&lifted) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->mass > 0)) return VM_BAD_MASS;
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
@@ -1649,9 +1642,9 @@ typedef struct VM_TAG(vmi_bodies) {
     const vm_body2 *in_plane;
 } vmi_bodies;
 
-VM_API vm_body vmi_pick(const vmi_bodies *list, int i)
+VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
 {
-    return list->in_plane ? vmi_lifted(list->in_plane + i) : list->in_space[i];
+    return list->in_plane ? vmi_body_to_space(list->in_plane + i) : list->in_space[i];
 }
 
 VM_API int vmi_check_bodies(const vmi_bodies *list)
@@ -1663,7 +1656,7 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
     return status;
 }
 
-VM_API vm_body2 vmi_flat(const vm_body *b, vm_real angle)
+VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
     flat.mass = b->mass;
@@ -1698,10 +1691,10 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 }
 
 /* The plane's body as a lamina in the plane z = 0 of space, which moves as it does. NaN for a null pointer. */
-VM_API vm_body vm_in_space(const vm_body2 *body)
+VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
-    vm_body b = vmi_lifted(body ? body : &none);
+    vm_body b = vmi_body_to_space(body ? body : &none);
     b.inertia.xx = b.inertia.yy = b.inertia.zz / 2;
     vmi_sincos((body ? body : &none)->angle / 2, &b.q.z, &b.q.w);
     return b;
@@ -1726,20 +1719,20 @@ typedef struct VM_TAG(vmi_frame) {
 } vmi_frame;
 
 /* What a body brings into the jump, or a sum of such */
-typedef struct VM_TAG(vmi_load) {
+typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
     vm_vec3 r, v;              /* from the frame's */
     vm_vec3 h;                 /* I (omega - Omega) */
     vm_inertia inertia, sizes; /* and the sizes of the terms that its entries are sums of */
     vm_real noise;             /* h is right to some eps of this */
-} vmi_load;
+} vmi_lump;
 
-VM_API vmi_load vmi_load_of(const vmi_frame *frame, const vm_body *body)
+VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
     vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_load load;
+    vmi_lump load;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* equal attitudes cost no digits */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
@@ -1751,7 +1744,7 @@ VM_API vmi_load vmi_load_of(const vmi_frame *frame, const vm_body *body)
     load.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     load.inertia = vmi_inertia_along(&body->inertia, &turn);
     load.sizes = vmi_inertia_sizes(&body->inertia, &turn);
-    load.noise = vmi_trace(&body->inertia) * (vmi_size(body->omega) + vmi_size(frame->omega));
+    load.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
     return load;
 }
 
@@ -1774,20 +1767,20 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 }
 
 /* a + sign b */
-VM_API int vmi_join(const vmi_frame *frame, vmi_load *a, vm_real sign, const vmi_load *b)
+VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass, share = sign * (b->mass / mass), reduced = a->mass * share;
     vm_vec3 origin = vmi_abs(frame->r), d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
     vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
     vm_vec3 u = vmi_sub(v, vmi_cross(frame->omega, d));
-    vm_real speeds = vmi_size(a->v) + vmi_size(b->v) + 2 * vmi_size(frame->v), turning = vmi_size(frame->omega);
+    vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v), turning = vmi_norm1(frame->omega);
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, u))));
-    a->noise += b->noise + VM_FABS(reduced) * vmi_size(d) * speeds +
-                (sign < 0 ? b->mass : reduced) * vmi_size(reach) * (vmi_size(d) * turning + vmi_size(u));
+    a->noise += b->noise + VM_FABS(reduced) * vmi_norm1(d) * speeds +
+                (sign < 0 ? b->mass : reduced) * vmi_norm1(reach) * (vmi_norm1(d) * turning + vmi_norm1(u));
     if (b->mass > a->mass) { /* from the heavier, so that a light body's motion costs no digits of it */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
@@ -1799,12 +1792,12 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_load *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-VM_API void vmi_strike(const vmi_frame *frame, vmi_load *a, const vm_impulse *external)
+VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
     a->v = vmi_add(a->v, vmi_vec3(j.x / a->mass, j.y / a->mass, j.z / a->mass));
     a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
-    a->noise += vmi_size(external->couple) + (vmi_size(at) + vmi_size(frame->r)) * vmi_size(j);
+    a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
@@ -1818,7 +1811,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     frame.v = body->v;
     frame.omega = sign < 0 || others->n == 0 ? body->omega : vmi_vec3(0, 0, 0);
     for (i = 0; i < others->n; i++) {
-        const vm_body b = vmi_pick(others, i);
+        const vm_body b = vmi_list_body(others, i);
         if (b.mass > mass) {
             mass = b.mass;
             frame.r = b.r;
@@ -1830,41 +1823,41 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
 
 /* The body with the others joined (sign = 1) or without them (-1), struck by the impulse */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
-                          const vm_impulse *external, vmi_load *total)
+                          const vm_impulse *external, vmi_lump *total)
 {
-    vmi_load sum = vmi_load_of(frame, body);
+    vmi_lump sum = vmi_lump_of(frame, body);
     int i, status = VM_OK;
     *total = sum;
     for (i = 0; i < others->n && !status; i++) {
-        const vm_body other = vmi_pick(others, i);
-        const vmi_load load = vmi_load_of(frame, &other);
+        const vm_body other = vmi_list_body(others, i);
+        const vmi_lump load = vmi_lump_of(frame, &other);
         if (i == 0) sum = load;
         else status = vmi_join(frame, &sum, 1, &load);
     }
     if (others->n > 0 && !status) status = vmi_join(frame, total, sign, &sum);
     if (status || !external) return status;
     if (!vmi_impulse_finite(external)) return VM_NOT_FINITE;
-    vmi_strike(frame, total, external);
+    vmi_apply_impulse(frame, total, external);
     return VM_OK;
 }
 
 /* The angular velocity, relative to the frame, of a load whose inertia has been settled */
-VM_API int vmi_load_spin(const vmi_frame *frame, const vmi_load *load, const vmi_principal *p, vm_vec3 before,
+VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *load, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
-    const vm_real noise = 2 * VM_EPSILON * (load->noise + vmi_size(load->h));
+    const vm_real noise = 2 * VM_EPSILON * (load->noise + vmi_norm1(load->h));
     int left = vmi_solve_spin(&load->inertia, p, vmi_times_transposed(&frame->turn, load->h), noise,
                               vmi_times_transposed(&frame->turn, before), omega);
     *omega = vmi_times(&frame->turn, *omega);
     return left;
 }
 
-VM_API int vmi_settle_load(vmi_load *load, vmi_principal *p)
+VM_API int vmi_lump_clamp_moments(vmi_lump *load, vmi_principal *p)
 {
     if (!vmi_inertia_finite(&load->inertia)) return VM_NOT_FINITE;
     *p = vmi_principal_axes(&load->inertia);
-    if (!vmi_possible(p, vmi_slack(&load->sizes))) return VM_BAD_INERTIA;
-    if (vmi_settle(p, &load->sizes)) load->inertia = vmi_inertia_from(p);
+    if (!vmi_inertia_is_possible(p, vmi_slack(&load->sizes))) return VM_BAD_INERTIA;
+    if (vmi_clamp_moments(p, &load->sizes)) load->inertia = vmi_inertia_from(p);
     return VM_OK;
 }
 
@@ -1873,7 +1866,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
 {
     vmi_bodies list;
     vmi_frame frame;
-    vmi_load load;
+    vmi_lump load;
     vmi_principal p;
     vm_body b;
     int status;
@@ -1886,14 +1879,14 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     if (status) return status;
     frame = vmi_frame_of(body, &list, sign);
     status = vmi_jump_total(&frame, body, sign, &list, external, &load);
-    if (!status) status = vmi_settle_load(&load, &p);
+    if (!status) status = vmi_lump_clamp_moments(&load, &p);
     if (status) return status;
     b.mass = load.mass;
     b.inertia = load.inertia;
     b.q = body->q;
     b.r = vmi_add(frame.r, load.r);
     b.v = vmi_add(frame.v, load.v);
-    if (vmi_load_spin(&frame, &load, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    if (vmi_lump_spin(&frame, &load, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
     b.omega = vmi_add(frame.omega, b.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *result = b;
@@ -1938,7 +1931,7 @@ VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const
     return vmi_jump(body, n, added, 1, external_or_NULL, whole);
 }
 
-VM_API vm_body vmi_bare(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
+VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     b.mass = mass;
@@ -1953,8 +1946,8 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     vm_body first, second;
     int status;
     if (!a || !b || !joined || !centre) return VM_BAD_ARGUMENT;
-    first = vmi_bare(mass_a, a, vmi_vec3(0, 0, 0));
-    second = vmi_bare(mass_b, b, d);
+    first = vmi_body_at_rest(mass_a, a, vmi_vec3(0, 0, 0));
+    second = vmi_body_at_rest(mass_b, b, d);
     status = vmi_jump(&first, 1, &second, sign, NULL, &first);
     if (!status) {
         *joined = first.inertia;
@@ -1984,7 +1977,7 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
-VM_API vm_impulse vmi_lifted_impulse(const vm_impulse2 *j)
+VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
     lifted.linear = vmi_vec3(j->jx, j->jy, 0);
@@ -1994,13 +1987,13 @@ VM_API vm_impulse vmi_lifted_impulse(const vm_impulse2 *j)
 }
 
 /* (44) and its like: a load's spin relative to the frame, which without inertia is the one before */
-VM_API int vmi_load_spin2(const vmi_load *load, vm_real before, vm_real *omega)
+VM_API int vmi_lump_spin2(const vmi_lump *load, vm_real before, vm_real *omega)
 {
     *omega = load->inertia.zz > 0 ? load->h.z / load->inertia.zz : before;
     return !(load->inertia.zz > 0) && VM_FABS(load->h.z) > 2 * VM_EPSILON * (load->noise + VM_FABS(load->h.z));
 }
 
-VM_API int vmi_settle_load2(vmi_load *load)
+VM_API int vmi_lump_clamp_moments2(vmi_lump *load)
 {
     if (!VM_IS_FINITE(load->inertia.zz)) return VM_NOT_FINITE;
     if (load->inertia.zz < -32 * VM_EPSILON * load->sizes.zz) return VM_BAD_INERTIA;
@@ -2010,18 +2003,18 @@ VM_API int vmi_settle_load2(vmi_load *load)
 
 /* Checks, and the total of vmi_jump_total for bodies of the plane */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
-                           const vm_impulse2 *external, vmi_frame *frame, vmi_load *load)
+                           const vm_impulse2 *external, vmi_frame *frame, vmi_lump *load)
 {
     vm_impulse blow;
     vm_body lifted;
     int status = vmi_check_body2(body);
     if (!status) status = vmi_check_bodies(others);
     if (status) return status;
-    lifted = vmi_lifted(body);
-    if (external) blow = vmi_lifted_impulse(external);
+    lifted = vmi_body_to_space(body);
+    if (external) blow = vmi_impulse_to_space(external);
     *frame = vmi_frame_of(&lifted, others, sign);
     status = vmi_jump_total(frame, &lifted, sign, others, external ? &blow : NULL, load);
-    return status ? status : vmi_settle_load2(load);
+    return status ? status : vmi_lump_clamp_moments2(load);
 }
 
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign, const vm_impulse2 *external,
@@ -2029,7 +2022,7 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
 {
     vmi_bodies list;
     vmi_frame frame;
-    vmi_load load;
+    vmi_lump load;
     vm_body2 b;
     int status;
     if (!body || !result || (n > 0 && !others)) return VM_BAD_ARGUMENT;
@@ -2045,7 +2038,7 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     b.y = frame.r.y + load.r.y;
     b.vx = frame.v.x + load.v.x;
     b.vy = frame.v.y + load.v.y;
-    if (vmi_load_spin2(&load, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
+    if (vmi_lump_spin2(&load, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
     b.omega += frame.omega.z;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
     *result = b;
@@ -2086,7 +2079,7 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #define VARMASS_MECHANICS_RELATIVE_H
 
 /* Velocity of the point r of what moves on rigidly with a body: the dragging velocity of (25) */
-VM_API vm_vec3 vmi_carried(const vm_body *by, vm_vec3 r)
+VM_API vm_vec3 vmi_velocity_at(const vm_body *by, vm_vec3 r)
 {
     return vmi_add(by->v, vmi_cross(by->omega, vmi_sub(r, by->r)));
 }
@@ -2110,7 +2103,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     b = *relative;
-    b.v = vmi_add(vmi_carried(to, b.r), b.v);
+    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
     b.omega = vmi_add(to->omega, b.omega);
     *absolute = b;
     return VM_OK;
@@ -2121,10 +2114,10 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    whole = vmi_lifted(to);
-    b = vmi_lifted(absolute);
+    whole = vmi_body_to_space(to);
+    b = vmi_body_to_space(absolute);
     vm_to_relative(&whole, &b, &b);
-    *relative = vmi_flat(&b, absolute->angle);
+    *relative = vmi_body_to_plane(&b, absolute->angle);
     return VM_OK;
 }
 
@@ -2133,10 +2126,10 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    whole = vmi_lifted(to);
-    b = vmi_lifted(relative);
+    whole = vmi_body_to_space(to);
+    b = vmi_body_to_space(relative);
     vm_to_absolute(&whole, &b, &b);
-    *absolute = vmi_flat(&b, relative->angle);
+    *absolute = vmi_body_to_plane(&b, relative->angle);
     return VM_OK;
 }
 
@@ -2207,7 +2200,7 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
 
 /* The I2 Omega_r of the part with which the rest turns with rest_omega: h - I1 (rest_omega - Omega), where h is what
    the rest has when the part does not turn relative to the whole */
-VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_load *rest, vm_vec3 rest_omega)
+VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
@@ -2215,7 +2208,7 @@ VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_load *re
 
 /* The load that the rest would be, with the part leaving at b's velocity but turning with the whole */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *b, const vm_impulse *external, vmi_frame *frame,
-                             vmi_load *rest)
+                             vmi_lump *rest)
 {
     vm_body unturned = *b;
     vmi_bodies list;
@@ -2229,7 +2222,7 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *b, const vm_im
     unturned.omega = whole->omega;
     *frame = vmi_frame_of(whole, &list, -1);
     status = vmi_jump_total(frame, whole, -1, &list, external, rest);
-    return status ? status : vmi_settle_load(rest, &p);
+    return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
 /* The inverse question: how must the part leave for the rest to move as wanted? *moving is the part with the velocity
@@ -2237,11 +2230,11 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *b, const vm_im
    asked for (NULL) stays the part's. *rest_omega = 0: no rotation (Table 2, 5 and 7; Table 4, 2); *rest_v = 0 too: at
    rest (Table 3, 6 and 8); the whole's own motion: unchanged (Table 3, 7).
    VM_NULL_AXIS where the part would have to spin about an axis without inertia; errors as vm_separate. */
-VM_API int vm_separate_for(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
+VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                            const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
     vmi_frame frame, own;
-    vmi_load rest, load;
+    vmi_lump rest, load;
     vmi_principal p;
     vm_body b;
     int status;
@@ -2256,13 +2249,13 @@ VM_API int vm_separate_for(const vm_body *whole, const vm_body *part, const vm_i
         own = frame;
         own.q = b.q;
         own.turn = vmi_rotation(b.q); /* along the part's axes */
-        load = vmi_load_of(&own, &b);
+        load = vmi_lump_of(&own, &b);
         load.h = vmi_part_spin_momentum(&frame, &rest, *rest_omega_or_NULL);
         load.noise = rest.noise +
-                     vmi_trace(&rest.inertia) * (vmi_size(*rest_omega_or_NULL) + vmi_size(frame.omega));
-        status = vmi_settle_load(&load, &p);
+                     vmi_trace(&rest.inertia) * (vmi_norm1(*rest_omega_or_NULL) + vmi_norm1(frame.omega));
+        status = vmi_lump_clamp_moments(&load, &p);
         if (status) return status;
-        if (vmi_load_spin(&own, &load, &p, vmi_sub(b.omega, own.omega), &b.omega)) status = VM_NULL_AXIS;
+        if (vmi_lump_spin(&own, &load, &p, vmi_sub(b.omega, own.omega), &b.omega)) status = VM_NULL_AXIS;
         b.omega = vmi_add(own.omega, b.omega);
     }
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
@@ -2272,7 +2265,7 @@ VM_API int vm_separate_for(const vm_body *whole, const vm_body *part, const vm_i
 
 /* The same as vmi_unturned_rest */
 VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *b, const vm_impulse2 *external,
-                              vmi_frame *frame, vmi_load *rest)
+                              vmi_frame *frame, vmi_lump *rest)
 {
     vm_body2 unturned = *b;
     vmi_bodies list;
@@ -2286,11 +2279,11 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *b, const vm
 }
 
 /* The same in the plane; *rest_v is vx, vy */
-VM_API int vm_separate_for2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
+VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                             const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL, vm_body2 *moving)
 {
     vmi_frame frame;
-    vmi_load rest, load;
+    vmi_lump rest, load;
     vm_body2 b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
@@ -2298,10 +2291,10 @@ VM_API int vm_separate_for2(const vm_body2 *whole, const vm_body2 *part, const v
     if (status) return status;
     b = *part;
     if (rest_v_or_NULL) {
-        const vm_body from = vmi_lifted(whole), leaving = vmi_lifted(part);
+        const vm_body from = vmi_body_to_space(whole), leaving = vmi_body_to_space(part);
         vm_impulse blow;
         vm_vec3 v;
-        if (external_or_NULL) blow = vmi_lifted_impulse(external_or_NULL);
+        if (external_or_NULL) blow = vmi_impulse_to_space(external_or_NULL);
         v = vmi_part_velocity(&from, &leaving, external_or_NULL ? &blow : NULL,
                               vmi_vec3(rest_v_or_NULL[0], rest_v_or_NULL[1], 0));
         b.vx = v.x;
@@ -2314,7 +2307,7 @@ VM_API int vm_separate_for2(const vm_body2 *whole, const vm_body2 *part, const v
         load.inertia.zz = b.inertia;
         load.h = vmi_part_spin_momentum(&frame, &rest, vmi_vec3(0, 0, *rest_omega_or_NULL));
         load.noise += rest.inertia.zz * (VM_FABS(*rest_omega_or_NULL) + VM_FABS(whole->omega));
-        if (vmi_load_spin2(&load, b.omega - whole->omega, &b.omega)) status = VM_NULL_AXIS;
+        if (vmi_lump_spin2(&load, b.omega - whole->omega, &b.omega)) status = VM_NULL_AXIS;
         b.omega += whole->omega;
     }
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
@@ -2326,11 +2319,11 @@ VM_API int vm_separate_for2(const vm_body2 *whole, const vm_body2 *part, const v
    with the least v_r, which is orthogonal to SS2; any v_r along SS2 may be added (Table 3, 7, asked for v_r).
    VM_SINGULAR where SS2 = 0; errors as vm_separate2. */
 /* What is left of h - I1 (rest_omega - Omega) must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
-VM_API int vm_separate_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
+VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_real rest_omega, vm_body2 *moving)
 {
     vmi_frame frame;
-    vmi_load rest;
+    vmi_lump rest;
     vm_body2 b;
     vm_real dx, dy, h, c;
     int status;
@@ -2409,27 +2402,27 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
    Its state is y[6] = {x, y, psi, x', y', psi'} as rk45 takes it: mass centre from where the shaft is at rest (m),
    angle (rad), rates. In the notation of (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
    k* = damping/inertia, M* = torque/inertia. */
-typedef struct VM_TAG(vm_rotor) {
+typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* kg, > 0 */
     vm_real inertia;   /* about the own mass centre, kg m^2, > 0 */
     vm_real stiffness; /* c of the shaft, N/m, >= 0 */
     vm_real damping;   /* k, N m s */
     vm_real torque;    /* N m */
     vm_real s;         /* m */
-} vm_rotor;
+} vm_broken_rotor;
 
 /* The break, (52)-(64) corrected: the whole touches the stator at A and loses a piece, of which A keeps its velocity
    while S2 loses that across S2A (57). This is an assumption of [1]; everything else follows by momenta. */
-typedef struct VM_TAG(vm_rotor_piece) {
+typedef struct VM_TAG(vm_broken_rotor_piece) {
     vm_real mass, inertia; /* m; I_S2 about the own mass centre S2, >= 0 */
     vm_real distance;      /* SS2, m */
     vm_real alpha;         /* angle from SS2 to SA, counterclockwise (Fig. 17: S2 at -alpha from SA) */
     vm_real radius;        /* SA, m */
     vm_real contact;       /* direction angle of SA in inertial axes */
-} vm_rotor_piece;
+} vm_broken_rotor_piece;
 
-typedef struct VM_TAG(vm_rotor_break) {
-    vm_rotor rest;      /* the remainder: I_S1 by the parallel axes, s = m SS2/(M - m); the rest is the whole's */
+typedef struct VM_TAG(vm_broken_rotor_break) {
+    vm_broken_rotor rest;      /* the remainder: I_S1 by the parallel axes, s = m SS2/(M - m); the rest is the whole's */
     vm_real state[6];   /* its state, psi being the direction from S1 to the shaft, which is that of SS2 */
     vm_real piece[6];   /* the piece's state, psi likewise */
     vm_real dragging;   /* v_S2d (52), (61): speed of S2 before, and */
@@ -2441,9 +2434,9 @@ typedef struct VM_TAG(vm_rotor_break) {
     vm_real spin_rest;  /* Omega_r1, from I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T  [(58) corrected] */
     vm_real stop_inertia; /* the I_S2 that would stop the rest, where there is one: I_S (R - SS2)/R for alpha = 0
                              [after (64), corrected] */
-} vm_rotor_break;
+} vm_broken_rotor_break;
 
-VM_API int vmi_check_rotor(const vm_rotor *r)
+VM_API int vmi_check_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
         !VM_IS_FINITE(r->damping) || !VM_IS_FINITE(r->torque) || !VM_IS_FINITE(r->s))
@@ -2453,11 +2446,11 @@ VM_API int vmi_check_rotor(const vm_rotor *r)
     return r->stiffness >= 0 ? VM_OK : VM_DOMAIN;
 }
 
-/* (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_rotor */
-VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+/* (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_broken_rotor */
+VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    const vm_rotor *r = (const vm_rotor *)rotor;
+    const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     vm_real sine, cosine, fx, fy;
     (void)t;
     vmi_sincos(y[2], &sine, &cosine);
@@ -2473,13 +2466,13 @@ VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 }
 
 /* (67), and the coupling s p^2 omega^2 of (69) */
-typedef struct VM_TAG(vmi_rotor_linear) {
+typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s, coupling;
-} vmi_rotor_linear;
+} vmi_broken_rotor_linear;
 
-VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
+VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
-    vmi_rotor_linear a;
+    vmi_broken_rotor_linear a;
     a.omega = VM_SQRT(r->stiffness / r->mass);
     a.k = r->damping / r->inertia;
     a.torque = r->torque / r->inertia;
@@ -2488,9 +2481,9 @@ VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
     return a;
 }
 
-/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_rotor_rate at most
+/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_broken_rotor_rate at most
    1: the n-th terms of y and of s psi are then below 1/n! of the first ones */
-VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
+VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
     const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
@@ -2514,13 +2507,13 @@ VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real
     }
 }
 
-VM_API vm_real vmi_rotor_rate(const vmi_rotor_linear *a)
+VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
 /* (e^z - 1)/z and (e^z - 1 - z)/z^2, to a few eps */
-VM_API void vmi_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
+VM_API void vmi_broken_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
     int n;
@@ -2535,7 +2528,7 @@ VM_API void vmi_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
 }
 
 /* w - sin w, given sin w */
-VM_API vm_real vmi_rotor_less_sine(vm_real w, vm_real sine)
+VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
     vm_real sum = 0;
@@ -2546,32 +2539,32 @@ VM_API vm_real vmi_rotor_less_sine(vm_real w, vm_real sine)
 }
 
 /* cos wt, 1 - cos wt, w sin wt, sin wt/w, t - sin wt/w */
-typedef struct VM_TAG(vmi_rotor_swing) {
+typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c, c1, w_s, s_w, late;
-} vmi_rotor_swing;
+} vmi_broken_rotor_swing;
 
-VM_API vmi_rotor_swing vmi_rotor_swing_at(vm_real t, vm_real w)
+VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 {
-    vmi_rotor_swing g;
+    vmi_broken_rotor_swing g;
     vm_real half, sine;
     vmi_sincos(w * t / 2, &half, &g.c);
     vmi_sincos(w * t, &sine, &g.c);
     g.c1 = 2 * half * half;
     g.w_s = w * sine;
     g.s_w = w > 0 ? sine / w : t;
-    g.late = w > 0 ? vmi_rotor_less_sine(w * t, sine) / w : 0;
+    g.late = w > 0 ? vmi_broken_rotor_less_sine(w * t, sine) / w : 0;
     return g;
 }
 
 /* (71), (72) with M* in the place of k* Omega, for z = y, psi, y', psi' and |t| times the rate of 1 and more. y
    answers to -s psi, and psi = psi0 + psi0' E1 + M* E2, E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k. g0, g1, g2 solve g''
    + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
-VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_rotor_swing *g, vm_real *z)
+VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g, vm_real *z)
 {
     const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
     const vm_real y0 = z[0], psi0 = z[1], v0 = z[2], rate0 = z[3];
     vm_real E0, E1, E2, g0, g1, g2;
-    vmi_rotor_exp_quotients(-a->k * t, &E1, &E2);
+    vmi_broken_rotor_exp_quotients(-a->k * t, &E1, &E2);
     E0 = vmi_exp(-a->k * t, 0);
     E1 *= t;
     E2 *= t * t;
@@ -2586,21 +2579,21 @@ VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_rot
 
 /* z changes by M (z, 1), M = [exp(A t) - E | answer to the torque]: doubled from where the series holds, by
    2 M + M M, which keeps the digits that E would swallow */
-VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
+VM_API void vmi_broken_rotor_double(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     vm_real m[5][4], old[5][4], unit[4], h = t; /* m[j]: of the unit state j, of the torque for j = 4 */
-    vmi_rotor_linear driven = *a;
+    vmi_broken_rotor_linear driven = *a;
     int doublings = 0, i, j, k;
-    for (; VM_FABS(h) * vmi_rotor_rate(a) > 1; h /= 2) doublings++;
+    for (; VM_FABS(h) * vmi_broken_rotor_rate(a) > 1; h /= 2) doublings++;
     if (doublings == 0) {
-        vmi_rotor_series(a, h, z, unit);
+        vmi_broken_rotor_series(a, h, z, unit);
         for (i = 0; i < 4; i++) z[i] += unit[i];
         return;
     }
     for (j = 0; j < 5; j++) {
         for (i = 0; i < 4; i++) unit[i] = i == j;
         driven.torque = j < 4 ? 0 : a->torque;
-        vmi_rotor_series(&driven, h, unit, m[j]);
+        vmi_broken_rotor_series(&driven, h, unit, m[j]);
     }
     for (; doublings > 0; doublings--) {
         memcpy(old, m, sizeof m);
@@ -2616,61 +2609,61 @@ VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
     }
 }
 
-VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
+VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
 {
     vm_real y[6], z[4];
-    vmi_rotor_linear a;
-    vmi_rotor_swing g;
+    vmi_broken_rotor_linear a;
+    vmi_broken_rotor_swing g;
     int status;
     if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !vmi_all_finite(6, start)) return VM_NOT_FINITE;
     status = vmi_check_rotor(rotor);
     if (status) return status;
-    a = vmi_rotor_reduced(rotor, coupled);
-    g = vmi_rotor_swing_at(t, a.omega);
+    a = vmi_broken_rotor_reduced(rotor, coupled);
+    g = vmi_broken_rotor_swing_at(t, a.omega);
     z[0] = start[1];
     z[1] = start[2];
     z[2] = start[4];
     z[3] = start[5];
-    if (coupled || VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_double(t, &a, z);
-    else vmi_rotor_follow(t, &a, &g, z);
+    if (coupled || VM_FABS(t) * vmi_broken_rotor_rate(&a) <= 1) vmi_broken_rotor_double(t, &a, z);
+    else vmi_broken_rotor_follow(t, &a, &g, z);
     y[0] = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
     y[3] = start[3] * g.c - g.w_s * (start[0] + a.s);
     y[1] = z[0];
     y[2] = z[1];
     y[4] = z[2];
     y[5] = z[3];
-    return vmi_deliver(6, y, end);
+    return vmi_copy_if_finite(6, y, end);
 }
 
 /* The remainder for short times, |psi| << 1, linearised: (69) complete; and without its term -s y omega^2 p^2,
    which (70)-(72) leave out, though it is of the order of the others. Both for any k*, omega, s, zero included, and
-   accurate as vm_rotor_free is (the first to twice that). All of (69) grows exponentially: VM_NOT_FINITE where it
+   accurate as vm_broken_rotor_free_motion is (the first to twice that). All of (69) grows exponentially: VM_NOT_FINITE where it
    overflows. */
-VM_API int vm_rotor_linear(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
-    return vmi_rotor_linearised(t, rotor, start, 1, end);
+    return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
 }
 
-/* Documented with vm_rotor_linear. */
-VM_API int vm_rotor_linear_uncoupled(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+/* Documented with vm_broken_rotor_linear. */
+VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
-    return vmi_rotor_linearised(t, rotor, start, 0, end);
+    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
 }
 
 /* State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0. damping and stiffness may be 0; end may be
    start, here and below. Error: no more than the rounding of every input, t included, would do. */
 /* With s = 0 the uncoupled equations are (46) itself. */
-VM_API int vm_rotor_free(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+VM_API int vm_broken_rotor_free_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
     if (rotor && rotor->s != 0) return rotor->s - rotor->s == 0 ? VM_DOMAIN : VM_NOT_FINITE;
-    return vmi_rotor_linearised(t, rotor, start, 0, end);
+    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
 }
 
 /* A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass,
    not 0. The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, wrong after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t) */
-VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *abcd)
+VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, vx, vy, c[4];
     int status;
@@ -2686,11 +2679,11 @@ VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *
     c[1] = (start[1] - vx) / 2;
     c[2] = (start[0] - vy) / 2;
     c[3] = (start[1] + vx) / 2;
-    return vmi_deliver(4, c, abcd);
+    return vmi_copy_if_finite(4, c, abcd);
 }
 
 /* -- The break, in axes along SA and counterclockwise across it -- */
-VM_API int vmi_check_piece(const vm_rotor *whole, const vm_rotor_piece *p)
+VM_API int vmi_check_piece(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p)
 {
     if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
         !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
@@ -2700,7 +2693,7 @@ VM_API int vmi_check_piece(const vm_rotor *whole, const vm_rotor_piece *p)
 }
 
 /* (x, y) turned by the angle whose sine and cosine are given */
-VM_API void vmi_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
+VM_API void vmi_broken_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
 {
     const vm_real x0 = *x;
     *x = cosine * x0 - sine * *y;
@@ -2708,7 +2701,7 @@ VM_API void vmi_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
 }
 
 /* State of a body whose mass centre is at d from S, at angle psi, moving relative to the whole by (ux, uy), spin */
-VM_API void vmi_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
+VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                             vm_real spin, vm_real *state)
 {
     state[0] = before[0] + dx;
@@ -2720,7 +2713,7 @@ VM_API void vmi_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_r
 }
 
 /* Mass, inertia and eccentricity of the rest */
-VM_API int vmi_rotor_rest(const vm_rotor *whole, const vm_rotor_piece *p, vm_rotor *rest)
+VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real left = whole->mass - p->mass, share = p->mass / left;
     *rest = *whole;
@@ -2732,8 +2725,8 @@ VM_API int vmi_rotor_rest(const vm_rotor *whole, const vm_rotor_piece *p, vm_rot
 
 /* (52)-(58), all but rest, state and piece, from SS2 and v_S in axes along SA and counterclockwise across it; e is
    the direction of S2A. Returns AS2. */
-VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p, vm_real spin, const vm_real *d,
-                                 const vm_real *v, vm_real *e, vm_rotor_break *b)
+VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin, const vm_real *d,
+                                 const vm_real *v, vm_real *e, vm_broken_rotor_break *b)
 {
     const vm_real ux = v[0] - spin * d[1], uy = v[1] + spin * d[0], reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d[0], reach_y = -d[1], reach = vmi_hypot(reach_x, reach_y);
@@ -2755,17 +2748,17 @@ VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p,
 
 /* The remainder's spin, state[5], is Omega_b + Omega_r1  [(59), (64) corrected]. Refuses m not in (0, M), an I_S1
    that is negative or lost in rounding errors (VM_BAD_INERTIA), a whole with s != 0 and S2 at A (VM_DOMAIN). */
-VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
-                              vm_rotor_break *result)
+VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before, const vm_broken_rotor_piece *piece,
+                              vm_broken_rotor_break *result)
 {
-    vm_rotor_break b;
+    vm_broken_rotor_break b;
     vm_real sine, cosine, d[2], v[2], e[2], share, T;
     int status;
     if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_rotor(whole);
     if (!status) status = vmi_all_finite(6, before) ? vmi_check_piece(whole, piece) : VM_NOT_FINITE;
     if (!status && whole->s != 0) status = VM_DOMAIN;
-    if (!status) status = vmi_rotor_rest(whole, piece, &b.rest);
+    if (!status) status = vmi_broken_rotor_rest(whole, piece, &b.rest);
     if (status) return status;
 
     vmi_sincos(piece->alpha, &sine, &cosine);
@@ -2774,15 +2767,15 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
     vmi_sincos(piece->contact, &sine, &cosine);
     v[0] = before[3];
     v[1] = before[4];
-    vmi_rotor_turn(-sine, cosine, &v[0], &v[1]);
-    if (!(vmi_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
+    vmi_broken_rotor_turn(-sine, cosine, &v[0], &v[1]);
+    if (!(vmi_broken_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
 
-    vmi_rotor_turn(sine, cosine, &d[0], &d[1]);
-    vmi_rotor_turn(sine, cosine, &e[0], &e[1]);
+    vmi_broken_rotor_turn(sine, cosine, &d[0], &d[1]);
+    vmi_broken_rotor_turn(sine, cosine, &e[0], &e[1]);
     share = piece->mass / b.rest.mass;
     T = b.tangential;
-    vmi_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
-    vmi_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
+    vmi_broken_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
+    vmi_broken_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
                     share * T * e[0], b.spin_rest, b.state);
     if (!vmi_all_finite(6, b.state) || !vmi_all_finite(6, b.piece)) return VM_NOT_FINITE;
     *result = b;
@@ -2792,10 +2785,10 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
 /* Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0. The conversions
    refuse r = 0 and r < 0. */
 /* -- Polar form -- */
-VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    const vm_rotor *r = (const vm_rotor *)rotor;
+    const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real w2 = r->stiffness / r->mass;
     vm_real sine, cosine;
     (void)t;
@@ -2810,8 +2803,8 @@ VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return 0;
 }
 
-/* Documented with vm_rotor_polar_rhs. */
-VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar)
+/* Documented with vm_broken_rotor_polar_rhs. */
+VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[6], c, s;
     if (!y || !polar) return VM_BAD_ARGUMENT;
@@ -2825,11 +2818,11 @@ VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar)
     p[3] = c * y[3] + s * y[4];
     p[4] = (c * y[4] - s * y[3]) / p[0];
     p[5] = y[5];
-    return vmi_deliver(6, p, polar);
+    return vmi_copy_if_finite(6, p, polar);
 }
 
-/* Documented with vm_rotor_polar_rhs. */
-VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
+/* Documented with vm_broken_rotor_polar_rhs. */
+VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
     vm_real z[6], c, s, across;
     if (!y || !polar) return VM_BAD_ARGUMENT;
@@ -2843,12 +2836,12 @@ VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
     z[3] = polar[3] * c - across * s;
     z[4] = polar[3] * s + across * c;
     z[5] = polar[5];
-    return vmi_deliver(6, z, y);
+    return vmi_copy_if_finite(6, z, y);
 }
 
 /* -- The steady motion and its stability -- */
 /* (omega^2 - Omega^2) mass, whose sign is right and whose relative error is an eps however near resonance is */
-VM_API vm_real vmi_rotor_detuning(const vm_rotor *r, vm_real Omega)
+VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
     const vm_two left = vmi_two_plus(vmi_two(r->stiffness, 0), load);
@@ -2858,29 +2851,29 @@ VM_API vm_real vmi_rotor_detuning(const vm_rotor *r, vm_real Omega)
 /* Steady motion at psi' = Omega, which needs torque = damping Omega (47). r_SS = s omega^2/(omega^2 - Omega^2), m:
    positive as in (77), phi = psi + pi, where Omega^2 < omega^2; negative as in (76), phi = psi. Infinite at resonance
    (NaN for s = 0). Within 2 eps however near resonance is. */
-VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega)
+VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
     if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    detuning = vmi_rotor_detuning(rotor, Omega);
+    detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
     share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 
 /* w^2, O^2, k*, D and G of (81) */
-typedef struct VM_TAG(vmi_rotor_steady) {
+typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
-} vmi_rotor_steady;
+} vmi_broken_rotor_steady;
 
-VM_API int vmi_rotor_about_steady(const vm_rotor *r, vm_real Omega, vmi_rotor_steady *a)
+VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
     vm_real detuning;
     if (!r) return VM_BAD_ARGUMENT;
     status = VM_IS_FINITE(Omega) ? vmi_check_rotor(r) : VM_NOT_FINITE;
     if (status) return status;
-    detuning = vmi_rotor_detuning(r, Omega);
+    detuning = vmi_broken_rotor_detuning(r, Omega);
     if (detuning == 0) return VM_DOMAIN;
     a->w2 = r->stiffness / r->mass;
     a->O2 = Omega * Omega;
@@ -2893,11 +2886,11 @@ VM_API int vmi_rotor_about_steady(const vm_rotor *r, vm_real Omega, vmi_rotor_st
 /* Small motions about it, exp(lambda t). (81) corrected (its last term lacks lambda^2) is lambda times the polynomial
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    D = w^2 - O^2, G = s^2 p^2 w^4/D: c[6], highest power first. lambda = 0 is the freedom of the phase. */
-VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c)
+VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
-    vmi_rotor_steady a;
+    vmi_broken_rotor_steady a;
     vm_real p[6];
-    int status = c ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    int status = c ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
     p[0] = 1;
     p[1] = a.k;
@@ -2905,15 +2898,15 @@ VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c)
     p[3] = 2 * a.k * (a.w2 + a.O2);
     p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2);
     p[5] = a.k * (a.D * a.D);
-    return vmi_deliver(6, p, c);
+    return vmi_copy_if_finite(6, p, c);
 }
 
 /* Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2 */
-VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
+VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
-    vmi_rotor_steady a;
+    vmi_broken_rotor_steady a;
     vm_real p[6];
-    int status = column ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    int status = column ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
     p[0] = 1;
     p[1] = a.k;
@@ -2921,26 +2914,26 @@ VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
     p[3] = a.k * a.D;
     p[4] = 4 * a.G * a.O2;
     p[5] = a.k * (a.D * a.D);
-    return vmi_deliver(6, p, column);
+    return vmi_copy_if_finite(6, p, column);
 }
 
 /* 1 where the steady motion is asymptotically stable, exactly Omega^2 < omega^2 (82) with k* > 0, s != 0, Omega != 0;
    else 0 (for k*, s or Omega = 0 some motions neither grow nor fade) */
-VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega)
+VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
-    return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_rotor_detuning(rotor, Omega) > 0;
+    return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_broken_rotor_detuning(rotor, Omega) > 0;
 }
 
 /* Its five roots, by rising |imaginary part|, pairs as (+, -): each within twice what an eps of every coefficient
    would do, the smallest too, which near resonance is many orders below the largest. VM_DOMAIN at resonance. */
 /* lambda is measured in size = |Omega| + omega + k* + sqrt|G|, so that no coefficient is above 10. */
-VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
+VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
-    vmi_rotor_steady a;
+    vmi_broken_rotor_steady a;
     vm_real c[6], x[5], y[5], size, power;
-    int i, status = re && im ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
-    if (!status) status = vm_rotor_char_poly(rotor, Omega, c);
+    int i, status = re && im ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     for (i = 1, power = 1 / size; i < 6; i++, power /= size) c[i] *= power;
@@ -2951,13 +2944,13 @@ VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *r
         y[i] *= size;
     }
     if (!vmi_all_finite(5, x)) return VM_NOT_FINITE;
-    status = vmi_deliver(5, y, im);
+    status = vmi_copy_if_finite(5, y, im);
     if (!status) memcpy(re, x, sizeof x);
     return status;
 }
 
 /* ln(1 + x) - x + x^2/2, x >= 0, to a few eps: x^3/3 - x^4/4 ..., by powers of w = x/(2 + x), all terms positive */
-VM_API vm_real vmi_rotor_growth_time(vm_real x)
+VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21; /* w <= 1/3 */
     const vm_real w = x / (2 + x);
@@ -2974,13 +2967,13 @@ VM_API vm_real vmi_rotor_growth_time(vm_real x)
 
 /* r r' = A + B/r gives tau = t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A r/B: convex, so that Newton's method
    falls to the root from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
-VM_API vm_real vmi_rotor_growth_root(vm_real tau)
+VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
-    vm_real x = vmi_raised(3 * tau, VM_C(1.) / 3) + VM_SQRT(2 * tau), fall;
+    vm_real x = vmi_pow_checked(3 * tau, VM_C(1.) / 3) + VM_SQRT(2 * tau), fall;
     int i;
     for (i = 0; i < most_steps; i++) {
-        fall = (vmi_rotor_growth_time(x) - tau) * (1 + x) / (x * x);
+        fall = (vmi_broken_rotor_growth_time(x) - tau) * (1 + x) / (x * x);
         if (!(fall > 0)) break;
         x -= fall;
     }
@@ -2993,20 +2986,20 @@ VM_API vm_real vmi_rotor_growth_root(vm_real tau)
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
    s/4 is the next order. Not in it: terms of s^2/r and the time of the capture (Fig. 18 at t = 400: 0.001 of 3.473
    and 0.093 of 12.437 too little and too much). NaN below resonance, for t < 0, k* < 0 and omega = 0. */
-VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
+VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
     if (!rotor || vmi_check_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    over = -vmi_rotor_detuning(rotor, Omega);
+    over = -vmi_broken_rotor_detuning(rotor, Omega);
     w = VM_SQRT(rotor->stiffness / rotor->mass);
     if (!(over >= 0) || !(w > 0) || !(rotor->damping >= 0)) return VM_NAN;
     A = rotor->damping * (over / rotor->mass / (VM_FABS(Omega) + w)) / (2 * rotor->mass * w);
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
-    R = vmi_raised(3 * B * t, VM_C(1.) / 3);
+    R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
     z = A * R / B;
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t); /* B = 0 among it */
-    else if (z > VM_EPSILON) R = vmi_rotor_growth_root(z * z * z / 3) * B / A;
+    else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
 }
 
@@ -3017,7 +3010,7 @@ VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
 
 /* Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235): of outer loads F, M; of streams M' u at the point where
    they cross, and M' kappa omega2. dr or domega may be null: no part of it. */
-VM_API void vm_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
+VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
 {
     if (!Q) return;
     int k;
@@ -3067,7 +3060,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, cons
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
 {
     if (!body || !p) return;
-    vm_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
+    vm_lagrange_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
 }
 
 /* Documented with vm_lagrange_mass. */
@@ -3076,7 +3069,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
 {
     if (!impulse || !p) return;
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
-    vm_add_force(n, impulse->linear, dr, moment, turn, p);
+    vm_lagrange_add_force(n, impulse->linear, dr, moment, turn, p);
 }
 
 /* matrix (qdot_after - qdot) = b, of which work has b behind room for the matrix */
@@ -3088,7 +3081,7 @@ VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot,
     memcpy(a, matrix, (size_t)(n * n) * sizeof *a);
     if (vmi_solve_mass(n, a, b, scale)) return VM_SINGULAR;
     for (i = 0; i < n; i++) b[i] += qdot[i];
-    return vmi_deliver(n, b, qdot_after);
+    return vmi_copy_if_finite(n, b, qdot_after);
 }
 
 /* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,
@@ -3123,7 +3116,7 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 
 /* matrix (qdot_after - qdot) = impulse: no mass changes. Also a separation, free of cancellation for m -> M, where
    matrix is that of the rest and -impulse the momentum of the part's motion relative to the body. */
-VM_API int vm_lagrange_hit(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
+VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                            vm_real *qdot_after, vm_real *work)
 {
     if (!impulse) return VM_BAD_ARGUMENT;
@@ -3240,7 +3233,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
    Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
    Cost: a time 17 to 19 times the C library's sin, preparing a motion 10 to 20 times that, 40 with products of
    inertia. */
-typedef struct VM_TAG(vm_free_motion) {
+typedef struct VM_TAG(vm_torque_free) {
     vm_body body; /* at t0 */
     vm_real t0;
     vmi_mat3 axes;               /* 1, 2, 3: principal, right-handed; in body axes */
@@ -3252,7 +3245,7 @@ typedef struct VM_TAG(vm_free_motion) {
     vm_real m1;                  /* 1 - m of sn, cn, dn */
     vmi_theta_form far_form;     /* of theirs far from 0 */
     vmi_doubled_theta theta;     /* what half that angle is beyond its mean */
-} vm_free_motion;                /* plain data: it may be copied */
+} vm_torque_free;                /* plain data: it may be copied */
 
 /* Along principal axes 1, 2, 3, where 2 has the middle moment and omega circles 3, with u of the constant rate wp,
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  s = sign(w3), sigma = sign(I1 - I3);
@@ -3262,7 +3255,7 @@ typedef struct VM_TAG(vm_free_motion) {
    two words, since the rates wp/(4K) and kappa are multiplied by long times; then all but their products is in
    one. */
 /* A power of two within a factor of 2 of x > 0 */
-VM_API vm_real vmi_turn_power(vm_real x)
+VM_API vm_real vmi_torque_free_power(vm_real x)
 {
     return x < VM_MIN ? VM_MIN : vmi_from_bits(vmi_to_bits(x) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1));
 }
@@ -3271,7 +3264,7 @@ typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-VM_API vmi_vec3_two vmi_turn_cross(const vmi_vec3_two *a, const vmi_vec3_two *b)
+VM_API vmi_vec3_two vmi_torque_free_cross(const vmi_vec3_two *a, const vmi_vec3_two *b)
 {
     vmi_vec3_two c;
     int k;
@@ -3282,21 +3275,21 @@ VM_API vmi_vec3_two vmi_turn_cross(const vmi_vec3_two *a, const vmi_vec3_two *b)
     return c;
 }
 
-VM_API vm_vec3 vmi_turn_heads(const vmi_vec3_two *a) { return vmi_vec3(a->x[0].hi, a->x[1].hi, a->x[2].hi); }
+VM_API vm_vec3 vmi_torque_free_high_words(const vmi_vec3_two *a) { return vmi_vec3(a->x[0].hi, a->x[1].hi, a->x[2].hi); }
 
-VM_API vm_two vmi_turn_two_pi(void)
+VM_API vm_two vmi_torque_free_two_pi(void)
 {
     const vmi_three half_pi = vmi_half_pi();
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-VM_API vm_two vmi_turn_dot(const vmi_vec3_two *a, const vmi_vec3_two *b)
+VM_API vm_two vmi_torque_free_dot(const vmi_vec3_two *a, const vmi_vec3_two *b)
 {
     return vmi_two_plus(vmi_two_times(a->x[0], b->x[0]),
                         vmi_two_plus(vmi_two_times(a->x[1], b->x[1]), vmi_two_times(a->x[2], b->x[2])));
 }
 
-VM_API vmi_vec3_two vmi_turn_vector(vm_vec3 a, vm_real power) /* a/power */
+VM_API vmi_vec3_two vmi_torque_free_vector(vm_vec3 a, vm_real power) /* a/power */
 {
     vmi_vec3_two v;
     v.x[0] = vmi_two(a.x / power, 0);
@@ -3306,17 +3299,17 @@ VM_API vmi_vec3_two vmi_turn_vector(vm_vec3 a, vm_real power) /* a/power */
 }
 
 /* x, or 0 where its square would be lost by underflow: for 2^-505 (float 2^-57) of the largest and less */
-VM_API vm_two vmi_turn_squarable(vm_two x) { return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x; }
+VM_API vm_two vmi_torque_free_squarable(vm_two x) { return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x; }
 
 /* What the rotation of q turns into a: a + 2 (v x (v x a) - w v x a)/|q|^2, for q = (w, v) of any length but 0 */
-VM_API vmi_vec3_two vmi_turn_back(vm_quat q, const vmi_vec3_two *a)
+VM_API vmi_vec3_two vmi_torque_free_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 part = vmi_vec3(q.x, q.y, q.z);
-    const vm_real longest = vmi_largest(part), w = VM_FABS(q.w);
-    const vm_real power = vmi_turn_power(longest > w ? longest : w);
-    const vmi_vec3_two v = vmi_turn_vector(part, power), b = vmi_turn_cross(&v, a), c = vmi_turn_cross(&v, &b);
+    const vm_real longest = vmi_norm_max(part), w = VM_FABS(q.w);
+    const vm_real power = vmi_torque_free_power(longest > w ? longest : w);
+    const vmi_vec3_two v = vmi_torque_free_vector(part, power), b = vmi_torque_free_cross(&v, a), c = vmi_torque_free_cross(&v, &b);
     const vm_two real = vmi_two(q.w / power, 0);
-    const vm_two size = vmi_two_plus(vmi_two_times(real, real), vmi_turn_dot(&v, &v));
+    const vm_two size = vmi_two_plus(vmi_two_times(real, real), vmi_torque_free_dot(&v, &v));
     const vm_two factor = vmi_two_over(vmi_two(2, 0), size);
     vmi_vec3_two result;
     int k;
@@ -3327,13 +3320,13 @@ VM_API vmi_vec3_two vmi_turn_back(vm_quat q, const vmi_vec3_two *a)
 }
 
 /* Moments, axes (columns in body axes) and omega along them */
-typedef struct VM_TAG(vmi_turn_body) {
+typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
-} vmi_turn_body;
+} vmi_torque_free_body;
 
 /* vmi_jacobi_rotation in two words; a is scaled to 1, and what is below eps^3 is nothing */
-VM_API void vmi_turn_annihilate(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
+VM_API void vmi_torque_free_annihilate(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0);
     vm_two theta, t, c, s, x, y;
@@ -3364,9 +3357,9 @@ VM_API void vmi_turn_annihilate(vm_two a[3][3], vmi_vec3_two *axis, int p, int q
 }
 
 /* Principal moments over a power of two, and axes, in two words; of a rod or a point exactly */
-VM_API void vmi_turn_principal(const vm_inertia *i, vmi_turn_body *b)
+VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
-    const vm_real power = vmi_turn_power(vmi_trace(i));
+    const vm_real power = vmi_torque_free_power(vmi_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
     memset(b, 0, sizeof *b);
@@ -3381,19 +3374,19 @@ VM_API void vmi_turn_principal(const vm_inertia *i, vmi_turn_body *b)
     for (sweep = 0; sweep < 12; sweep++)
         for (p = 0; p < 2; p++)
             for (q = p + 1; q < 3; q++)
-                if (a[p][q].hi != 0) vmi_turn_annihilate(a, b->axis, p, q);
+                if (a[p][q].hi != 0) vmi_torque_free_annihilate(a, b->axis, p, q);
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
 /* A moment lost in the rounding errors of the tensor is that of a rod: 0, and the others are equal */
-VM_API void vmi_turn_settle(const vm_inertia *i, vmi_turn_body *b)
+VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const vm_inertia sizes = vmi_inertia_sizes(i, &same);
-    const vm_real power = vmi_turn_power(vmi_trace(i));
+    const vm_real power = vmi_torque_free_power(vmi_trace(i));
     int k;
     for (k = 0; k < 3; k++) {
-        const vm_vec3 size = vmi_abs(vmi_turn_heads(&b->axis[k]));
+        const vm_vec3 size = vmi_abs(vmi_torque_free_high_words(&b->axis[k]));
         if (b->moment[k].hi * power > 8 * VM_EPSILON * vmi_dot(size, vmi_inertia_times(&sizes, size))) continue;
         b->moment[k] = vmi_two(0, 0);
         b->moment[(k + 1) % 3] = b->moment[(k + 2) % 3];
@@ -3401,38 +3394,38 @@ VM_API void vmi_turn_settle(const vm_inertia *i, vmi_turn_body *b)
 }
 
 /* All but equal: what two words cannot tell apart where they come from a tensor; stored moments differ by more */
-VM_API int vmi_turn_equal(vm_two a, vm_two b)
+VM_API int vmi_torque_free_equal(vm_two a, vm_two b)
 {
     return VM_FABS(vmi_two_minus(a, b).hi) <= 64 * VM_EPSILON * VM_EPSILON * (a.hi + b.hi);
 }
 
 /* The body in axes 1, 2, 3 */
-typedef struct VM_TAG(vmi_turn_axes) {
+typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3, w1, w2, w3, d12, d23, d13;
     vm_two S; /* |2T I2 - L^2|, which is 0 on the separatrix */
     vm_real sigma, s;
     int symmetric; /* I1 = I2 */
     vmi_mat3 axes;
-} vmi_turn_axes;
+} vmi_torque_free_axes;
 
-VM_API vmi_three vmi_turn_three(vm_two x) { return vmi_three_words(x.hi, x.lo, 0); }
+VM_API vmi_three vmi_torque_free_three(vm_two x) { return vmi_three_words(x.hi, x.lo, 0); }
 
 /* J d w^2 in three words, in which stored numbers lose nothing that a difference could bring up */
-VM_API vmi_three vmi_turn_excess(vm_two J, vm_two d, vm_two w)
+VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
-    const vmi_three square = vmi_three_times(vmi_turn_three(w), vmi_turn_three(w));
-    return vmi_three_times(vmi_three_times(vmi_turn_three(J), vmi_turn_three(d)), square);
+    const vmi_three square = vmi_three_times(vmi_torque_free_three(w), vmi_torque_free_three(w));
+    return vmi_three_times(vmi_three_times(vmi_torque_free_three(J), vmi_torque_free_three(d)), square);
 }
 
 /* J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2 */
-VM_API vmi_three vmi_turn_separation(const vm_two *J, const vm_two *w, int a, int b, int c)
+VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, int a, int b, int c)
 {
-    const vmi_three smallest = vmi_turn_excess(J[c], vmi_two_minus(J[b], J[c]), w[c]);
-    return vmi_three_plus(smallest, vmi_turn_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
+    const vmi_three smallest = vmi_torque_free_excess(J[c], vmi_two_minus(J[b], J[c]), w[c]);
+    return vmi_three_plus(smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
 /* order[] by falling moments; 1 where it is an even permutation */
-VM_API int vmi_turn_sort(const vm_two *J, int *order)
+VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
     for (k = 0; k < 3; k++) order[k] = k;
@@ -3448,14 +3441,14 @@ VM_API int vmi_turn_sort(const vm_two *J, int *order)
 
 /* omega circles the smallest moment where the separation is positive, else the largest; of two equal moments, the
    third */
-VM_API vmi_turn_axes vmi_turn_order(const vmi_turn_body *b)
+VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
-    int order[3], even = vmi_turn_sort(J, order), falling;
+    int order[3], even = vmi_torque_free_sort(J, order), falling;
     const int first = order[0], middle = order[1], last = order[2];
-    const vmi_three S = vmi_turn_separation(J, w, first, middle, last);
-    vmi_turn_axes t;
-    falling = vmi_turn_equal(J[first], J[middle]) || (!vmi_turn_equal(J[middle], J[last]) && S.hi >= 0);
+    const vmi_three S = vmi_torque_free_separation(J, w, first, middle, last);
+    vmi_torque_free_axes t;
+    falling = vmi_torque_free_equal(J[first], J[middle]) || (!vmi_torque_free_equal(J[middle], J[last]) && S.hi >= 0);
     if (!falling) {
         order[0] = last;
         order[2] = first;
@@ -3466,7 +3459,7 @@ VM_API vmi_turn_axes vmi_turn_order(const vmi_turn_body *b)
     t.I1 = J[order[0]];
     t.I2 = J[middle];
     t.I3 = J[order[2]];
-    t.symmetric = vmi_turn_equal(t.I1, t.I2);
+    t.symmetric = vmi_torque_free_equal(t.I1, t.I2);
     if (t.symmetric) t.I2 = t.I1;
     t.w1 = w[order[0]];
     t.w2 = w[middle];
@@ -3475,42 +3468,42 @@ VM_API vmi_turn_axes vmi_turn_order(const vmi_turn_body *b)
     t.d12 = vmi_two_shifted(vmi_two_minus(t.I1, t.I2), t.sigma);
     t.d23 = vmi_two_shifted(vmi_two_minus(t.I2, t.I3), t.sigma);
     t.d13 = vmi_two_shifted(vmi_two_minus(t.I1, t.I3), t.sigma);
-    t.axes.x = vmi_turn_heads(&b->axis[order[0]]);
-    t.axes.y = vmi_turn_heads(&b->axis[middle]);
-    t.axes.z = vmi_scale(even ? 1 : -1, vmi_turn_heads(&b->axis[order[2]]));
+    t.axes.x = vmi_torque_free_high_words(&b->axis[order[0]]);
+    t.axes.y = vmi_torque_free_high_words(&b->axis[middle]);
+    t.axes.z = vmi_scale(even ? 1 : -1, vmi_torque_free_high_words(&b->axis[order[2]]));
     return t;
 }
 
 /* A sphere or a point, a principal axis, an equator: omega stays */
-VM_API int vmi_turn_is_constant(const vmi_turn_axes *t)
+VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *t)
 {
     const int no1 = t->w1.hi == 0, no2 = t->w2.hi == 0, no3 = t->w3.hi == 0;
-    return vmi_turn_equal(t->I1, t->I3) || (no1 && no2) || (no1 && no3) || (no3 && (no2 || t->symmetric));
+    return vmi_torque_free_equal(t->I1, t->I3) || (no1 && no2) || (no1 && no3) || (no3 && (no2 || t->symmetric));
 }
 
 /* Then axis 3 is that of omega, and sn = 0 */
-VM_API void vmi_turn_constant(vm_free_motion *m, const vmi_turn_body *b)
+VM_API void vmi_torque_free_constant(vm_torque_free *m, const vmi_torque_free_body *b)
 {
-    const vm_two size = vmi_two_root(vmi_turn_dot(&b->omega, &b->omega));
+    const vm_two size = vmi_two_root(vmi_torque_free_dot(&b->omega, &b->omega));
     int k;
     if (size.hi == 0) return;
     for (k = 0; k < 3; k++)
         m->axes.z = vmi_add(m->axes.z,
-                            vmi_scale(vmi_two_over(b->omega.x[k], size).hi, vmi_turn_heads(&b->axis[k])));
+                            vmi_scale(vmi_two_over(b->omega.x[k], size).hi, vmi_torque_free_high_words(&b->axis[k])));
     m->spin[2] = size.hi;
-    m->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_turn_two_pi());
+    m->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
 /* The squares of a1, a2, a3, h1 = I1 a1, h3 = I3 a3 and L, and the parameters; no difference but S in them */
-typedef struct VM_TAG(vmi_turn_squares) {
+typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
-} vmi_turn_squares;
+} vmi_torque_free_squares;
 
-VM_API vmi_turn_squares vmi_turn_amplitudes(const vmi_turn_axes *t)
+VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_axes *t)
 {
     const vm_two ratio = vmi_two_over(vmi_two_times(t->I2, t->d23), vmi_two_times(t->I1, t->d13));
     const vm_two ww2 = vmi_two_times(t->w2, t->w2);
-    vmi_turn_squares q;
+    vmi_torque_free_squares q;
     vm_two x;
     q.a1 = vmi_two_plus(vmi_two_times(t->w1, t->w1), vmi_two_times(ratio, ww2));
     q.a2 = vmi_two_over(q.a1, ratio);
@@ -3533,7 +3526,7 @@ VM_API vmi_turn_squares vmi_turn_amplitudes(const vmi_turn_axes *t)
 /* kappa, the mean rate of h, and agm(1, k') (0 on the separatrix), by Pi(-N | m) with N = I3 d12/(I1 d23):
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))   if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))   if not;  c = I3 a3/L */
-VM_API vm_two vmi_turn_rate(const vmi_turn_axes *t, const vmi_turn_squares *q, vm_two *mean)
+VM_API vm_two vmi_torque_free_rate(const vmi_torque_free_axes *t, const vmi_torque_free_squares *q, vm_two *mean)
 {
     const vm_two L = vmi_two_root(q->L), outer = vmi_two_times(t->I2, t->d13);
     const vm_two share = vmi_two_over(vmi_two_times(t->I3, t->d12), outer);
@@ -3558,7 +3551,7 @@ VM_API vm_two vmi_turn_rate(const vmi_turn_axes *t, const vmi_turn_squares *q, v
 }
 
 /* y of the theta function, cd(y | m1) = I3 a3/L */
-VM_API vm_real vmi_turn_imaginary(const vmi_turn_axes *t, const vmi_turn_squares *q)
+VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *t, const vmi_torque_free_squares *q)
 {
     const vm_two N = vmi_two_over(vmi_two_times(t->I3, t->d12), vmi_two_times(t->I1, t->d23));
     const vm_two cc = vmi_two_over(q->h3, q->L);
@@ -3566,7 +3559,7 @@ VM_API vm_real vmi_turn_imaginary(const vmi_turn_axes *t, const vmi_turn_squares
 }
 
 /* u at t0, in turns where mean > 0; *sign is that of cn on the separatrix, else 1 */
-VM_API vm_two vmi_turn_phase(const vmi_turn_axes *t, const vmi_turn_squares *q, vm_two mean, vm_real *sign)
+VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *t, const vmi_torque_free_squares *q, vm_two mean, vm_real *sign)
 {
     const vm_two ss = vmi_two_over(vmi_two_times(t->w2, t->w2), q->a2);
     const vm_two cc = vmi_two_over(vmi_two_times(t->w1, t->w1), q->a1);
@@ -3575,29 +3568,29 @@ VM_API vm_two vmi_turn_phase(const vmi_turn_axes *t, const vmi_turn_squares *q, 
     vm_two F = vmi_two_times(vmi_two_root(ss), vmi_carlson_rf(cc, middle, vmi_two(1, 0)));
     *sign = 1;
     if (mean.hi > 0) {
-        F = vmi_two_over(vmi_two_times(F, mean), vmi_turn_two_pi());
+        F = vmi_two_over(vmi_two_times(F, mean), vmi_torque_free_two_pi());
         if (t->w1.hi < 0) F = vmi_two_minus(vmi_two(VM_C(0.5), 0), F);
     } else if (t->w1.hi < 0) *sign = -1;
     return vmi_two_shifted(F, forward * *sign);
 }
 
 /* Rates and phase, per second of the scaled omega; returns the sign of cn on the separatrix */
-VM_API vm_real vmi_turn_rates(vm_free_motion *m, const vmi_turn_axes *t, const vmi_turn_squares *q)
+VM_API vm_real vmi_torque_free_rates(vm_torque_free *m, const vmi_torque_free_axes *t, const vmi_torque_free_squares *q)
 {
-    const vm_two two_pi = vmi_turn_two_pi();
-    vm_two mean, kappa = vmi_turn_rate(t, q, &mean), wp;
+    const vm_two two_pi = vmi_torque_free_two_pi();
+    vm_two mean, kappa = vmi_torque_free_rate(t, q, &mean), wp;
     vm_real sign;
     wp = vmi_two_over(vmi_two_times(q->a3, vmi_two_times(t->d13, t->d23)), vmi_two_times(t->I1, t->I2));
     wp = vmi_two_root(wp);
     m->turn_rate = vmi_two_over(vmi_two_shifted(kappa, t->s), two_pi);
-    m->phase = vmi_turn_phase(t, q, mean, &sign);
+    m->phase = vmi_torque_free_phase(t, q, mean, &sign);
     m->phase_rate = mean.hi > 0 ? vmi_two_over(vmi_two_times(wp, mean), two_pi) : wp;
     if (mean.hi > 0) m->K = vmi_two_over(vmi_two_shifted(two_pi, VM_C(0.25)), mean);
     return sign;
 }
 
 /* Parameter and y of the theta function; it stays 1 for m = 0 */
-VM_API void vmi_turn_theta(vm_free_motion *m, const vmi_turn_axes *t, const vmi_turn_squares *q)
+VM_API void vmi_torque_free_theta(vm_torque_free *m, const vmi_torque_free_axes *t, const vmi_torque_free_squares *q)
 {
     const int periodic = m->K.hi > 0;
     vm_real K, Kc, y;
@@ -3605,13 +3598,13 @@ VM_API void vmi_turn_theta(vm_free_motion *m, const vmi_turn_axes *t, const vmi_
     if (q->m.hi == 0) return;
     K = periodic ? m->K.hi : VM_INFINITY;
     Kc = periodic ? jacobi_K_m1(q->m.hi) : VM_PI / 2;
-    y = vmi_turn_imaginary(t, q);
+    y = vmi_torque_free_imaginary(t, q);
     m->theta = K > 2 * Kc ? vmi_doubled_dual(K, Kc, y) : vmi_doubled_direct(K, Kc, y);
     m->theta.shift *= t->sigma * t->s;
     for (k = 0; k < 4; k++) m->theta.im[k] *= t->sigma * t->s;
 }
 
-VM_API void vmi_turn_sizes(vm_free_motion *m, const vmi_turn_axes *t, const vmi_turn_squares *q, vm_real sign)
+VM_API void vmi_torque_free_sizes(vm_torque_free *m, const vmi_torque_free_axes *t, const vmi_torque_free_squares *q, vm_real sign)
 {
     const vm_real L = VM_SQRT(q->L.hi);
     m->axes = t->axes;
@@ -3623,33 +3616,33 @@ VM_API void vmi_turn_sizes(vm_free_motion *m, const vmi_turn_axes *t, const vmi_
     m->lean[2] = t->s * t->I3.hi * m->spin[2] / L;
 }
 
-VM_API void vmi_turn_parameter(vm_free_motion *m, vm_two m1)
+VM_API void vmi_torque_free_parameter(vm_torque_free *m, vm_two m1)
 {
     m->m1 = m1.hi;
     vmi_far_prepare(&m->far_form, m1.hi, m1.lo);
 }
 
 /* All but the unit of time and the start */
-VM_API void vmi_turn_prepare(vm_free_motion *m, const vmi_turn_body *b)
+VM_API void vmi_torque_free_prepare(vm_torque_free *m, const vmi_torque_free_body *b)
 {
-    const vmi_turn_axes t = vmi_turn_order(b);
-    vmi_turn_squares q;
-    int constant = vmi_turn_is_constant(&t);
+    const vmi_torque_free_axes t = vmi_torque_free_order(b);
+    vmi_torque_free_squares q;
+    int constant = vmi_torque_free_is_constant(&t);
     if (!constant) {
-        q = vmi_turn_amplitudes(&t);
+        q = vmi_torque_free_amplitudes(&t);
         constant = q.h1.hi <= vmi_fourth_power(VM_EPSILON) * q.h3.hi; /* nutation below eps^2 about a stable axis */
     }
     if (constant) {
-        vmi_turn_constant(m, b);
+        vmi_torque_free_constant(m, b);
         return;
     }
-    vmi_turn_sizes(m, &t, &q, vmi_turn_rates(m, &t, &q));
-    vmi_turn_theta(m, &t, &q);
-    vmi_turn_parameter(m, q.m1);
+    vmi_torque_free_sizes(m, &t, &q, vmi_torque_free_rates(m, &t, &q));
+    vmi_torque_free_theta(m, &t, &q);
+    vmi_torque_free_parameter(m, q.m1);
 }
 
 /* rate t without whole turns, |..| <= 1; meaningless beyond 2^(2p - 4) turns */
-VM_API vm_two vmi_turn_fraction(vm_two rate, vm_two t)
+VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
     vm_real low = p.lo + (rate.lo * t.hi + rate.hi * t.lo);
@@ -3658,7 +3651,7 @@ VM_API vm_two vmi_turn_fraction(vm_two rate, vm_two t)
 }
 
 /* sn, cn, dn at t after t0, and u/(4K) without half turns (u on the separatrix) */
-VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn, vm_real *cn, vm_real *dn)
+VM_API vm_real vmi_torque_free_functions(const vm_torque_free *m, vm_two t, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real longest = VM_MANT_DIG > 24 ? 700 : 80; /* where sech is next to the smallest number */
     vmi_thetas theta;
@@ -3666,7 +3659,7 @@ VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn
     int half = 0, j = 0;
     vm_two v;
     if (m->K.hi > 0) {
-        v = vmi_two_plus(vmi_turn_fraction(m->phase_rate, t), m->phase);
+        v = vmi_two_plus(vmi_torque_free_fraction(m->phase_rate, t), m->phase);
         half = vmi_nearest(2 * v.hi);
         v = vmi_two_sum(v.hi - (vm_real)half / 2, v.lo);
         x = v.hi;
@@ -3684,13 +3677,13 @@ VM_API vm_real vmi_turn_functions(const vm_free_motion *m, vm_two t, vm_real *sn
 }
 
 /* omega in body axes, and the rotation R */
-VM_API void vmi_turn_at(const vm_free_motion *m, vm_two t, vm_vec3 *omega, vm_quat *turn)
+VM_API void vmi_torque_free_at(const vm_torque_free *m, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, x, y, w, norm, c, s;
-    const vm_real u = vmi_turn_functions(m, t, &sn, &cn, &dn);
+    const vm_real u = vmi_torque_free_functions(m, t, &sn, &cn, &dn);
     vm_vec3 part;
     vmi_doubled_at(&m->theta, u, &re, &im);
-    vmi_sincos_turns(vmi_turn_fraction(m->turn_rate, t).hi + m->theta.shift * u, &sine, &cosine);
+    vmi_sincos_turns(vmi_torque_free_fraction(m->turn_rate, t).hi + m->theta.shift * u, &sine, &cosine);
     w = 1 + m->lean[2] * dn;
     x = m->lean[1] * sn;
     y = m->lean[0] * cn;
@@ -3706,17 +3699,17 @@ VM_API void vmi_turn_at(const vm_free_motion *m, vm_two t, vm_vec3 *omega, vm_qu
 }
 
 /* From moments, axes, and omega over a power of two */
-VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real power)
+VM_API void vmi_torque_free_init(vm_torque_free *m, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = m->body.q, turn;
     vm_vec3 omega;
     int k;
-    vmi_turn_parameter(m, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
+    vmi_torque_free_parameter(m, vmi_two(1, 0)); /* m = 0: sn = 0, cn = dn = 1 */
     m->theta.re[0] = 1;
     m->lean[2] = 1;
-    vmi_turn_prepare(m, b);
+    vmi_torque_free_prepare(m, b);
     if (vmi_quat_is_none(q)) q.w = 1;
-    vmi_turn_at(m, vmi_two(0, 0), &omega, &turn);
+    vmi_torque_free_at(m, vmi_two(0, 0), &omega, &turn);
     turn.x = -turn.x;
     turn.y = -turn.y;
     turn.z = -turn.z;
@@ -3727,10 +3720,10 @@ VM_API void vmi_turn_init(vm_free_motion *m, const vmi_turn_body *b, vm_real pow
 }
 
 /* omega along the inertial axes, or along the body's */
-VM_API int vmi_turn_start(vm_free_motion *motion, const vm_body *body, int along_body, vm_real t0)
+VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
-    vm_free_motion m;
-    vmi_turn_body b;
+    vm_torque_free m;
+    vmi_torque_free_body b;
     vmi_vec3_two omega;
     vm_real power;
     int status = vmi_check_body(body), k;
@@ -3739,28 +3732,28 @@ VM_API int vmi_turn_start(vm_free_motion *motion, const vm_body *body, int along
     memset(&m, 0, sizeof m);
     m.body = *body;
     m.t0 = t0;
-    power = vmi_turn_power(vmi_largest(body->omega));
-    omega = vmi_turn_vector(body->omega, power);
-    if (!along_body && vmi_largest(vmi_vec3(body->q.x, body->q.y, body->q.z)) > 0)
-        omega = vmi_turn_back(body->q, &omega);
-    vmi_turn_principal(&body->inertia, &b);
-    vmi_turn_settle(&body->inertia, &b);
-    for (k = 0; k < 3; k++) b.omega.x[k] = vmi_turn_squarable(vmi_turn_dot(&b.axis[k], &omega));
-    vmi_turn_init(&m, &b, power);
+    power = vmi_torque_free_power(vmi_norm_max(body->omega));
+    omega = vmi_torque_free_vector(body->omega, power);
+    if (!along_body && vmi_norm_max(vmi_vec3(body->q.x, body->q.y, body->q.z)) > 0)
+        omega = vmi_torque_free_back(body->q, &omega);
+    vmi_torque_free_principal(&body->inertia, &b);
+    vmi_torque_free_clamp_moments(&body->inertia, &b);
+    for (k = 0; k < 3; k++) b.omega.x[k] = vmi_torque_free_squarable(vmi_torque_free_dot(&b.axis[k], &omega));
+    vmi_torque_free_init(&m, &b, power);
     *motion = m;
     return VM_OK;
 }
 
 /* Prepares the motion of a body that is as given at t0. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_INERTIA: the motion stays as it was. */
-VM_API int vm_free_init(vm_free_motion *motion, const vm_body *body, vm_real t0)
+VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
-    return motion && body ? vmi_turn_start(motion, body, 0, t0) : VM_BAD_ARGUMENT;
+    return motion && body ? vmi_torque_free_start(motion, body, 0, t0) : VM_BAD_ARGUMENT;
 }
 
 /* The same from principal moments (kg m^2), the body's axes being the principal ones, and omega (rad/s) along
    them; the body has mass 1 and rests at the origin. */
-VM_API int vm_free_init_principal(vm_free_motion *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega, vm_real t0)
+VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega, vm_real t0)
 {
     vm_body body;
     if (!motion) return VM_BAD_ARGUMENT;
@@ -3771,11 +3764,11 @@ VM_API int vm_free_init_principal(vm_free_motion *motion, vm_vec3 moments, vm_qu
     body.inertia.zz = moments.z;
     body.q = q;
     body.omega = omega;
-    return vmi_turn_start(motion, &body, 1, t0);
+    return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
 /* Attitude and omega alone, the latter along body axes. */
-VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
+VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     vm_two elapsed;
     vm_real reach;
@@ -3786,7 +3779,7 @@ VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q,
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < VM_MAX / VM_SPLIT))
         return VM_NOT_FINITE; /* products are split */
-    vmi_turn_at(motion, elapsed, &w, &turn);
+    vmi_torque_free_at(motion, elapsed, &w, &turn);
     turn = vmi_quat_times(motion->start, turn);
     if (!vmi_vec3_finite(w) || !VM_IS_FINITE(turn.w) || !vmi_vec3_finite(vmi_vec3(turn.x, turn.y, turn.z)))
         return VM_NOT_FINITE;
@@ -3798,14 +3791,14 @@ VM_API int vm_free_attitude(const vm_free_motion *motion, vm_real t, vm_quat *q,
 /* The body at time t (s), later than t0 or earlier. q is continuous and keeps the length that it had (1, if all
    zero). VM_NOT_FINITE: t is not, or what comes out is not, or t or the turns are beyond 1e290 (float 1e30); the
    body stays as it was. Beyond 1/eps^2 turns the result is finite and has the right momentum, nothing more. */
-VM_API int vm_free_at(const vm_free_motion *motion, vm_real t, vm_body *body)
+VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
     vmi_mat3 turn;
     int status;
     if (!motion || !body) return VM_BAD_ARGUMENT;
     b = motion->body;
-    status = vm_free_attitude(motion, t, &b.q, &b.omega);
+    status = vm_torque_free_attitude(motion, t, &b.q, &b.omega);
     if (status) return status;
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
@@ -3816,11 +3809,11 @@ VM_API int vm_free_at(const vm_free_motion *motion, vm_real t, vm_body *body)
 }
 
 /* The body a time t (s) later, in one call. */
-VM_API int vm_free_rotation(const vm_body *body, vm_real t, vm_body *later)
+VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
-    vm_free_motion motion;
-    int status = vm_free_init(&motion, body, 0);
-    return status ? status : vm_free_at(&motion, t, later);
+    vm_torque_free motion;
+    int status = vm_torque_free_init(&motion, body, 0);
+    return status ? status : vm_torque_free_at(&motion, t, later);
 }
 
 #endif
@@ -3870,7 +3863,7 @@ typedef struct VM_TAG(vm_reactive) {
     vm_inertia inertia_rate;              /* kg m^2/s */
 } vm_reactive;
 
-VM_INLINE int vmi_stream_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
+VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* What the streams of a moving body add up to, body axes */
 typedef struct VM_TAG(vmi_stream_sum) {
@@ -3984,28 +3977,28 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 /* The loads of an instant */
 /* VM_OK if i is finite and has no negative moment. Only the body has to satisfy the triangle inequality: in plane
    motion a tensor with zz alone is enough, as long as the body is not that flat itself */
-VM_API int vmi_stream_gyration_good(const vm_inertia *i)
+VM_API int vmi_gyration_is_valid(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
     return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-VM_API int vmi_stream_good(const vm_stream *s)
+VM_API int vmi_stream_is_valid(const vm_stream *s)
 {
     int status;
-    if (!vmi_stream_known(s->motion)) return VM_BAD_ARGUMENT;
+    if (!vmi_stream_motion_is_known(s->motion)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
-    status = vmi_stream_gyration_good(&s->gyration);
+    status = vmi_gyration_is_valid(&s->gyration);
     if (status || !s->from) return status;
-    return vmi_vec3_finite(s->from->at) ? vmi_stream_gyration_good(&s->from->gyration) : VM_NOT_FINITE;
+    return vmi_vec3_finite(s->from->at) ? vmi_gyration_is_valid(&s->from->gyration) : VM_NOT_FINITE;
 }
 
-VM_API int vmi_stream_all_good(int n, const vm_stream *s)
+VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
     int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
-    for (k = 0; !status && k < n; k++) status = vmi_stream_good(s + k);
+    for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
     return status;
 }
 
@@ -4021,7 +4014,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status) status = vmi_stream_all_good(n, streams);
+    if (!status) status = vmi_streams_are_valid(n, streams);
     if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_STORED_STREAM;
@@ -4049,10 +4042,10 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
 }
 
 /* I^-1 (moment - omega x I omega), body axes */
-VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_stream_ldl *factors, vm_vec3 omega,
+VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
-    return vmi_stream_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+    return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
 
 /* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
@@ -4061,12 +4054,12 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
     vmi_mat3 turn;
-    vmi_stream_ldl factors;
+    vmi_inertia_ldl factors;
     vm_vec3 straight, turning;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status && !vmi_stream_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
     moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
@@ -4084,7 +4077,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
    (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
    Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive and for infinite arguments. */
-VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
+VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
@@ -4102,7 +4095,7 @@ VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_r
        ode_event empty;
        rk45_options options = rk45_defaults(NULL);
        rk45 s;
-       vm_real y[VM_RHS], work[RK45_WORK(VM_RHS)];
+       vm_real y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
        memset(&flow, 0, sizeof flow); // what is not set is zero: not there
        flow.n = 1;
        flow.streams = &nozzle;
@@ -4115,8 +4108,8 @@ VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_r
        options.events = &empty;
        options.n_events = 1;
        if (vm_flow_start(&flow, &body, y) == VM_OK &&
-           rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
-           vm_flow_body(&flow, VM_RHS, s.y, &body);
+           rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
+           vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
    What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
    and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
@@ -4143,9 +4136,9 @@ enum {
     VM_Y_CENTRE = 14,
     VM_Y_INERTIA = 17,
     VM_Y_BALANCE = 23,
-    VM_RHS_GIVEN = 13,   /* numbers of states: mass, centre and inertia given by flow.update */
-    VM_RHS = 23,         /* or states */
-    VM_RHS_BALANCED = 30 /* and the account of momenta and energy */
+    VM_FLOW_GIVEN_STATES = 13,   /* numbers of states: mass, centre and inertia given by flow.update */
+    VM_FLOW_STATES = 23,         /* or states */
+    VM_FLOW_BALANCED_STATES = 30 /* and the account of momenta and energy */
 };
 
 typedef struct VM_TAG(vm_flow) {
@@ -4157,14 +4150,14 @@ typedef struct VM_TAG(vm_flow) {
        time belongs into an ODE_RESTART event's change, not here */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;                         /* the caller's */
-    vm_real mass;                      /* vm_rhs_given, vm_rhs_carried: the laws M(t), */
+    vm_real mass;                      /* vm_flow_given_rhs, vm_flow_carried_rhs: the laws M(t), */
     vm_vec3 centre;                    /* c(t) (vm_flow_start: where the mass centre is at first), */
     vm_inertia inertia;                /* I(t) */
-    vm_vec3 drift;                     /* and c'(t), vm_rhs_carried */
+    vm_vec3 drift;                     /* and c'(t), vm_flow_carried_rhs */
     vm_real least_mass, least_inertia; /* of the events */
     int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
     /* 0, or how many numbers y has room for, VM_LENGTH(y); all functions here check it. vm_flow_start writes no
-       more than that: VM_RHS_GIVEN or VM_RHS numbers, and if there is room for all VM_RHS_BALANCED, also the zeros
+       more than that: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and if there is room for all VM_FLOW_BALANCED_STATES, also the zeros
        of the account */
     int y_size;
 } vm_flow;
@@ -4204,21 +4197,21 @@ VM_INLINE void vmi_stream_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mass, const vm_inertia *inertia,
                               vm_vec3 centre, vmi_mat3 *turn, vmi_stream_seen *seen)
 {
-    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
-    const vm_vec3 p = vmi_load3(y + VM_Y_P);
+    const vm_quat q = vmi_get_quat(y + VM_Y_Q);
+    const vm_vec3 p = vmi_get3(y + VM_Y_P);
     const vm_real inverse = 1 / mass;
     vm_vec3 h;
-    vmi_stream_ldl factors;
+    vmi_inertia_ldl factors;
     if (!(mass > 0)) return VM_BAD_MASS;
-    if (!vmi_stream_factor_body(inertia, &factors)) return VM_BAD_INERTIA;
-    *turn = vmi_stream_rotation(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    h = vmi_times_transposed(turn, vmi_load3(y + VM_Y_H));
+    if (!vmi_inertia_factor_if_possible(inertia, &factors)) return VM_BAD_INERTIA;
+    *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
     vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
     seen->turn = turn;
     seen->centre = centre;
     seen->v = vmi_scale(inverse, p);
     seen->slip = vmi_scale(-inverse, seen->slip);
-    seen->omega = vmi_stream_solve(&factors, vmi_sub(h, seen->omega));
+    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, seen->omega));
     return VM_OK;
 }
 
@@ -4226,17 +4219,17 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mas
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
-    const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_load3(y + VM_Y_R);
+    const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_get3(y + VM_Y_R);
     const vm_vec3 drift = vmi_times(seen->turn, sum->crossing);
-    vmi_store3(dydt, vmi_scale(-1, force));
-    vmi_store3(dydt + 3, vmi_scale(-1, vmi_add(moment, vmi_add(vmi_cross(r, force), vmi_cross(drift, seen->v)))));
+    vmi_set3(dydt, vmi_scale(-1, force));
+    vmi_set3(dydt + 3, vmi_scale(-1, vmi_add(moment, vmi_add(vmi_cross(r, force), vmi_cross(drift, seen->v)))));
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
-    const int given = n == VM_RHS_GIVEN;
-    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
+    const int given = n == VM_FLOW_GIVEN_STATES;
+    const vm_quat q = vmi_get_quat(y + VM_Y_Q);
     vm_real mass;
     vm_vec3 centre, force, moment;
     vm_inertia inertia;
@@ -4248,79 +4241,79 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return flow->status = VM_SHORT_ARRAY;
     mass = given ? flow->mass : y[VM_Y_MASS];
-    centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
-    inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
+    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
+    inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
     status = vmi_flow_motion(flow, y, mass, &inertia, centre, &turn, &seen);
     if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(n, dydt);
-    seen.energy = n == VM_RHS_BALANCED;
+    seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
     force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_store3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / mass, sum.crossing))));
+    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / mass, sum.crossing))));
     vmi_stream_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
-    vmi_store3(dydt + VM_Y_P, force);
-    vmi_store3(dydt + VM_Y_H, moment);
+    vmi_set3(dydt + VM_Y_P, force);
+    vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_store3(dydt + VM_Y_CENTRE, vmi_scale(1 / mass, sum.stored));
-    vmi_stream_store_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
+    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / mass, sum.stored));
+    vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
 }
 
 /* Documented with vm_flow_body. */
-VM_API int vm_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
-    return vmi_flow_rates((vm_flow *)flow, VM_RHS, t, y, dydt);
+    return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
 /* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
    at rest where the mass centre is */
-VM_API int vm_rhs_given(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
-    return vmi_flow_rates((vm_flow *)flow, VM_RHS_GIVEN, t, y, dydt);
+    return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* vm_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have
+/* vm_flow_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have
    brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the body's own all seven stay
    constant (the energy but for streams with a store, where angular momentum is y[VM_Y_H] + r x p). The energy goes
    by the limit of (113), (118), for either sign of M':
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega:
    the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
-VM_API int vm_rhs_balanced(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
-    return vmi_flow_rates((vm_flow *)flow, VM_RHS_BALANCED, t, y, dydt);
+    return vmi_flow_rates((vm_flow *)flow, VM_FLOW_BALANCED_STATES, t, y, dydt);
 }
 
 /* The same for what moves with the body (166). The states are r, q, v (not the momentum), omega in body axes (not the
    angular momentum); streams are not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I
    omega = M_S */
-VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow *flow = (vm_flow *)ctx;
-    const vm_quat q = vmi_stream_load_quat(y + VM_Y_Q);
+    const vm_quat q = vmi_get_quat(y + VM_Y_Q);
     const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const vm_vec3 omega = vmi_load3(y + VM_Y_H);
+    const vm_vec3 omega = vmi_get3(y + VM_Y_H);
     vmi_mat3 turn;
-    vmi_stream_ldl factors;
+    vmi_inertia_ldl factors;
     int status = flow->update ? flow->update(t, y, flow) : 0;
     if (status) return status;
-    if (flow->y_size && flow->y_size < VM_RHS_GIVEN) return flow->status = VM_SHORT_ARRAY;
-    if (!vmi_stream_factor_body(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return flow->status = VM_SHORT_ARRAY;
+    if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
     if (!(flow->mass > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS_GIVEN, dydt);
-    turn = vmi_stream_rotation(q, square);
-    vmi_store3(dydt + VM_Y_R, vmi_add(vmi_load3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW_GIVEN_STATES, dydt);
+    turn = vmi_rotation_of_square(q, square);
+    vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
     vmi_stream_turning(q, square, omega, dydt + VM_Y_Q);
-    vmi_store3(dydt + VM_Y_P,
+    vmi_set3(dydt + VM_Y_P,
                vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
-    vmi_store3(dydt + VM_Y_H,
+    vmi_set3(dydt + VM_Y_H,
                vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
 }
@@ -4328,45 +4321,45 @@ VM_API int vm_rhs_carried(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* How many numbers of the state vm_flow_start makes: as far as it is known that y has room */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
-    if (flow->y_size && flow->y_size < VM_RHS) return VM_RHS_GIVEN;
-    return flow->y_size < VM_RHS_BALANCED ? VM_RHS : VM_RHS_BALANCED;
+    if (flow->y_size && flow->y_size < VM_FLOW_STATES) return VM_FLOW_GIVEN_STATES;
+    return flow->y_size < VM_FLOW_BALANCED_STATES ? VM_FLOW_STATES : VM_FLOW_BALANCED_STATES;
 }
 
-/* y: the VM_RHS first states for body (fewer where y_size says so), streams being as they are at first;
+/* y: the VM_FLOW_STATES first states for body (fewer where y_size says so), streams being as they are at first;
    VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod
    or a point too) */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
     vm_quat q;
-    vmi_stream_ldl factors;
+    vmi_inertia_ldl factors;
     vmi_mat3 turn;
-    vm_real start[VM_RHS_BALANCED];
+    vm_real start[VM_FLOW_BALANCED_STATES];
     int status, k;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status) status = vmi_stream_all_good(flow->n, flow->streams);
+    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
     if (!status &&
         !(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
         status = VM_NOT_FINITE;
-    if (!status && !vmi_stream_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
-    q = vmi_stream_unit(body->q);
+    q = vmi_unit_quat(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
     start[VM_Y_Q] = q.w;
     start[VM_Y_Q + 1] = q.x;
     start[VM_Y_Q + 2] = q.y;
     start[VM_Y_Q + 3] = q.z;
-    vmi_store3(start + VM_Y_R, body->r);
-    vmi_store3(start + VM_Y_P, vm_momentum(body));
-    vmi_store3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    vmi_set3(start + VM_Y_R, body->r);
+    vmi_set3(start + VM_Y_P, vm_momentum(body));
+    vmi_set3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
     start[VM_Y_MASS] = body->mass;
-    vmi_store3(start + VM_Y_CENTRE, flow->centre);
-    vmi_stream_store_inertia(start + VM_Y_INERTIA, &body->inertia);
-    if (flow->y_size && flow->y_size < VM_RHS_GIVEN) return VM_SHORT_ARRAY;
-    for (k = VM_Y_BALANCE; k < VM_RHS_BALANCED; k++) start[k] = 0;
-    status = vmi_deliver(vmi_flow_size_at_start(flow), start, y);
+    vmi_set3(start + VM_Y_CENTRE, flow->centre);
+    vmi_set_inertia(start + VM_Y_INERTIA, &body->inertia);
+    if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return VM_SHORT_ARRAY;
+    for (k = VM_Y_BALANCE; k < VM_FLOW_BALANCED_STATES; k++) start[k] = 0;
+    status = vmi_copy_if_finite(vmi_flow_size_at_start(flow), start, y);
     if (status) return status;
     flow->mass = body->mass;
     flow->inertia = body->inertia;
@@ -4374,25 +4367,25 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body of n states, with q of length 1: n = VM_RHS_GIVEN takes mass, centre and inertia from flow, more from y.
-   The states of vm_rhs_carried are other ones: not for them. */
+/* The body of n states, with q of length 1: n = VM_FLOW_GIVEN_STATES takes mass, centre and inertia from flow, more from y.
+   The states of vm_flow_carried_rhs are other ones: not for them. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
-    const int given = n < VM_RHS;
+    const int given = n < VM_FLOW_STATES;
     vm_vec3 centre;
     vm_body b;
     vmi_mat3 turn;
     vmi_stream_seen seen;
     int status;
-    if (!flow || !y || !body || n < VM_RHS_GIVEN || !vmi_flow_has(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
+    if (!flow || !y || !body || n < VM_FLOW_GIVEN_STATES || !vmi_flow_has(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
     b.mass = given ? flow->mass : y[VM_Y_MASS];
-    b.inertia = given ? flow->inertia : vmi_stream_load_inertia(y + VM_Y_INERTIA);
-    centre = given ? flow->centre : vmi_load3(y + VM_Y_CENTRE);
+    b.inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
+    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
     status = vmi_flow_motion(flow, y, b.mass, &b.inertia, centre, &turn, &seen);
     if (status) return status;
-    b.q = vmi_stream_unit(vmi_stream_load_quat(y + VM_Y_Q));
-    b.r = vmi_load3(y + VM_Y_R);
+    b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
+    b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
     b.omega = vmi_times(&turn, seen.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
@@ -4400,7 +4393,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     return VM_OK;
 }
 
-/* Event functions of vm_rhs and vm_rhs_balanced, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
+/* Event functions of vm_flow_rhs and vm_flow_balanced_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
    0 where I is singular. They do not watch the triangle inequality, whose limit is near for thin bodies. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
@@ -4413,11 +4406,11 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
-    const vm_inertia i = vmi_stream_load_inertia(y + VM_Y_INERTIA);
-    vmi_stream_ldl f;
+    const vm_inertia i = vmi_get_inertia(y + VM_Y_INERTIA);
+    vmi_inertia_ldl f;
     vm_real least = i.xx;
     (void)t;
-    if (vmi_stream_factor(&i, &f)) {
+    if (vmi_inertia_factor(&i, &f)) {
         if (1 / f.y < least) least = 1 / f.y;
         if (1 / f.z < least) least = 1 / f.z;
     } else least = 0;
@@ -4449,12 +4442,12 @@ typedef struct VM_TAG(vm_flow2) {
     int status;
 } vm_flow2;
 
-enum { VM_RHS2 = 10 };
+enum { VM_FLOW2_STATES = 10 };
 
 /* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
    less its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it
    costs 2^-67 (2^-28) */
-VM_INLINE void vmi_stream_sincos(vm_real x, vm_real *sine, vm_real *cosine)
+VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
     const vm_real most = VM_C(1048576.0), first = VM_C(1.570796326734125614166),
@@ -4523,7 +4516,7 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
-VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow2 *flow = (vm_flow2 *)ctx;
@@ -4533,10 +4526,10 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (status) return status;
     if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW2_STATES, dydt);
     sine = 0;
     cosine = 1;
-    if (flow->n) vmi_stream_sincos(y[2], &sine, &cosine);
+    if (flow->n) vmi_sincos_of_angle(y[2], &sine, &cosine);
     inverse = 1 / y[6];
     vx = y[3] * inverse;
     vy = y[4] * inverse;
@@ -4545,7 +4538,7 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     sum.fy = flow->fy;
     sum.moment = flow->moment;
     for (k = 0; k < flow->n; k++) {
-        if (!vmi_stream_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
+        if (!vmi_stream_motion_is_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
         vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
                         cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
     }
@@ -4571,7 +4564,7 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
 /* Translation (172): 7 states r, momentum, mass; the flow's streams without at, spin and gyration, body axes along
    the inertial ones */
-enum { VM_RHS_TRANSLATION = 7 };
+enum { VM_TRANSLATION_STATES = 7 };
 
 /* One degree of freedom: straight motion (175), (176), and rotation about a fixed axle (173a), which is the same
    equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa +
@@ -4590,30 +4583,30 @@ typedef struct VM_TAG(vm_flow1) {
     int status;
 } vm_flow1;
 
-enum { VM_RHS1 = 3 };
+enum { VM_FLOW1_STATES = 3 };
 
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real inverse = 1 / y[6];
-    const vm_vec3 v = vmi_scale(inverse, vmi_load3(y + 3));
+    const vm_vec3 v = vmi_scale(inverse, vmi_get3(y + 3));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k;
     if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    if (flow->y_size && flow->y_size < VM_RHS_TRANSLATION) return flow->status = VM_SHORT_ARRAY;
+    if (flow->y_size && flow->y_size < VM_TRANSLATION_STATES) return flow->status = VM_SHORT_ARRAY;
     if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
-        return vmi_flow_refuse(VM_RHS_TRANSLATION, dydt);
+        return vmi_flow_refuse(VM_TRANSLATION_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
         vm_vec3 u = vmi_add(v, s->velocity);
-        if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
+        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE)
             u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
         rate += s->rate;
         force = vmi_add(force, vmi_scale(s->rate, u));
     }
-    vmi_store3(dydt, v);
-    vmi_store3(dydt + 3, force);
+    vmi_set3(dydt, v);
+    vmi_set3(dydt + 3, force);
     dydt[6] = rate;
     return 0;
 }
@@ -4624,11 +4617,11 @@ VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     vm_real force = flow->force, rate = 0;
     int k;
     if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_RHS1, dydt);
+    if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_FLOW1_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
         vm_real u = v + s->velocity;
-        if (!vmi_stream_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
+        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
         rate += s->rate;
         force += s->rate * u;
@@ -4652,14 +4645,14 @@ VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 
     return status ? status : vmi_rates1(flow, y, dydt);
 }
 
-VM_API int vm_rhs_translation(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
+VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     vm_flow *f = (vm_flow *)flow;
     return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
 }
 
-VM_API int vm_rhs1(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
+VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
     vm_flow1 *f = (vm_flow1 *)flow1;
@@ -4696,7 +4689,7 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
     *first = VM_FABS(x) < VM_EPSILON ? 1 - x / 2 : l.hi / x;
 }
 
-/* Documented with vm_levi_civita. */
+/* Documented with vm_velocity_by_momentum. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -4717,7 +4710,7 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
                           vm_real *x, vm_real *v)
 {
     vm_real tau, first, second, less, pull, result[2];
-    if (!stream || !x || !v || !vmi_stream_known(stream->motion)) return VM_BAD_ARGUMENT;
+    if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
@@ -5045,7 +5038,7 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
     if (l > -1 && k1 > 0) l = -1;           /* by rounding */
     /* e tells the branch: k1 may round to 1 */
-    w = k1 < 0 ? vm_lambert_w0_exp(l) : e > 0 ? vm_lambert_wm1_mexp(l) : vm_lambert_w0_mexp(l);
+    w = k1 < 0 ? vm_wright_omega(l) : e > 0 ? vm_lambert_wm1_neg_exp(l) : vm_lambert_w0_neg_exp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
 
@@ -5104,28 +5097,28 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    moves on with the bob takes its momentum along; without the last term it would leave at rest.
    A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
    central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
-typedef struct VM_TAG(vm_lagrange) {
+typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* coordinates */
     int n_masses; /* masses, inertias, whatever is frozen */
     void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx); /* null where n_masses is 0 */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* null, or adds the generalized forces to Q, vm_add_force does; nonzero stops the run */
+    /* null, or adds the generalized forces to Q, vm_lagrange_add_force does; nonzero stops the run */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;
     const vm_real *scales; /* of each q; null: 1 */
     vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers */
-} vm_lagrange;
+} vm_lagrange_system;
 
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
 /* Parts of work: A, b and then a right-hand side, rates, a trial point, masses */
-typedef struct VM_TAG(vmi_frozen_parts) {
+typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A, *b, *rates, *trial, *masses;
-} vmi_frozen_parts;
+} vmi_lagrange_parts;
 
-VM_API vmi_frozen_parts vmi_frozen_work(const vm_lagrange *l)
+VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *l)
 {
-    vmi_frozen_parts w;
+    vmi_lagrange_parts w;
     w.A = l->work;
     w.b = w.A + (ptrdiff_t)l->n * l->n;
     w.rates = w.b + l->n;
@@ -5135,57 +5128,57 @@ VM_API vmi_frozen_parts vmi_frozen_work(const vm_lagrange *l)
 }
 
 /* T at rates x e_i + z e_j */
-VM_API vm_real vmi_frozen_energy(const vm_lagrange *l, vm_real t, const vm_real *q, int i, vm_real x, int j,
+VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *l, vm_real t, const vm_real *q, int i, vm_real x, int j,
                                  vm_real z)
 {
-    const vmi_frozen_parts w = vmi_frozen_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(l);
     int k;
     for (k = 0; k < l->n; k++) w.trial[k] = (k == i ? x : 0) + (k == j ? z : 0);
     return l->energy(t, q, w.trial, w.masses, l->ctx);
 }
 
 /* A and b from T; steps of the size of 1/sqrt(A_ii) keep the roundings of unlike coordinates apart */
-VM_API void vmi_frozen_quadratic(const vm_lagrange *l, vm_real t, const vm_real *q)
+VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *l, vm_real t, const vm_real *q)
 {
-    const vmi_frozen_parts w = vmi_frozen_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(l);
     const int n = l->n;
-    const vm_real T0 = vmi_frozen_energy(l, t, q, -1, 0, -1, 0);
+    const vm_real T0 = vmi_lagrange_energy(l, t, q, -1, 0, -1, 0);
     int i, j;
     for (i = 0; i < n; i++) {
-        const vm_real plus = vmi_frozen_energy(l, t, q, i, 1, -1, 0);
-        const vm_real minus = vmi_frozen_energy(l, t, q, i, -1, -1, 0);
+        const vm_real plus = vmi_lagrange_energy(l, t, q, i, 1, -1, 0);
+        const vm_real minus = vmi_lagrange_energy(l, t, q, i, -1, -1, 0);
         w.A[i * n + i] = (plus - T0) + (minus - T0);
         w.b[i] = (plus - minus) / 2;
     }
     for (i = 0; i < n; i++)
         for (j = 0; j < i; j++) {
             const vm_real x = 1 / VM_SQRT(w.A[i * n + i]), z = 1 / VM_SQRT(w.A[j * n + j]);
-            const vm_real same = vmi_frozen_energy(l, t, q, i, x, j, z) + vmi_frozen_energy(l, t, q, i, -x, j, -z);
-            const vm_real apart = vmi_frozen_energy(l, t, q, i, x, j, -z) + vmi_frozen_energy(l, t, q, i, -x, j, z);
+            const vm_real same = vmi_lagrange_energy(l, t, q, i, x, j, z) + vmi_lagrange_energy(l, t, q, i, -x, j, -z);
+            const vm_real apart = vmi_lagrange_energy(l, t, q, i, x, j, -z) + vmi_lagrange_energy(l, t, q, i, -x, j, z);
             w.A[i * n + j] = w.A[j * n + i] = (same - apart) / (4 * x * z);
         }
 }
 
-VM_API void vmi_frozen_freeze(const vm_lagrange *l, vm_real t, const vm_real *q)
+VM_API void vmi_lagrange_freeze(const vm_lagrange_system *l, vm_real t, const vm_real *q)
 {
-    if (l->masses) l->masses(t, q, vmi_frozen_work(l).masses, l->ctx);
+    if (l->masses) l->masses(t, q, vmi_lagrange_work(l).masses, l->ctx);
 }
 
 /* q' into the work */
-VM_API int vmi_frozen_solve(const vm_lagrange *l, vm_real t, const vm_real *y)
+VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *l, vm_real t, const vm_real *y)
 {
-    const vmi_frozen_parts w = vmi_frozen_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(l);
     int k;
-    vmi_frozen_freeze(l, t, y);
-    vmi_frozen_quadratic(l, t, y);
+    vmi_lagrange_freeze(l, t, y);
+    vmi_lagrange_quadratic(l, t, y);
     for (k = 0; k < l->n; k++) w.rates[k] = y[l->n + k] - w.b[k];
     return vmi_solve_mass(l->n, w.A, w.rates, w.trial);
 }
 
 /* h^6/140 of the seventh derivative against eps/h: h = 2^-7 for eps = 2^-52, 2^-3 for 2^-23 */
-VM_API vm_real vmi_frozen_derivative(const vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
 {
-    const vmi_frozen_parts w = vmi_frozen_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(l);
     const vm_real h = (VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125)) * (l->scales ? l->scales[i] : 1);
     const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
     vm_real sum = 0;
@@ -5202,38 +5195,38 @@ VM_API vm_real vmi_frozen_derivative(const vm_lagrange *l, vm_real t, const vm_r
     return sum / h;
 }
 
-VM_API int vmi_frozen_good(const vm_lagrange *l)
+VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *l)
 {
     return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
 }
 
-/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange. Where A is singular, as in vm_lagrange_separate, or masses have
+/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange_system. Where A is singular, as in vm_lagrange_separate, or masses have
    become negative, VM_SINGULAR stops it: stop before, by an event */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
-    const vm_lagrange *l = (const vm_lagrange *)lagrange;
-    if (!y || !dydt || !vmi_frozen_good(l)) return VM_BAD_ARGUMENT;
-    const vmi_frozen_parts w = vmi_frozen_work(l);
-    int k, status = vmi_frozen_solve(l, t, y);
+    const vm_lagrange_system *l = (const vm_lagrange_system *)lagrange;
+    if (!y || !dydt || !vmi_lagrange_is_valid(l)) return VM_BAD_ARGUMENT;
+    const vmi_lagrange_parts w = vmi_lagrange_work(l);
+    int k, status = vmi_lagrange_solve_rates(l, t, y);
     if (status) return status;
     for (k = 0; k < l->n; k++) {
         dydt[k] = w.rates[k];
         dydt[l->n + k] = 0;
     }
     if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
-    for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_frozen_derivative(l, t, y, w.rates, k);
+    for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_lagrange_derivative(l, t, y, w.rates, k);
     return status;
 }
 
 /* y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE */
-VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
+VM_API int vm_lagrange_start(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
-    vmi_frozen_parts w;
+    vmi_lagrange_parts w;
     int i, j;
-    if (!vmi_frozen_good(l) || !q || !rates || !y) return VM_BAD_ARGUMENT;
-    w = vmi_frozen_work(l);
-    vmi_frozen_freeze(l, t, q);
-    vmi_frozen_quadratic(l, t, q);
+    if (!vmi_lagrange_is_valid(l) || !q || !rates || !y) return VM_BAD_ARGUMENT;
+    w = vmi_lagrange_work(l);
+    vmi_lagrange_freeze(l, t, q);
+    vmi_lagrange_quadratic(l, t, q);
     for (i = 0; i < l->n; i++)
         for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
     if (!vmi_all_finite(l->n, w.b) || !vmi_all_finite(l->n, q)) return VM_NOT_FINITE;
@@ -5245,20 +5238,20 @@ VM_API int vm_lagrange_start(vm_lagrange *l, vm_real t, const vm_real *q, const 
 }
 
 /* Documented with vm_lagrange_start. */
-VM_API int vm_lagrange_rates(vm_lagrange *l, vm_real t, const vm_real *y, vm_real *rates)
+VM_API int vm_lagrange_rates(vm_lagrange_system *l, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
-    if (!vmi_frozen_good(l) || !y || !rates) return VM_BAD_ARGUMENT;
-    status = vmi_frozen_solve(l, t, y);
-    return status ? status : vmi_deliver(l->n, vmi_frozen_work(l).rates, rates);
+    if (!vmi_lagrange_is_valid(l) || !y || !rates) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_solve_rates(l, t, y);
+    return status ? status : vmi_copy_if_finite(l->n, vmi_lagrange_work(l).rates, rates);
 }
 
 /* dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .. n - 1 */
-VM_API vm_real vm_frozen_derivative(vm_lagrange *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
 {
-    if (!vmi_frozen_good(l) || !q || !rates || i < 0 || i >= l->n) return VM_NAN;
-    vmi_frozen_freeze(l, t, q);
-    return vmi_frozen_derivative(l, t, q, rates, i);
+    if (!vmi_lagrange_is_valid(l) || !q || !rates || i < 0 || i >= l->n) return VM_NAN;
+    vmi_lagrange_freeze(l, t, q);
+    return vmi_lagrange_derivative(l, t, q, rates, i);
 }
 
 #endif
@@ -5315,7 +5308,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
     result[2] = (s * omega.x - c * omega.y) / sine;
     result[1] = c * omega.x + s * omega.y;
     result[0] = omega.z - result[2] * cosine;
-    return vmi_deliver(3, result, rates);
+    return vmi_copy_if_finite(3, result, rates);
 }
 
 #endif
@@ -5423,17 +5416,17 @@ VM_API const char *vm_osc_route_name(int route)
 /* How good they are, criterion (268): their largest velocities over the exact one (267), that of cos (296) and that
    of cn, which for m > 1/2 is Omega_1/(2k) next to x = 0, not the k' Omega_1 of (306) at x = 0; and the largest
    errors of x over x0 and of v over vmax in a period. NaN outside alpha >= 0. */
-typedef struct VM_TAG(vm_osc_comparison) {
+typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax, jacobi_vmax;
     vm_real trig_x, trig_v, jacobi_x, jacobi_v;
-} vm_osc_comparison;
+} vm_osc_errors;
 
 /* ds/dt of the Ateb phase, sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2); NaN outside the domain */
 VM_API vm_real vmi_osc_rate(vm_real x0, vm_real omega0, vm_real alpha)
 {
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(omega0)) return VM_NAN;
     if (omega0 == 0) return 0; /* where the power may be infinite */
-    return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha - 1) / 2);
+    return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha - 1) / 2);
 }
 
 /* Started at rest, x(0) = x0, x'(0) = 0 (258), x0 of either sign: exact period (262), s, and largest velocity (267),
@@ -5448,7 +5441,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
 {
     vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (rate != rate) return rate;
-    return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha + 1) / 2);
+    return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
 /* x|x|^(alpha-1) */
@@ -5456,7 +5449,7 @@ VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_raised(VM_FABS(x), alpha), x);
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
 }
 
 /* x and v at amplitude A, of either sign, and Ateb phase psi */
@@ -5483,7 +5476,7 @@ VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, v
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Documented with vm_osc_omega_trig. */
-VM_API vm_real vm_osc_m_jacobi(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
+VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
 /* Documented with vm_osc_omega_trig. */
 /* (300) with K = Pi_alpha/((alpha + 1) k') from (307) */
@@ -5497,7 +5490,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
 {
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(omega0))
         return VM_NAN;
-    return v * v / 2 + omega0 * omega0 * vmi_raised(VM_FABS(x), alpha + 1) / (alpha + 1);
+    return v * v / 2 + omega0 * omega0 * vmi_pow_checked(VM_FABS(x), alpha + 1) / (alpha + 1);
 }
 
 /* Amplitude A > 0 (m) and phase psi in (-Pi, Pi] of any state: x = A ca(psi), v = -vmax(A) sa(psi) */
@@ -5512,10 +5505,10 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0))
         return;
     a = VM_FABS(x);
-    b = vmi_raised(VM_FABS(s), 2 / n);
+    b = vmi_pow_checked(VM_FABS(s), 2 / n);
     larger = a > b ? a : b;
     *A = larger == 0 || a == 0 || b == 0 ? larger
-                                         : larger * vmi_raised(1 + vmi_raised((a > b ? b : a) / larger, n), 1 / n);
+                                         : larger * vmi_pow_checked(1 + vmi_pow_checked((a > b ? b : a) / larger, n), 1 / n);
     *psi = ateb_phase(s == 0 ? 0 : -s, x, alpha);
 }
 
@@ -5556,10 +5549,10 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_constant(VM_ROUTE_JACOBI, t, x0, omega0, alpha, x, v);
 }
 
-VM_API vm_osc_comparison vm_osc_compare(vm_real alpha)
+VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 {
     const vm_real pi = ateb_pi(alpha);
-    vm_osc_comparison r = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
+    vm_osc_errors r = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
     vmi_osc_wave w;
     if (pi != pi) return r;
     w = vmi_osc_wave_of(VM_ROUTE_TRIG, alpha, pi, NULL);
@@ -5752,7 +5745,7 @@ VM_API int vmi_law_derivatives(const vm_law *law, vm_real t, int side, vm_real s
         break;
     case VM_LAW_POWER: {
         const vm_real base = 1 + law->f1 * t, c = law->f1 / base;
-        f[0] = law->f0 * vmi_raised(base, law->f2);
+        f[0] = law->f0 * vmi_pow_checked(base, law->f2);
         f[1] = law->f2 * c * f[0];
         f[2] = (law->f2 - 1) * c * f[1];
         if (!(base > 0)) return VM_BAD_MASS;
@@ -5991,7 +5984,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
         rho = 1 + r.q * e / 2 * g +
               (r.q * e * r.q * e * (2 - p->gamma) * (g * g - M * n / (n + 6)) + n * c * r.h * e * e) / 8;
         if (!(rho > 0) || !VM_IS_FINITE(rho)) rho = 1; /* far from slow */
-        Om_ratio = vmi_raised(rho, -p->gamma);
+        Om_ratio = vmi_pow_checked(rho, -p->gamma);
     }
     p->ln_rho = vmi_log(rho).hi;
     p->shift = -r.q * scale / Om_ratio * n / (2 * (n + 2)) * c;
@@ -6037,14 +6030,14 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
    leaves out the ripple within a period, its effect on phase and amplitude at the start, its square, and a force
    that changes within a period, as in a resonance. For this estimate F is called over a period at the start and at
    eight later times: a force that acts only for a short time between these is not seen. There is
-   no second-order law with F, and vm_osc_at takes the variation of constants. So it
+   no second-order law with F, and vm_osc_within takes the variation of constants. So it
    does where no law is within the tolerance, but where alpha is odd: there rk87 is two to four times as fast.
    The error estimates of the first- and second-order laws include the fastest changes of mass and stiffness between
    0 and t: mass and stiffness are examined panel by panel (for functions see vm_law), tables from point to point. A
-   change within a period makes the estimate large. vm_osc_at then integrates, in steps of at most a quarter of the
+   change within a period makes the estimate large. vm_osc_within then integrates, in steps of at most a quarter of the
    shortest panel. Over random problems (alpha in [0, 8], q of 3e-3 to 0.1, to t = 3/q; tests/test_routes.c), of
    which some change only in a part of the run or have tables with a step, the true error is below 3 times error in
-   99 % of the cases, and above 10 times (vm_osc_at: at most 10.3) in 1 of 1000; of 282 runs by the variation of
+   99 % of the cases, and above 10 times (vm_osc_within: at most 10.3) in 1 of 1000; of 282 runs by the variation of
    constants one erred by 37 times error, at alpha = 1.5. In the median, error is 3 to 4 (first order), 7 (second
    order), 5 to 20 (integrators) and, with F, 5 to 10 (averaged) times the true error. With rk87 the true error is above 3 times error in 2 % of the cases, up to 20 times: if alpha is not an odd integer, its errors are
    not proportional to the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
@@ -6067,10 +6060,10 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     return status;
 }
 
-/* The motion at the times of vmi_osc_check(t, .), by integration with one tolerance */
+/* The motion at the times of vmi_osc_check_time(t, .), by integration with one tolerance */
 enum { VMI_OSC_CHECKS = 8 };
 
-VM_API vm_real vmi_osc_check(vm_real t, int i)
+VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     return i == VMI_OSC_CHECKS - 1 ? t : t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }
@@ -6420,7 +6413,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
         status = vmi_osc_walk_to(&w, t);
         y[0] = w.y[0];
     }
-    return status ? status : vmi_deliver(1, y, integral);
+    return status ? status : vmi_copy_if_finite(1, y, integral);
 }
 
 /* -- The mean motion, by the laws -- */
@@ -6786,7 +6779,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 }
 
 /* Estimates the error of the averaged equations with a force at t, from the amplitudes at the times of
-   vmi_osc_check. Errors arise from the ripple at the start, which is taken for a part of the mean, and from the
+   vmi_osc_check_time. Errors arise from the ripple at the start, which is taken for a part of the mean, and from the
    errors of the rates. They grow as small changes of the motion do, and an error of the amplitude adds one of the
    phase. The ripple at t, the wave that is not ca and sa, and what is too fast in the laws of mass and stiffness
    are added at the end. */
@@ -6803,7 +6796,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
     in_A = before.start_A;
     in_psi = before.start_psi;
     for (i = 0; i < VMI_OSC_CHECKS; i++) {
-        const vm_real next = vmi_osc_check(t, i), step = VM_FABS(next - time);
+        const vm_real next = vmi_osc_check_time(t, i), step = VM_FABS(next - time);
         vm_real largest_A = in_A, growth;
         status = vmi_osc_averaging_at(p, w, next, t, motion[i].amplitude, 0, &after);
         if (status) return status;
@@ -6890,7 +6883,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
     if (c->status) return c->status;
     m = now.m / p->m0;
-    weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_raised(m, o->reactive);
+    weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_pow_checked(m, o->reactive);
     dydt[0] = speed * y[1] / weight;
     dydt[1] = -p->Om * (now.k / p->k0) * weight / m * vmi_osc_elastic(y[0], o->alpha) - o->damping / now.m * y[1];
     if (o->force) dydt[1] += o->force(t, p->A * y[0], p->A * dydt[0], o->ctx) * weight / (now.m * p->A * speed);
@@ -6956,7 +6949,7 @@ VM_API int vmi_osc_motion_now(vmi_osc_run *c, vm_osc_motion *motion)
         vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
         return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
     }
-    weight = vmi_raised(now.m / p->m0, p->problem.reactive);
+    weight = vmi_pow_checked(now.m / p->m0, p->problem.reactive);
     motion->x = p->A * y[0];
     motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
     vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude, &Om);
@@ -6984,7 +6977,7 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
                      : rk45_init(&c->s, f, c, 2, 0, y, &options, c->work);
     if (status < 0) return VM_NOT_INTEGRATED;
     for (i = 0; i < VMI_OSC_CHECKS; i++) {
-        status = vmi_osc_solve(c, vmi_osc_check(t, i));
+        status = vmi_osc_solve(c, vmi_osc_check_time(t, i));
         if (!status) status = vmi_osc_motion_now(c, motion + i);
         if (status) return status;
     }
@@ -6992,7 +6985,7 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
     return VM_OK;
 }
 
-/* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check: at one time
+/* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check_time: at one time
    two runs may agree by chance */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
@@ -7000,7 +6993,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     vm_real d, largest = 0;
     int i;
     for (i = 0; i < VMI_OSC_CHECKS; i++, a++, b++) {
-        if (a->amplitude == 0 || vmi_osc_rates_at(p, vmi_osc_check(t, i), t < 0 ? 1 : -1, 0, &now))
+        if (a->amplitude == 0 || vmi_osc_rates_at(p, vmi_osc_check_time(t, i), t < 0 ? 1 : -1, 0, &now))
             return VM_INFINITY;
         d = VM_FABS(a->x - b->x) / a->amplitude;
         if (d > largest) largest = d;
@@ -7126,7 +7119,7 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Documented with vm_osc_plan_init. */
-VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_mean mean;
     vmi_osc_wave w;
@@ -7153,7 +7146,7 @@ VM_API int vmi_osc_integrator(vm_real alpha)
 }
 
 /* Documented with vm_osc_plan_init. */
-VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_mean mean;
     vmi_osc_wave w;
@@ -7183,61 +7176,19 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
 }
 
 /* The same for a problem that is asked once */
-VM_API int vm_osc_by(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
     int status = vmi_osc_once(problem, &plan);
-    return status ? status : vm_osc_plan_by(&plan, route, t, tolerance, motion);
+    return status ? status : vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_at(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+/* Documented with vm_osc_by_route. */
+VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
     int status = vmi_osc_once(problem, &plan);
-    return status ? status : vm_osc_plan_at(&plan, t, tolerance, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_trig(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_TRIG, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_jacobi(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_JACOBI, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_ateb(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_ATEB, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_second(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_SECOND, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_variation(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_VARIATION, t, tolerance, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_rk45(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_RK45, t, tolerance, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_rk87(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_RK87, t, tolerance, motion);
+    return status ? status : vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 
 #endif
@@ -7253,7 +7204,7 @@ typedef struct VM_TAG(vm_linear_mass) {
     vm_real mass, rate; /* mass + rate t */
 } vm_linear_mass;
 
-VM_API int vmi_osc_law_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
     return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(damping) &&
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
@@ -7266,8 +7217,8 @@ VM_API int vmi_osc_law_domain(vm_real mass_ratio, vm_real damping, vm_real react
    All three averaging methods give it, once (335)'s sign is mended. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
-    if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_raised(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
+    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
 }
 
 /* Documented with vm_osc_amplitude_law. */
@@ -7275,8 +7226,8 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
     vm_real share = (alpha + 1) / (alpha + 3);
-    if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_raised(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
+    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
 }
 
 VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
@@ -7361,7 +7312,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
     if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
     if (v->method != VM_VDP_JACOBI) return VM_OK;
-    m = vm_osc_m_jacobi(v->alpha);
+    m = vm_osc_jacobi_parameter(v->alpha);
     jacobi_cn_means(m, &C2, &C4, &C6);
     v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
     v->a1 = (v->alpha + 3) / 2 * v->a2; /* (411), since (1 - m) + m C4 = 2 a2 */
@@ -7402,7 +7353,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_
 
 /* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
    none. stable, where not null: whether the amplitudes around tend to the one returned. */
-VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
+VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
@@ -7449,37 +7400,37 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
    gyroscopic constant g = Omega_p g of the remark after (516):
      m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
    A zero field means none; mass and stiffness must be there. */
-/* F_e(rho)/rho, N/m, and its derivative, for rho >= 0. vm_laval_power is k rho^(alpha-1), ctx a vm_power_force. */
-typedef vm_real (*vm_laval_stiffness)(vm_real rho, vm_real *slope, void *ctx);
-typedef vm_complex (*vm_laval_force)(vm_real t, vm_complex z, vm_complex v, void *ctx);
+/* F_e(rho)/rho, N/m, and its derivative, for rho >= 0. vm_jeffcott_power is k rho^(alpha-1), ctx a vm_power_force. */
+typedef vm_real (*vm_jeffcott_stiffness)(vm_real rho, vm_real *slope, void *ctx);
+typedef vm_complex (*vm_jeffcott_force)(vm_real t, vm_complex z, vm_complex v, void *ctx);
 
 typedef struct VM_TAG(vm_power_force) {
     vm_real k, alpha;
 } vm_power_force;
 
-typedef struct VM_TAG(vm_laval) {
+typedef struct VM_TAG(vm_jeffcott) {
     vm_slow_mass mass;
     void *mass_ctx;
-    vm_laval_stiffness stiffness;
+    vm_jeffcott_stiffness stiffness;
     void *stiffness_ctx;
-    vm_laval_force force; /* F_z, N; small where averaged */
+    vm_jeffcott_force force; /* F_z, N; small where averaged */
     void *force_ctx;
     vm_real gyro;     /* kg/s */
     vm_real reactive; /* r */
     vm_complex u;     /* absolute velocity of what joins or leaves, m/s */
     int samples;      /* of a period in an average; default 32, enough for polynomials of degree 15 */
-} vm_laval;
+} vm_jeffcott;
 
-VM_API vm_real vm_laval_power(vm_real rho, vm_real *slope, void *power_force)
+VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
-    *slope = p->alpha == 1 ? 0 : p->k * (p->alpha - 1) * vmi_raised(rho, p->alpha - 2);
-    return p->k * vmi_raised(rho, p->alpha - 1);
+    *slope = p->alpha == 1 ? 0 : p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
+    return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
 /* rho and phi in (-pi, pi] (448) */
-VM_API void vm_laval_polar(vm_complex z, vm_real *rho, vm_real *phi)
+VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;
     *rho = vmi_c_modulus(z);
@@ -7487,39 +7438,39 @@ VM_API void vm_laval_polar(vm_complex z, vm_real *rho, vm_real *phi)
 }
 
 /* Angular momentum Im(conj z m z') - g |z|^2, kg m^2/s: constant where r = 1, u = 0, F_z = 0 */
-VM_API vm_real vm_laval_momentum(const vm_laval *r, vm_real mass, vm_complex z, vm_complex v)
+VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
 /* F_e(rho)/rho, NaN where there is none */
-VM_API vm_real vmi_laval_stiffness(const vm_laval *r, vm_real rho, vm_real *slope)
+VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real *slope)
 {
     *slope = VM_NAN;
     return r->stiffness ? r->stiffness(rho, slope, r->stiffness_ctx) : VM_NAN;
 }
 
 /* F_z + r m' u */
-VM_API vm_complex vmi_laval_drive(const vm_laval *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
+VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
     return r->force ? vmi_c_add(r->force(t, z, v, r->force_ctx), thrust) : thrust;
 }
 
-/* Equations of motion (449), (450) for rk45 or rk87, ctx a vm_laval, y = (x, y, x', y') */
-VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+/* Equations of motion (449), (450) for rk45 or rk87, ctx a vm_jeffcott, y = (x, y, x', y') */
+VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    const vm_laval *r = (const vm_laval *)rotor;
+    const vm_jeffcott *r = (const vm_jeffcott *)rotor;
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
     if (!r->stiffness) return VM_BAD_ARGUMENT;
-    stiffness = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope);
-    force = vmi_c_add(vmi_laval_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
+    force = vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     dydt[0] = v.re;
     dydt[1] = v.im;
     dydt[2] = (force.re - r->reactive * rate * v.re - stiffness * z.re) / mass;
@@ -7527,16 +7478,16 @@ VM_API int vm_laval_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
     return VM_OK;
 }
 
-typedef struct VM_TAG(vmi_laval_state) {
+typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega; /* omega of the small vibration */
-} vmi_laval_state;
+} vmi_jeffcott_state;
 
-VM_API int vmi_laval_now(const vm_laval *r, vm_real t, vmi_laval_state *now)
+VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real slope;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
     if (status) return status;
-    now->omega = VM_SQRT(vmi_laval_stiffness(r, 0, &slope) / now->mass);
+    now->omega = VM_SQRT(vmi_jeffcott_stiffness(r, 0, &slope) / now->mass);
     return now->omega > 0 && VM_IS_FINITE(now->omega) ? VM_OK : VM_DOMAIN;
 }
 
@@ -7548,14 +7499,14 @@ VM_API int vmi_laval_now(const vm_laval *r, vm_real t, vmi_laval_state *now)
    so that the average over psi1 and psi2 apart, (474)-(477), is wrong unless f turns with z. In P and N nothing is
    singular where A1 or A2 is 0. All that differs from m z'' + F_e'(0) z = 0 is perturbation: F_z, u, g, F_e'(rho) -
    F_e'(0). */
-VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
+VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
-    vmi_laval_state now;
+    vmi_jeffcott_state now;
     vm_complex turned, P, N;
     vm_real found[5];
-    const int status = vmi_laval_now(r, t, &now);
+    const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
@@ -7565,11 +7516,11 @@ VM_API int vm_laval_split(const vm_laval *r, vm_real t, const vm_real *motion, v
     found[2] = N.re;
     found[3] = N.im;
     found[4] = phi;
-    return vmi_deliver(5, found, y);
+    return vmi_copy_if_finite(5, found, y);
 }
 
 /* z and z' where phi is the angle of turn */
-VM_API void vmi_laval_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
+VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
     const vm_complex P = vmi_c_times(vmi_complex(y[0], y[1]), turn);
     const vm_complex N = vmi_c_times(vmi_complex(y[2], y[3]), vmi_c_conjugate(turn));
@@ -7577,56 +7528,56 @@ VM_API void vmi_laval_motion(const vm_real *y, vm_complex turn, vm_real omega, v
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Documented with vm_laval_split. */
-VM_API int vm_laval_join(const vm_laval *r, vm_real t, const vm_real *y, vm_real *motion)
+/* Documented with vm_jeffcott_to_averaged. */
+VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
-    vmi_laval_state now;
+    vmi_jeffcott_state now;
     vm_complex z, v;
     vm_real joined[4];
-    const int status = vmi_laval_now(r, t, &now);
+    const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
-    vmi_laval_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
+    vmi_jeffcott_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
     joined[0] = z.re;
     joined[1] = z.im;
     joined[2] = v.re;
     joined[3] = v.im;
-    return vmi_deliver(4, joined, motion);
+    return vmi_copy_if_finite(4, joined, motion);
 }
 
 /* P' and N' (470)-(473) at the fast phase phi:
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
      m f = F + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
    F with r m' u; the half that is missing from r comes from omega'. */
-VM_API void vmi_laval_rates(const vm_laval *r, vm_real t, const vmi_laval_state *now, const vm_real *y, vm_real phi,
+VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y, vm_real phi,
                             vm_complex *dP, vm_complex *dN)
 {
     const vm_complex turn = vmi_c_turn(phi);
     const vm_real push = 1 / (2 * now->omega * now->mass);
     vm_real slope, extra;
     vm_complex z, v, f;
-    vmi_laval_motion(y, turn, now->omega, &z, &v);
-    extra = vmi_laval_stiffness(r, vmi_c_modulus(z), &slope) - now->mass * now->omega * now->omega;
-    f = vmi_c_add(vmi_laval_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    vmi_jeffcott_motion(y, turn, now->omega, &z, &v);
+    extra = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope) - now->mass * now->omega * now->omega;
+    f = vmi_c_add(vmi_jeffcott_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
     f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * now->rate, v)));
     *dP = vmi_c_times_i(-push, vmi_c_times(f, vmi_c_conjugate(turn)));
     *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
-VM_API int vmi_laval_samples(const vm_laval *r) { return r->samples > 0 ? r->samples : 32; }
+VM_API int vmi_jeffcott_samples(const vm_jeffcott *r) { return r->samples > 0 ? r->samples : 32; }
 
 /* The mean of so many samples in a period from y[4] on */
-VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int samples)
+VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int samples)
 {
     if (!r->stiffness) return VM_BAD_ARGUMENT;
     const vm_real share = 1 / (vm_real)samples;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
-    vmi_laval_state now;
-    const int status = vmi_laval_now(r, t, &now);
+    vmi_jeffcott_state now;
+    const int status = vmi_jeffcott_now(r, t, &now);
     int j;
     if (status) return status;
     for (j = 0; j < samples; j++) {
-        vmi_laval_rates(r, t, &now, y, y[4] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+        vmi_jeffcott_rates(r, t, &now, y, y[4] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
     }
@@ -7638,23 +7589,23 @@ VM_API int vmi_laval_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_l
     return VM_OK;
 }
 
-/* Documented with vm_laval_split. */
-VM_API int vm_laval_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+/* Documented with vm_jeffcott_to_averaged. */
+VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    return vmi_laval_mean(t, y, dydt, (const vm_laval *)rotor, 1);
+    return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Documented with vm_laval_split. */
-VM_API int vm_laval_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+/* Documented with vm_jeffcott_to_averaged. */
+VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    const vm_laval *r = (const vm_laval *)rotor;
-    return vmi_laval_mean(t, y, dydt, r, vmi_laval_samples(r));
+    const vm_jeffcott *r = (const vm_jeffcott *)rotor;
+    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_samples(r));
 }
 
 /* W = (g +- S)/m, S^2 = g^2 + m F_e', without the difference of near numbers */
-VM_API vm_real vmi_laval_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
+VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real forward = sense < 0 ? -1 : 1, g = forward * gyro, S = VM_SQRT(gyro * gyro + mass * stiffness);
     return forward * (g > 0 ? (g + S) / mass : stiffness / (S - g));
@@ -7665,33 +7616,33 @@ VM_API vm_real vmi_laval_root(vm_real gyro, vm_real mass, vm_real stiffness, int
    order of the loads over times of their inverse; the phase adds that up where F_e' is not constant: 0.005 were
    measured for loads that turn with z, order 1 for others. Not for a linear F_e with loads that do not turn with z:
    they send the motion off the circle. */
-VM_API vm_real vm_laval_frequency(const vm_laval *r, vm_real A, vm_real mass, int sense)
+VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
     vm_real slope;
     if (!(A >= 0) || !VM_IS_FINITE(A) || !(mass > 0) || !VM_IS_FINITE(mass)) return VM_NAN;
-    return vmi_laval_root(r->gyro, mass, vmi_laval_stiffness(r, A, &slope), sense);
+    return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
 /* (504), (505) averaged. The torque gives (A^2 (m W - g))' = (1 - r) m' A^2 W + A <Im D>, the radial balance
    psi' - W = -<Re D>/(2 A (m W - g)), D = (F_z + r m' u) e^(-i psi); m W - g = +-S, S^2 = g^2 + m F_e'. */
-VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_laval *r, int sense)
+VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
 {
     if (!r->stiffness) return VM_BAD_ARGUMENT;
-    const int samples = vmi_laval_samples(r);
+    const int samples = vmi_jeffcott_samples(r);
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex sum = {0, 0};
     int j;
     const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
     if (status) return status;
-    stiffness = vmi_laval_stiffness(r, y[0], &slope);
-    W = vmi_laval_root(r->gyro, mass, stiffness, sense);
+    stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
+    W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
     S = mass * W - r->gyro;
     if (!(S * S > 0)) return VM_DOMAIN;
     for (j = 0; j < samples; j++) {
         const vm_complex turn = vmi_c_turn(y[1] + 2 * VM_PI * (vm_real)j / (vm_real)samples),
                          z = vmi_c_scale(y[0], turn);
-        const vm_complex D = vmi_laval_drive(r, t, rate, z, vmi_c_times_i(W, z));
+        const vm_complex D = vmi_jeffcott_drive(r, t, rate, z, vmi_c_times_i(W, z));
         sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
     }
     sum = vmi_c_scale(1 / (vm_real)samples, sum);
@@ -7701,31 +7652,31 @@ VM_API int vmi_laval_circular(vm_real t, const vm_real *y, vm_real *dydt, const 
     return VM_OK;
 }
 
-/* Documented with vm_laval_frequency. */
-VM_API int vm_laval_forward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+/* Documented with vm_jeffcott_frequency. */
+VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, 1);
+    return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Documented with vm_laval_frequency. */
-VM_API int vm_laval_backward_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+/* Documented with vm_jeffcott_frequency. */
+VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    return vmi_laval_circular(t, y, dydt, (const vm_laval *)rotor, -1);
+    return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
 /* ln of the invariant over its first value at the radius first_A e^x */
-typedef struct VM_TAG(vmi_laval_orbit) {
-    const vm_laval *r;
+typedef struct VM_TAG(vmi_jeffcott_orbit) {
+    const vm_jeffcott *r;
     vm_real first_A, mass, first; /* first: that of g^2 + m F_e' */
-} vmi_laval_orbit;
+} vmi_jeffcott_orbit;
 
-VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
+VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
-    const vmi_laval_orbit *o = (const vmi_laval_orbit *)orbit;
+    const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
     vm_real slope;
-    const vm_real stiffness = vmi_laval_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope);
+    const vm_real stiffness = vmi_jeffcott_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope);
     const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
     return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
 }
@@ -7734,38 +7685,38 @@ VM_API vm_real vmi_laval_invariant(vm_real x, void *orbit)
      A^4 (g^2 + m F_e'(A)) = const, r = 1, which is A^2 (m W - g) = const;  A^4 F_e'(A) m^(2r-1) = const, g = 0 (509)
    NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from
    first_A. For powers it is first_A vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
-VM_API vm_real vm_laval_amplitude(const vm_laval *r, vm_real first_A, vm_real mass0, vm_real mass)
+VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
-    vmi_laval_orbit o;
+    vmi_jeffcott_orbit o;
     vm_real slope, here, there, step = VM_C(0.0625), x = 0;
     int bounded = 0;
     if (!(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
     if (r->gyro == 0) {
-        mass = vmi_raised(mass / mass0, 2 * r->reactive - 1);
+        mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         mass0 = 1;
     }
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    o.first = r->gyro * r->gyro + mass0 * vmi_laval_stiffness(r, first_A, &slope);
-    here = vmi_laval_invariant(0, &o);
+    o.first = r->gyro * r->gyro + mass0 * vmi_jeffcott_stiffness(r, first_A, &slope);
+    here = vmi_jeffcott_invariant(0, &o);
     if (here == 0 || here != here) return here == 0 ? first_A : VM_NAN;
     for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
-        there = vmi_laval_invariant(x + step, &o);
+        there = vmi_jeffcott_invariant(x + step, &o);
         while (there != there) { /* F_e' is no number there */
             step /= 2;
             bounded = 1;
             if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(x))) return VM_NAN;
-            there = vmi_laval_invariant(x + step, &o);
+            there = vmi_jeffcott_invariant(x + step, &o);
         }
         if (there == 0 || (there > 0) != (here > 0)) break;
         x += step;
         here = there;
     }
-    return first_A * vmi_exp(vmi_slow_zero(vmi_laval_invariant, &o, x, x + step, here, there), 0);
+    return first_A * vmi_exp(vmi_find_zero(vmi_jeffcott_invariant, &o, x, x + step, here, there), 0);
 }
 
 #endif
@@ -7811,7 +7762,7 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
     const vm_real q = (2 * p->reactive - 1) * rate / mass, Om = vmi_slow_rate(A, 2 * p->k, mass, p->alpha);
     vm_real sa, ca;
     ateb_saca(psi, p->alpha, &sa, &ca);
-    return vmi_raised(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
+    return vmi_pow_checked(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
 }
 
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
@@ -7828,7 +7779,7 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
     found[0] = A;
     found[2] = y[0] + y[1];
     found[3] = y[2] + y[3];
-    return vmi_deliver(4, found, modes);
+    return vmi_copy_if_finite(4, found, modes);
 }
 
 VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
@@ -7843,13 +7794,13 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     joined[1] = (q + x) / 2;
     joined[2] = (dq - v) / 2;
     joined[3] = (dq + v) / 2;
-    return vmi_deliver(4, joined, y);
+    return vmi_copy_if_finite(4, joined, y);
 }
 
 /* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
    first ripple, so that any initial velocities do. VM_DOMAIN where the ripple is as large as the motion,
    |(2r - 1) m'/m| some 2 Omega, as it is where m -> 0. Averaged equations of the modes for any mass. */
-VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
+VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
@@ -7858,8 +7809,8 @@ VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real 
     return status ? status : vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Documented with vm_pair_split. */
-VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
+/* Documented with vm_pair_to_averaged. */
+VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
@@ -7868,7 +7819,7 @@ VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_re
     return status ? status : vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Documented with vm_pair_split. */
+/* Documented with vm_pair_to_averaged. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -7914,30 +7865,30 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
    now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
    alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first, and again
    when alpha is another. now, b and reactive may change without. */
-typedef struct VM_TAG(vm_forced_now) {
+typedef struct VM_TAG(vm_forced_parameters) {
     vm_real mass, mass_rate; /* kg, kg/s */
     vm_real k, k_rate;       /* N/m^alpha, per s */
     vm_real nu, nu_rate;     /* rad/s, rad/s^2 */
     vm_real force;           /* N */
-} vm_forced_now;
+} vm_forced_parameters;
 
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha, b, reactive; /* alpha >= 0; kg/s; r */
-    vm_forced_now now;
-    void (*drift)(vm_real t, vm_forced_now *now, void *ctx);
+    vm_forced_parameters now;
+    void (*drift)(vm_real t, vm_forced_parameters *now, void *ctx);
     void *drift_ctx;
     vm_real pi, Om1, G; /* Pi_alpha, w = Om1 sqrt(k/m) A^((alpha-1)/2), the force's share; by vm_forced_init */
     vm_real c[5], s[5]; /* ca = sum c[j] cos((2j+1) pi psi/Pi), sa = sum s[j] sin(...), j = 0 .. */
 } vm_forced;
 
-VM_API vm_forced_now vmi_forced_at(const vm_forced *f, vm_real t)
+VM_API vm_forced_parameters vmi_forced_at(const vm_forced *f, vm_real t)
 {
-    vm_forced_now now = f->now;
+    vm_forced_parameters now = f->now;
     if (f->drift) f->drift(t, &now, f->drift_ctx);
     return now;
 }
 
-VM_API int vmi_forced_check(const vm_forced_now *n)
+VM_API int vmi_forced_check(const vm_forced_parameters *n)
 {
     if (!VM_IS_FINITE(n->mass) || !VM_IS_FINITE(n->mass_rate) || !VM_IS_FINITE(n->k) || !VM_IS_FINITE(n->k_rate) ||
         !VM_IS_FINITE(n->nu) || !VM_IS_FINITE(n->nu_rate) || !VM_IS_FINITE(n->force))
@@ -7978,7 +7929,7 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 
 VM_API int vm_forced_init(vm_forced *f)
 {
-    vm_forced_now now;
+    vm_forced_parameters now;
     int status;
     if (!f) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->b) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
@@ -7994,14 +7945,14 @@ VM_API int vm_forced_init(vm_forced *f)
 }
 
 /* (ln mu kappa)', the rate at which the action would change */
-VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_now *n)
+VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_parameters *n)
 {
     return ((2 * f->reactive - 1) * n->mass_rate + 2 * f->b) / n->mass + n->k_rate / n->k;
 }
 
-VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_now *n, vm_real A) /* w(A) */
+VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_parameters *n, vm_real A) /* w(A) */
 {
-    return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_raised(VM_FABS(A), (f->alpha - 1) / 2);
+    return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
 /* Equations for rk45 or rk87, ctx a vm_forced: of motion, y = (x, x', theta); the same in amplitude and Ateb phase,
@@ -8012,7 +7963,7 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     vm_real sine, cosine;
     const int status = vmi_forced_check(&n);
     if (status) return status;
@@ -8030,7 +7981,7 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vm_real q, Om, push, sa, ca, sine, cosine;
     if (status) return status;
@@ -8050,7 +8001,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vm_real w, push, sine, cosine;
     if (status) return status;
@@ -8064,7 +8015,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 }
 
 /* R, the first ripple of the exact amplitude about its mean A: psi the Ateb phase, phi = pi psi/Pi that in radians */
-VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_real A, vm_real phi, vm_real theta)
+VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_parameters *n, vm_real A, vm_real phi, vm_real theta)
 {
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
@@ -8081,10 +8032,10 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_
 
 /* (x, x', theta) to the mean (A, delta, theta), and back, at time t. The ripple of the amplitude is taken out and put
    back: without that the error is of order 1 where alpha != 1. */
-VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
+VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
@@ -8102,11 +8053,11 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
     return VM_OK;
 }
 
-/* Documented with vm_forced_split. */
-VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
+/* Documented with vm_forced_to_averaged. */
+VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
@@ -8116,7 +8067,7 @@ VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_re
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
     r[2] = theta;
-    return vmi_deliver(3, r, motion);
+    return vmi_copy_if_finite(3, r, motion);
 }
 
 #endif
@@ -8125,14 +8076,14 @@ VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_re
 #define VARMASS_OSCILLATORS_RESONANCE_H
 
 /* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of
-   them, or a negative status. A is the mean amplitude; the waveform, with its ripple, is vm_forced_join's. For the
+   them, or a negative status. A is the mean amplitude; the waveform, with its ripple, is vm_forced_from_averaged's. For the
    response at each frequency let now.nu run. Those far from w(A) = nu are labels only: the averaged equations hold
    near the resonance. */
-typedef struct VM_TAG(vm_steady) {
+typedef struct VM_TAG(vm_steady_state) {
     vm_real nu, A, delta;
     vm_real trace, det; /* of the averaged equations there: rates lambda^2 - trace lambda + det = 0 */
     int stable;         /* det > 0 and trace < 0; det < 0 is a saddle */
-} vm_steady;
+} vm_steady_state;
 
 /* Passage through the resonance, all rates as they are at time t. The backbone's amplitude A at nu; torque: the
    drift of w - nu over the force's hold on it, below 1 the vibration may be captured and follow A, with the phase
@@ -8143,13 +8094,13 @@ typedef struct VM_TAG(vm_passage) {
 } vm_passage;
 
 /* The resonance with all quantities frozen, p = q/(alpha+3) */
-typedef struct VM_TAG(vmi_frozen) {
+typedef struct VM_TAG(vmi_forced_frozen_state) {
     vm_real w1, exponent, nu, p, push; /* w = w1 A^exponent; push = force G/m, signed */
-} vmi_frozen;
+} vmi_forced_frozen_state;
 
-VM_API vmi_frozen vmi_forced_frozen(const vm_forced *f, const vm_forced_now *n)
+VM_API vmi_forced_frozen_state vmi_forced_freeze(const vm_forced *f, const vm_forced_parameters *n)
 {
-    vmi_frozen z;
+    vmi_forced_frozen_state z;
     z.w1 = vmi_forced_natural(f, n, 1);
     z.exponent = (f->alpha - 1) / 2;
     z.nu = n->nu;
@@ -8161,16 +8112,16 @@ VM_API vmi_frozen vmi_forced_frozen(const vm_forced *f, const vm_forced_now *n)
 /* ln of A w sqrt((w - nu)^2 + p^2)/|push|, 0 at a steady amplitude A = e^x */
 VM_API vm_real vmi_forced_excess(vm_real x, void *frozen)
 {
-    const vmi_frozen *z = (const vmi_frozen *)frozen;
+    const vmi_forced_frozen_state *z = (const vmi_forced_frozen_state *)frozen;
     const vm_real w = z->w1 * vmi_exp(z->exponent * x, 0), detuning = vmi_c_modulus(vmi_complex(w - z->nu, z->p));
     if (!(detuning > 0)) return -VM_MAX;
     return (1 + z->exponent) * x + vmi_log(z->w1 / VM_FABS(z->push) * detuning).hi;
 }
 
-VM_API vm_steady vmi_forced_state(const vmi_frozen *z, vm_real alpha, vm_real A)
+VM_API vm_steady_state vmi_forced_state(const vmi_forced_frozen_state *z, vm_real alpha, vm_real A)
 {
-    const vm_real w = z->w1 * vmi_raised(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
-    vm_steady s;
+    const vm_real w = z->w1 * vmi_pow_checked(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
+    vm_steady_state s;
     s.nu = z->nu;
     s.A = A;
     s.delta = ateb_phase(-p * A * w / z->push, off * A * w / z->push, 1);
@@ -8182,7 +8133,7 @@ VM_API vm_steady vmi_forced_state(const vmi_frozen *z, vm_real alpha, vm_real A)
 
 /* The values of x = ln A between which the excess is monotonic: w of det = 0, which is 2 alpha w^2 - (3 alpha + 1)
    nu w + (alpha + 1)(nu^2 + p^2) = 0; their number */
-VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
+VM_API int vmi_forced_turns(const vmi_forced_frozen_state *z, vm_real alpha, vm_real *x)
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
     const vm_real half = (3 * alpha + 1) * z->nu + (square > 0 ? VM_SQRT(square) : 0);
@@ -8199,7 +8150,7 @@ VM_API int vmi_forced_turns(const vmi_frozen *z, vm_real alpha, vm_real *x)
 }
 
 /* The steady amplitudes of alpha != 1: one at most below, between and above the turns */
-VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
+VM_API int vmi_forced_roots(vmi_forced_frozen_state *z, vm_real alpha, vm_real *A)
 {
     const vm_real steep = VM_FABS(z->exponent) > 1 ? VM_FABS(z->exponent) : 1;
     const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
@@ -8212,21 +8163,21 @@ VM_API int vmi_forced_roots(vmi_frozen *z, vm_real alpha, vm_real *A)
         left = vmi_forced_excess(ends[i], z);
         right = vmi_forced_excess(ends[i + 1], z);
         if (!((left > 0) != (right > 0))) continue;
-        A[found++] = vmi_exp(vmi_slow_zero(vmi_forced_excess, z, ends[i], ends[i + 1], left, right), 0);
+        A[found++] = vmi_exp(vmi_find_zero(vmi_forced_excess, z, ends[i], ends[i + 1], left, right), 0);
     }
     return found;
 }
 
-VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
+VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     int i, found = 0;
     const int status = vmi_forced_check(&n);
     vm_real A[3];
-    vmi_frozen z;
+    vmi_forced_frozen_state z;
     if (status) return status;
-    z = vmi_forced_frozen(f, &n);
+    z = vmi_forced_freeze(f, &n);
     if (z.push == 0) return 0;
     if (f->alpha == 1) {
         A[0] = VM_FABS(z.push) / (z.w1 * vmi_c_modulus(vmi_complex(z.w1 - z.nu, z.p)));
@@ -8239,17 +8190,17 @@ VM_API int vm_forced_steady(const vm_forced *f, vm_real t, vm_steady steady[3])
 /* The amplitude-frequency curve, traced by its amplitude: the steady vibrations of amplitude A at any nu > 0, the
    backbone w(A) in the middle between two. Their number, 0 where the force is too small for A, or a negative
    status. */
-VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady curve[2])
+VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
-    vmi_frozen z;
+    vmi_forced_frozen_state z;
     vm_real w, hold, width, p;
     int found = 0;
     if (status) return status;
     if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
-    z = vmi_forced_frozen(f, &n);
+    z = vmi_forced_freeze(f, &n);
     w = vmi_forced_natural(f, &n, A);
     hold = VM_FABS(z.push) / (w * A);
     p = VM_FABS(z.p);
@@ -8266,11 +8217,11 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady c
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
-    const vm_forced_now n = vmi_forced_at(f, t);
-    vmi_frozen z;
+    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_frozen_state z;
     if (vmi_forced_check(&n)) return VM_NAN;
-    z = vmi_forced_frozen(f, &n);
-    return vmi_raised(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
+    z = vmi_forced_freeze(f, &n);
+    return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
 /* delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative
@@ -8278,14 +8229,14 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
-    vmi_frozen z;
+    vmi_forced_frozen_state z;
     vm_passage r;
     vm_real D, sine;
     if (status) return status;
-    z = vmi_forced_frozen(f, &n);
-    r.A = z.exponent == 0 ? amplitude : vmi_raised(z.nu / z.w1, 1 / z.exponent);
+    z = vmi_forced_freeze(f, &n);
+    r.A = z.exponent == 0 ? amplitude : vmi_pow_checked(z.nu / z.w1, 1 / z.exponent);
     if (!(r.A > 0) || !VM_IS_FINITE(r.A) || z.push == 0) return VM_DOMAIN;
     D = n.mass_rate / (2 * n.mass) - n.k_rate / (2 * n.k) + n.nu_rate / n.nu + z.exponent * z.p;
     sine = z.exponent == 0 ? VM_INFINITY : -z.nu * D * r.A / (z.exponent * z.push);
@@ -8304,28 +8255,28 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 #define VARMASS_OSCILLATORS_DIAGNOSTICS_H
 
 /* Any trajectory, x(t) and x'(t): a route's, a law's, an integrator's dense output. */
-typedef void (*vm_motion)(vm_real t, vm_real *x, vm_real *v, void *ctx);
+typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
-typedef struct VM_TAG(vm_point) {
+typedef struct VM_TAG(vm_sample) {
     vm_real t, x, v;
-} vm_point;
+} vm_sample;
 
 enum {
     VM_TURNING_POINTS = 0, /* x' = 0 */
     VM_ZERO_CROSSINGS = 1  /* x = 0 */
 };
 
-typedef struct VM_TAG(vmi_point_search) {
-    vm_motion motion;
+typedef struct VM_TAG(vmi_sample_search) {
+    vm_motion_function motion;
     void *ctx;
     int kind;
     vm_real x, v; /* where it was looked last */
-} vmi_point_search;
+} vmi_sample_search;
 
 /* What vanishes at a point of the kind looked for */
-VM_API vm_real vmi_point_function(vm_real t, void *search)
+VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
-    vmi_point_search *s = (vmi_point_search *)search;
+    vmi_sample_search *s = (vmi_sample_search *)search;
     s->motion(t, &s->x, &s->v, s->ctx);
     return s->kind == VM_ZERO_CROSSINGS ? s->x : s->v;
 }
@@ -8333,10 +8284,10 @@ VM_API vm_real vmi_point_function(vm_real t, void *search)
 /* The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period,
    negative where t1 < t0) and located to an eps of t; the first room of them are written. A negative status for a
    step of the wrong sign, or a trajectory that is not finite. */
-VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
-                           vm_point *points)
+VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
+                           vm_sample *points)
 {
-    vmi_point_search s;
+    vmi_sample_search s;
     vm_real t = t0, here, there, intervals;
     long found = 0, i = 0, last;
     if (!motion || (room > 0 && !points) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
@@ -8347,15 +8298,15 @@ VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm
     s.motion = motion;
     s.ctx = ctx;
     s.kind = kind;
-    for (here = vmi_point_function(t0, &s); i < last; here = there) {
+    for (here = vmi_sample_function(t0, &s); i < last; here = there) {
         const vm_real before = t;
         i++;
         t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
-        there = vmi_point_function(t, &s);
+        there = vmi_sample_function(t, &s);
         if (!VM_IS_FINITE(there)) return VM_NOT_FINITE;
         if (here == 0 || !(there == 0 || (there > 0) != (here > 0))) continue;
         if (found < room) {
-            points[found].t = vmi_slow_zero(vmi_point_function, &s, before, t, here, there);
+            points[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, here, there);
             motion(points[found].t, &points[found].x, &points[found].v, ctx);
         }
         found++;
@@ -8381,7 +8332,7 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 
 /* The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step.
    buffer: room for a state. */
-VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_point *points)
+VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *points)
 {
     vmi_step_motion m;
     vm_real length;
@@ -8392,11 +8343,11 @@ VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buf
     m.x = x;
     m.v = v;
     m.buffer = buffer;
-    return vm_find_points(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
+    return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
 }
 
 /* Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings */
-VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_real (*law)(vm_real t, void *ctx),
+VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *points, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
     if (!points || !law || n < 0) return VM_NAN;
@@ -8432,12 +8383,12 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
    side goes through the effects that are listed, and nothing else; what is not listed is not linked either, since
    each constructor below binds the one function that it needs. All arrays are the caller's.
 
-       vm_scene_body bodies[] = {vm_scene_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
+       vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
        vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
-       vm_culprit culprit;
+       vm_scene_fault culprit;
        int status;
        memset(&scene, 0, sizeof scene);                                      // what is not set is zero: not there
        scene.bodies = bodies;
@@ -8529,7 +8480,7 @@ struct VM_TAG(vm_effect) {
     int body, coordinate;        /* on what it acts */
     int other, other_coordinate; /* against what: another body or VM_GROUND */
     vm_real p[6];                /* parameters, in the order of the constructor's arguments */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_user, N or N m */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force, N or N m */
     vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
     vm_moving_point point;                                          /* of vm_effect_link */
     const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
@@ -8570,10 +8521,10 @@ struct VM_TAG(vm_event) {
     int status; /* VM_OK, or why a constructor could not make it */
 };
 
-/* What came in from outside, and whether it balances: vm_scene_keep_book asks for it */
-typedef struct VM_TAG(vm_book) vm_book;
+/* What came in from outside, and whether it balances: vm_scene_keep_budget asks for it */
+typedef struct VM_TAG(vm_budget) vm_budget;
 
-struct VM_TAG(vm_book) {
+struct VM_TAG(vm_budget) {
     vm_vec3 impulse, angular_impulse;        /* of the effects, about the origin */
     vm_vec3 brought, brought_angular;        /* momentum and angular momentum that streams and mass laws brought */
     vm_real work, brought_energy, mixing;    /* of the effects; of the streams; lost as they mix */
@@ -8585,7 +8536,7 @@ struct VM_TAG(vm_book) {
     /* by pointers, so that without a book they are not linked */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
-    void (*totals)(const vm_scene *scene, const vm_real *y, vm_book *book);
+    void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *book);
 };
 
 struct VM_TAG(vm_scene) {
@@ -8596,7 +8547,7 @@ struct VM_TAG(vm_scene) {
     vm_event *events;
     ode_event *located; /* n_events of them too, for the integrator */
     int n_events;
-    vm_book *book; /* of vm_scene_keep_book: what was there at the start; VM_BOOK numbers join the state */
+    vm_budget *book; /* of vm_scene_keep_budget: what was there at the start; VM_BUDGET numbers join the state */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene,
                   void *ctx); /* null, or called as a run starts and after each step; nonzero stops */
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
@@ -8680,7 +8631,7 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
 
 /* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
    body may be a rod, whose spin about itself then stays. */
-VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v)
+VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
     b.start.mass = mass;
@@ -8706,8 +8657,8 @@ VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->inertia.zz = now->mass;
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega)
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
     b.start.mass = inertia;
@@ -8753,8 +8704,8 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
                                     vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_PLANE, 3, 3);
@@ -8772,14 +8723,14 @@ VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm
     return b;
 }
 
-VM_API int vmi_point_check(const vm_body *start)
+VM_API int vmi_point_body_check(const vm_body *start)
 {
     const vm_inertia *i = &start->inertia;
     const int none = i->xx == 0 && i->yy == 0 && i->zz == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     return none ? VM_OK : VM_BAD_INERTIA;
 }
 
-VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
     for (i = 0; i < 3; i++) rates[i] = state[b->positions + i];
@@ -8787,7 +8738,7 @@ VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm
     return VM_OK;
 }
 
-VM_API void vmi_point_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+VM_API void vmi_point_body_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vm_real *v = state + b->positions;
     (void)angle;
@@ -8799,24 +8750,24 @@ VM_API void vmi_point_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     v[2] = now->v.z;
 }
 
-VM_API void vmi_point_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+VM_API void vmi_point_body_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     const vm_real *v = state + b->positions;
     now->r = vmi_vec3(state[0], state[1], state[2]);
     now->v = vmi_vec3(v[0], v[1], v[2]);
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v)
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
     b.start.mass = mass;
     b.start.r = r;
     b.start.v = v;
-    b.put = vmi_point_put;
-    b.get = vmi_point_get;
-    b.accelerate = vmi_point_accelerate;
-    b.check = vmi_point_check;
+    b.put = vmi_point_body_put;
+    b.get = vmi_point_body_get;
+    b.accelerate = vmi_point_body_accelerate;
+    b.check = vmi_point_body_check;
     return b;
 }
 
@@ -8848,7 +8799,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     spin.y = w.y / 2;
     spin.z = w.z / 2;
     turn = vmi_quat_times(q, spin);
-    vmi_point_accelerate(b, state, rates);
+    vmi_point_body_accelerate(b, state, rates);
     rates[3] = turn.w + pull * q.w;
     rates[4] = turn.x + pull * q.x;
     rates[5] = turn.y + pull * q.y;
@@ -8884,7 +8835,7 @@ VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm
     const vmi_mat3 turn = vmi_rotation(now->q);
     const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
     b->filled = vmi_free_filled(&now->inertia);
-    vmi_point_put(b, now, angle, state);
+    vmi_point_body_put(b, now, angle, state);
     state[3] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
     state[4] = now->q.x;
     state[5] = now->q.y;
@@ -8897,14 +8848,14 @@ VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm
 VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     vmi_mat3 turn;
-    vmi_point_get(b, state, now);
+    vmi_point_body_get(b, state, now);
     now->q = vmi_free_quat(state);
     turn = vmi_rotation(now->q);
     now->omega = vmi_times(&turn, vmi_vec3(state[10], state[11], state[12]));
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_free(const vm_body *start)
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
     b.status = start ? VM_OK : VM_BAD_ARGUMENT;
@@ -8918,14 +8869,14 @@ VM_API vm_scene_body vm_scene_free(const vm_body *start)
 }
 
 /* the same, its mass a state */
-VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body)
+VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
 /* the same, not yet there */
-VM_API vm_scene_body vm_scene_absent(vm_scene_body body)
+VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
@@ -9038,7 +8989,7 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
 
 /* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run
    ends with VM_BAD_INERTIA when they leave an inertia that no body can have. A rod or a point cannot grow. */
-VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body)
+VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.begin = vmi_plane_growing_begin;
@@ -9052,16 +9003,16 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 {
     vmi_growth_begin(b);
     b->axes = vmi_rotation(vmi_free_quat(state));
-    b->inertia = b->filled = vmi_stream_load_inertia(state + vmi_growth(b) + 3);
+    b->inertia = b->filled = vmi_get_inertia(state + vmi_growth(b) + 3);
 }
 
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_stream_ldl factors; /* which Euler's equations below do not use */
-    if (!vmi_stream_factor_body(&b->inertia, &factors)) return VM_BAD_INERTIA;
+    vmi_inertia_ldl factors; /* which Euler's equations below do not use */
+    if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
-    vmi_stream_store_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
+    vmi_set_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
     if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
     rates[0] += load->drift.x;
     rates[1] += load->drift.y;
@@ -9072,26 +9023,26 @@ VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *st
 VM_API void vmi_free_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vmi_free_put(b, now, angle, state);
-    vmi_stream_store_inertia(state + vmi_growth(b) + 3, &now->inertia);
+    vmi_set_inertia(state + vmi_growth(b) + 3, &now->inertia);
 }
 
 VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    now->inertia = vmi_stream_load_inertia(state + vmi_growth(b) + 3);
+    now->inertia = vmi_get_inertia(state + vmi_growth(b) + 3);
     vmi_free_get(b, state, now);
 }
 
 /* A rod or a point has no axis about which a stream could turn it */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
-    vmi_stream_ldl factors;
+    vmi_inertia_ldl factors;
     const int status = vmi_check_body(start);
     if (status) return status;
-    return vmi_stream_factor_body(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    return vmi_inertia_factor_if_possible(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* Documented with vm_scene_growing_plane. */
-VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body)
+/* Documented with vm_scene_body_growing_plane. */
+VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;
@@ -9117,7 +9068,7 @@ VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -VM_COPYSIGN(k, x) * vmi_raised(VM_FABS(x), alpha) * (x != 0);
+    return -VM_COPYSIGN(k, x) * vmi_pow_checked(VM_FABS(x), alpha) * (x != 0);
 }
 
 /* -b v */
@@ -9127,7 +9078,7 @@ VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v) { return -b * v; }
 VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v) { return (b - c * (x * x)) * v; }
 
 /* torque - kappa omega */
-VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
+VM_INLINE vm_real vm_force_motor(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
 
 /* Documented with vm_force_spring. */
 VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t)
@@ -9306,11 +9257,11 @@ VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_drive(e->p[0], e->p[1], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_motor(e->p[0], e->p[1], vmi_effect_v(e, y)));
 }
 
 /* Documented with vm_effect_spring. */
-VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa)
+VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, torque, kappa, 0);
     e.apply = vmi_apply_drive;
@@ -9338,8 +9289,8 @@ VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* Documented with vm_effect_user. */
-VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int other_coordinate,
+/* Documented with vm_effect_force. */
+VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, 0, 0, 0);
@@ -9350,10 +9301,10 @@ VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int
 }
 
 /* a force of one's own, which depends on t and the coordinate, and on what ctx points to */
-VM_API vm_effect vm_effect_user(int body, int coordinate,
+VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
-    return vm_effect_user_between(body, coordinate, VM_GROUND, 0, force, ctx);
+    return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
 /* an effect of one's own, which may depend on everything: apply adds to effect->load->force[coordinate], to
@@ -9362,7 +9313,7 @@ VM_API vm_effect vm_effect_user(int body, int coordinate,
    i, effect->p and effect->ctx, and load->force, which is what the effects before it in the list have made: a stop,
    listed last, can take from it what it holds. other, or VM_GROUND: a body without which it does not act either,
    effect->other_load and so on */
-VM_API vm_effect vm_effect_callback(int body, int other,
+VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
                                     void *ctx)
@@ -9455,7 +9406,7 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 }
 
 /* The mass is now that of the law; M' = by_t + by_x v + by_v v' */
-VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
+VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
                                 const vm_real *u, vm_real share)
 {
     vm_load *load = e->load;
@@ -9470,7 +9421,7 @@ VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *
 VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_mass_now now = e->law(t, y[e->x], y[e->v], e->ctx);
-    vmi_scene_follow(e, y, s, &now, e->p, e->p[3]);
+    vmi_scene_apply_law(e, y, s, &now, e->p, e->p[3]);
 }
 
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
@@ -9506,7 +9457,7 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
         now.mass += c * v * v;
         now.by_v = 2 * c * v;
     }
-    vmi_scene_follow(e, y, s, &now, e->p, e->p[3]);
+    vmi_scene_apply_law(e, y, s, &now, e->p, e->p[3]);
 }
 
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)
@@ -9640,7 +9591,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
-    return e->stream->from ? (int)VM_STORED_STREAM : vmi_stream_good(e->stream);
+    return e->stream->from ? (int)VM_STORED_STREAM : vmi_stream_is_valid(e->stream);
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
@@ -9719,7 +9670,7 @@ VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line
     return now;
 }
 
-VM_API int vmi_band_good(const vm_band *b)
+VM_API int vmi_band_is_valid(const vm_band *b)
 {
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
@@ -9737,7 +9688,7 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     if (!band) return vmi_no_band();
     const vm_real line = band->density * band->width * band->thickness, R = band->radius;
     const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
-    const vm_real bare = VM_IS_FINITE(phi) && vmi_band_good(band) ? 0 : VM_NAN;
+    const vm_real bare = VM_IS_FINITE(phi) && vmi_band_is_valid(band) ? 0 : VM_NAN;
     vm_band_now now;
     now.radius = R + bare;
     now.rate = now.mass = now.inertia = bare;
@@ -9772,13 +9723,13 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;
-    vmi_scene_follow(e, y, s, &now, &u, band.share);
+    vmi_scene_apply_law(e, y, s, &now, &u, band.share);
 }
 
 VM_API int vmi_band_check(const vm_effect *e)
 {
     const vm_band band = vmi_band_of(e);
-    return vmi_band_good(&band) ? VM_OK : VM_DOMAIN;
+    return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
 /* Documented with vm_band_at. */
@@ -9904,13 +9855,13 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
-enum { VM_BOOK = 15 };
+enum { VM_BUDGET = 15 };
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
 /* numbers in the state; VM_BAD_ARGUMENT for null pointers */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
-    int i, size = scene && scene->book ? VM_BOOK : 0;
+    int i, size = scene && scene->book ? VM_BUDGET : 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
     return size;
@@ -9988,7 +9939,7 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
 }
 
 /* What acts on each body now */
-VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
+VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
@@ -10026,7 +9977,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         int k;
@@ -10037,7 +9988,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
         k = vmi_scene_accelerate(b, y, dydt);
         if (k && !s->status) s->status = k;
     }
-    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BOOK);
+    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
     if (s->status) {
         dydt[0] = VM_NAN; /* the integrator tries a shorter step */
         if (before) s->status = before; /* of several in a row the first: the others follow from its NaN */
@@ -10050,10 +10001,10 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
-typedef struct VM_TAG(vm_culprit) {
+typedef struct VM_TAG(vm_scene_fault) {
     const char *kind; /* "body", "effect", "event", "scene" */
     int index;        /* which one, -1 for the scene itself */
-} vm_culprit;
+} vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
@@ -10157,9 +10108,9 @@ VM_API int vmi_scene_check_arrays(const vm_scene *s)
 
 /* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. One pass over
    bodies, effects, events; it marks the bodies. */
-VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit)
+VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *culprit)
 {
-    vm_culprit c = {"scene", -1};
+    vm_scene_fault c = {"scene", -1};
     int i, status = vmi_scene_check_arrays(scene);
     if (culprit) *culprit = c;
     if (status) return status;
@@ -10238,7 +10189,7 @@ VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 }
 
 /* Checks the scene, and makes the state at the start: vm_scene_size numbers */
-VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *culprit)
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *culprit)
 {
     int i, k, at = 0, status = vm_scene_check(scene, culprit);
     if (status) return status;
@@ -10264,7 +10215,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
         vmi_scene_locate(scene, i);
     }
     vmi_scene_presence(scene);
-    vmi_scene_load(scene, t, y);
+    vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
     if (scene->book) scene->book->open(scene, y, y + at);
     return VM_OK;
@@ -10277,7 +10228,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
 
 #include <string.h>
 
-VM_INLINE void vmi_scene_store(vm_vec3 a, vm_real *d) {
+VM_INLINE void vmi_add3(vm_vec3 a, vm_real *d) {
 d[0] += a.x;
 d[1] += a.y;
 d[2] += a.z; }
@@ -10291,10 +10242,10 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
     const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
     const vm_vec3 brought = vmi_scene_moving(b, load->brought);
-    vmi_scene_store(force, d);
-    vmi_scene_store(vmi_add(torque, vmi_cross(at, force)), d + 3);
-    vmi_scene_store(brought, d + 6);
-    vmi_scene_store(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
+    vmi_add3(force, d);
+    vmi_add3(vmi_add(torque, vmi_cross(at, force)), d + 3);
+    vmi_add3(brought, d + 6);
+    vmi_add3(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
     d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) + vmi_dot(torque, vmi_scene_spin(b, y));
     d[13] += load->brought_energy;
     d[14] += load->mixing;
@@ -10316,13 +10267,13 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
-    for (i = 0; i < VM_BOOK; i++) rates[i] = 0;
+    for (i = 0; i < VM_BUDGET; i++) rates[i] = 0;
     for (i = 0; i < s->n_bodies; i++)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
 /* Momentum, angular momentum about the origin and kinetic energy of all bodies that are there */
-VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
+VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *book)
 {
     const vm_vec3 zero = {0, 0, 0};
     int i;
@@ -10345,19 +10296,19 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
 
 VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
 {
-    const vm_book hooks = *s->book;
+    const vm_budget hooks = *s->book;
     int i;
     memset(s->book, 0, sizeof *s->book);
     s->book->open = hooks.open;
     s->book->rates = hooks.rates;
     s->book->totals = hooks.totals;
     vmi_scene_totals(s, y, s->book);
-    for (i = 0; i < VM_BOOK; i++) sums[i] = 0;
+    for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
-/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
+/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BUDGET more numbers of
    the state; NULL: no longer */
-VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
+VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *book)
 {
     if (!scene) return;
     scene->book = book;
@@ -10371,16 +10322,16 @@ VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
 /* Momentum, angular momentum and energy in state y, what came in since the start, and the defects: what rounding and
    the integrator's errors leave, and what a constraint takes (a line, an axle, the plane hold their bodies).
    VM_BAD_ARGUMENT where there is no book. */
-VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
+VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *book)
 {
-    const vm_book *start = scene ? scene->book : NULL;
+    const vm_budget *start = scene ? scene->book : NULL;
     const vm_real *d;
-    vm_book b;
+    vm_budget b;
     if (!start || !y || !book) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start;
-    d = y + vm_scene_size(scene) - VM_BOOK;
-    vmi_scene_load(scene, t, y);
+    d = y + vm_scene_size(scene) - VM_BUDGET;
+    vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
     b.impulse = vmi_add(start->impulse, vmi_vec3(d[0], d[1], d[2]));
     b.angular_impulse = vmi_add(start->angular_impulse, vmi_vec3(d[3], d[4], d[5]));
@@ -10465,7 +10416,7 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
 {
     const vm_scene_body *b = e->scene->bodies + e->body;
     if (b->mass_is_state) return y[b->mass_at] - e->value;
-    vmi_scene_load(e->scene, t, y);
+    vmi_scene_evaluate(e->scene, t, y);
     return b->load.mass - e->value;
 }
 
@@ -10528,7 +10479,7 @@ VM_API void vmi_scene_note_masses(vm_scene *s)
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
         const vm_real more = b->held - b->load.mass;
@@ -10536,14 +10487,14 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
         b->mass += more;
         b->jumped += more; /* a body uses only one of them: `jumped` if it has a mass law */
     }
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
 }
 
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
     vm_effect *effect = s->effects + e->effect;
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     vmi_scene_note_masses(s);
     effect->idle = (effect->idle & 2) | e->off;
     vmi_scene_hold_masses(s, t, y);
@@ -10585,7 +10536,7 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 }
 
 /* (M v + m v2 + impulse)/(M + m), m < 0 for a part that separates, and m/(M + m) of the way to its mass centre */
-VM_API int vmi_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
 {
     const vm_real m = e->jumps > 0 ? -other->mass : other->mass, mass = body->mass + m;
     *b = *body;
@@ -10598,18 +10549,18 @@ VM_API int vmi_jump_single(const vm_event *e, const vm_body *body, const vm_body
 }
 
 /* On a line and on an axle, whose own numbers the other's formulas leave alone: they are 0 */
-VM_API int vmi_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     if (e->relative) {
         other->r.x += body->r.x;
         other->v.x += body->v.x;
         other->omega.z += body->omega.z;
     }
-    return vmi_jump_single(e, body, other, b);
+    return vmi_event_jump_single(e, body, other, b);
 }
 
 /* Where a part is whose motion is relative to the body */
-VM_API void vmi_jump_place(const vm_body *body, vm_body *part)
+VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
     const vm_vec3 d = vmi_times(&turn, part->r);
@@ -10619,7 +10570,7 @@ VM_API void vmi_jump_place(const vm_body *body, vm_body *part)
     part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
 }
 
-VM_API vm_body2 vmi_scene_flat(const vm_body *b)
+VM_API vm_body2 vmi_scene_to_plane(const vm_body *b)
 {
     vm_body2 flat;
     flat.mass = b->mass;
@@ -10633,15 +10584,15 @@ VM_API vm_body2 vmi_scene_flat(const vm_body *b)
     return flat;
 }
 
-VM_API int vmi_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse *external = &e->external;
     vm_body2 one, two, flat;
     vm_impulse2 blow;
     int status;
-    if (e->relative) vmi_jump_place(body, other);
-    one = vmi_scene_flat(body);
-    two = vmi_scene_flat(other);
+    if (e->relative) vmi_event_jump_place(body, other);
+    one = vmi_scene_to_plane(body);
+    two = vmi_scene_to_plane(other);
     blow.jx = external->linear.x;
     blow.jy = external->linear.y;
     blow.couple = external->couple.z;
@@ -10660,12 +10611,12 @@ VM_API int vmi_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *ot
     return flat.inertia > 0 ? VM_OK : VM_BAD_INERTIA; /* a rest that is a point cannot move on as a body */
 }
 
-VM_API int vmi_jump_any(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const int motion = e->scene->bodies[e->jump_body].motion;
-    if (motion == VM_LINE || motion == VM_AXLE) return vmi_jump_on_line(e, body, other, b);
-    if (motion == VM_PLANE) return vmi_jump_in_plane(e, body, other, b);
-    if (e->relative) vmi_jump_place(body, other);
+    if (motion == VM_LINE || motion == VM_AXLE) return vmi_event_jump_on_line(e, body, other, b);
+    if (motion == VM_PLANE) return vmi_event_jump_in_plane(e, body, other, b);
+    if (e->relative) vmi_event_jump_place(body, other);
     return e->jumps > 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
 }
 
@@ -10684,7 +10635,7 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
                              const vm_body *other)
 {
     vm_scene *s = e->scene;
-    vm_book before, after;
+    vm_budget before, after;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     if (s->book) s->book->totals(s, y, &before);
     vmi_scene_note_masses(s);
@@ -10712,7 +10663,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     int status;
     if (e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
     if (!e->scene->bodies[e->other].away) return VM_IS_THERE;
-    vmi_scene_load(e->scene, t, y);
+    vmi_scene_evaluate(e->scene, t, y);
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
@@ -10726,7 +10677,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
     event.then = vmi_then_separate;
     if (!part) event.status = VM_BAD_ARGUMENT;
     event.check = vmi_scene_check_jump;
-    event.jump = vmi_jump_on_line;
+    event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
     event.jump_body = body;
     event.other = into;
@@ -10740,7 +10691,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
-    event.jump = vmi_jump_in_plane;
+    event.jump = vmi_event_jump_in_plane;
     event.motions = 1 << VM_PLANE;
     return event;
 }
@@ -10749,7 +10700,7 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
-    event.jump = vmi_jump_any;
+    event.jump = vmi_event_jump_any;
     event.motions = VMI_ALL_MOTIONS;
     return event;
 }
@@ -10759,7 +10710,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vm_body body, added, whole;
     int status;
     if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
-    vmi_scene_load(e->scene, t, y);
+    vmi_scene_evaluate(e->scene, t, y);
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
@@ -10773,7 +10724,7 @@ VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
     event.check = vmi_scene_check_jump;
-    event.jump = vmi_jump_on_line;
+    event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
     event.jump_body = body;
     event.other = added;
@@ -10786,7 +10737,7 @@ VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
-    event.jump = vmi_jump_in_plane;
+    event.jump = vmi_event_jump_in_plane;
     event.motions = 1 << VM_PLANE;
     return event;
 }
@@ -10795,7 +10746,7 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
-    event.jump = vmi_jump_any;
+    event.jump = vmi_event_jump_any;
     event.motions = VMI_ALL_MOTIONS;
     return event;
 }
@@ -10825,7 +10776,7 @@ typedef struct VM_TAG(vmi_scene_pace) {
 
 /* What has happened at t happens to y: events at this time, and those that the integrator has counted anew; in the
    order of the events */
-VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
+VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
@@ -10854,14 +10805,14 @@ VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *
 /* All events of an instant, since events may cause events. Events that follow one another faster and faster, as the
    contacts of a ball that comes to rest, are the end of the run where the time no longer resolves them; until then
    the step after such an event is short enough to see the next. */
-VM_API int vmi_scene_settle(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
+VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
     const long most = 10000; /* at one instant */
     const vm_real resolved = 256 * VM_EPSILON * span;
     int status = VM_OK;
     for (pace->happened = 0, pace->gap = VM_MAX; status == VM_OK;) {
         const long before = pace->happened;
-        status = vmi_scene_happen(s, r->t, r->y, pace);
+        status = vmi_scene_fire_events(s, r->t, r->y, pace);
         if (pace->happened == before) break;
         if (rk45_restart(r, r->t, r->y) < 0 && status >= 0) status = VM_NOT_FINITE;
         if (pace->happened > most && status >= 0) status = VM_TOO_MANY_EVENTS;
@@ -10880,7 +10831,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
         if (*next >= s->n_times || t < s->times[*next]) return VM_OK;
         while (*next < s->n_times && s->times[*next] <= t) ++*next;
     }
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
 }
 
@@ -10931,7 +10882,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
                                 const rk45_options *options_or_NULL)
 {
     rk45_options o = rk45_defaults(options_or_NULL);
-    const int n = vm_scene_size(s), booked = s->book ? VM_BOOK : 0;
+    const int n = vm_scene_size(s), booked = s->book ? VM_BUDGET : 0;
     vm_real *atol = work + RK45_WORK(n);
     int i;
     for (i = 0; i < n; i++) atol[i] = i >= n - booked ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
@@ -10971,7 +10922,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     span = VM_FABS(*t) > VM_FABS(t_end) ? VM_FABS(*t) : VM_FABS(t_end);
     while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
     for (;;) {
-        status = vmi_scene_settle(scene, &r, span, &pace);
+        status = vmi_scene_run_events(scene, &r, span, &pace);
         if (status == VM_OK) status = vmi_scene_output(scene, r.t, r.y, &next);
         if (status != VM_OK || r.t == t_end) break;
         status = vmi_scene_step(scene, &r, t_end, next);
@@ -10979,7 +10930,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     }
     *t = r.t;
     vmi_copy(r.n, r.y, y);
-    vmi_scene_load(scene, *t, y);
+    vmi_scene_evaluate(scene, *t, y);
     return status;
 }
 

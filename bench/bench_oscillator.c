@@ -3,10 +3,10 @@
    alpha = 3 and 4/3, amplitude 1 at the start, at the Ateb phase psi0 = 0 (at rest) and 0.7. Routes:
      cos, cn, ca         closed forms of first order, x = m^-P cos(...) or alike, with the exponent P as the
                          dissertation prints it and as corrected, written down with the constants of Table 5 known
-     vm_osc_by ...       the kit's routes: any laws of mass and stiffness, preparation and an estimate of the error in
+     vm_osc_by_route ...       the kit's routes: any laws of mass and stiffness, preparation and an estimate of the error in
                          the time; the integrators among them run twice or more for that
-     vm_osc_plan_by ...  the same where the plan has been made beforehand
-     vm_osc_at           the cheapest of these within a tolerance, by the kit's own choice
+     vm_osc_plan_by_route ...  the same where the plan has been made beforehand
+     vm_osc_within           the cheapest of these within a tolerance, by the kit's own choice
      ..._solve, GSL ...  integration of (x, m x') from 0 to t, nothing known of the error; the same right-hand side,
                          inlined by the kit, called through a pointer by GSL, whose driver is allocated beforehand
    ns is the time of one answer, x(3/eps), from the problem's numbers. error: the largest |error of x|/A at the times
@@ -59,7 +59,7 @@ static void prepare_envelope(int wave, int corrected)
     const double alpha = now->alpha, rate = sqrt((alpha + 1) / 2); /* of the Ateb phase */
     double turn = 1;
     form.wave = wave;
-    form.m = vm_osc_m_jacobi(alpha);
+    form.m = vm_osc_jacobi_parameter(alpha);
     if (wave == COS) turn = VM_PI / ateb_pi(alpha);
     if (wave == CN) turn = 2 * jacobi_K(form.m) / ateb_pi(alpha);
     form.P = corrected ? 1 / (alpha + 3) : printed_exponent(wave, alpha, form.m);
@@ -99,16 +99,16 @@ static vm_osc_plan plan;
 static double by_plan(double t)
 {
     vm_osc_motion motion;
-    const int status = route == AT ? vm_osc_plan_at(&plan, t, knob, &motion)
-                                   : vm_osc_plan_by(&plan, route, t, knob, &motion);
+    const int status = route == AT ? vm_osc_plan_within(&plan, t, knob, &motion)
+                                   : vm_osc_plan_by_route(&plan, route, t, knob, &motion);
     return status < 0 ? VM_NAN : motion.x;
 }
 
 static double by_problem(double t)
 {
     vm_osc_motion motion;
-    const int status = route == AT ? vm_osc_at(&problem, t, knob, &motion)
-                                   : vm_osc_by(&problem, route, t, knob, &motion);
+    const int status = route == AT ? vm_osc_within(&problem, t, knob, &motion)
+                                   : vm_osc_by_route(&problem, route, t, knob, &motion);
     return status < 0 ? VM_NAN : motion.x;
 }
 
@@ -272,17 +272,17 @@ static void measure_closed_forms(void)
 
 static void measure_kit(void)
 {
-    static const char *const names[] = {"vm_osc_by trig",      "vm_osc_by Jacobi",     "vm_osc_by Ateb",
-                                        "vm_osc_by second",    "vm_osc_by variation",  "vm_osc_by rk45",
-                                        "vm_osc_by rk87",      "vm_osc_plan_by trig",  "vm_osc_plan_by Jacobi",
-                                        "vm_osc_plan_by Ateb", "vm_osc_plan_by second"};
+    static const char *const names[] = {"vm_osc_by_route trig",      "vm_osc_by_route Jacobi",     "vm_osc_by_route Ateb",
+                                        "vm_osc_by_route second",    "vm_osc_by_route variation",  "vm_osc_by_route rk45",
+                                        "vm_osc_by_route rk87",      "vm_osc_plan_by_route trig",  "vm_osc_plan_by_route Jacobi",
+                                        "vm_osc_plan_by_route Ateb", "vm_osc_plan_by_route second"};
     through = by_kit;
     knob = 0;
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_SECOND; route++) measure_route(names[route], "");
     prepared = vm_osc_plan_init(&plan, &problem) == VM_OK;
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_SECOND; route++) measure_route(names[route + 7], "");
     prepared = 0;
-    measure_tolerances("vm_osc_at", 1e-11, set_route, AT);
+    measure_tolerances("vm_osc_within", 1e-11, set_route, AT);
     for (route = VM_ROUTE_VARIATION; route <= (is_flagship(now) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION); route++)
         measure_tolerances(names[route], 1e-11, set_route, route);
 }

@@ -32,7 +32,7 @@ static const vm_quat unit = {1, 0, 0, 0};
 static const turned_body *body;
 static vm_vec3 moments;
 static double t_end, turns, knob, some_times[TIMES];
-static vm_free_motion motion;
+static vm_torque_free motion;
 static vm_quat reached;
 
 /* ---- Routes: from the body's numbers to the attitude at t_end ---- */
@@ -40,8 +40,8 @@ static vm_quat reached;
 static void by_closed_form(void)
 {
     vm_vec3 omega;
-    vm_free_init_principal(&motion, body->moments, unit, body->omega, 0);
-    vm_free_attitude(&motion, t_end, &reached, &omega);
+    vm_torque_free_init_principal(&motion, body->moments, unit, body->omega, 0);
+    vm_torque_free_attitude(&motion, t_end, &reached, &omega);
 }
 
 static int free_rhs(double t, const double *y, double *dydt, void *ctx)
@@ -194,20 +194,20 @@ static void evaluate(void)
     int i;
     for (i = 0; i < TIMES; i++) {
         vm_vec3 omega;
-        vm_free_attitude(&motion, some_times[i], &reached, &omega);
+        vm_torque_free_attitude(&motion, some_times[i], &reached, &omega);
         sum += omega.x;
     }
     sink = sum;
 }
 
-static void prepare(void) { vm_free_init_principal(&motion, body->moments, unit, body->omega, 0); }
+static void prepare(void) { vm_torque_free_init_principal(&motion, body->moments, unit, body->omega, 0); }
 
 static void prepare_tilted(void)
 {
     static const vm_inertia tilted = {3, 2, 2.5, 0.1, 0.2, -0.3};
     vm_body b = {1, {0, 0, 0, 0, 0, 0}, {1, 2, 3, 4}, {0, 0, 0}, {0, 0, 0}, {1, 2, 3}};
     b.inertia = tilted;
-    if (vm_free_init(&motion, &b, 0) == VM_OK) sink = motion.phase_rate.hi;
+    if (vm_torque_free_init(&motion, &b, 0) == VM_OK) sink = motion.phase_rate.hi;
 }
 
 static void closed_form(void)

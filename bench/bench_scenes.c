@@ -38,7 +38,7 @@ FORCES(3, -k *X *X *X - b * V + (b - c * X * X) * V, SPRING + DAMPER + vm_force_
 FORCES(4, -k *X *X *X - b * V + (b - c * X * X) * V + g,
        SPRING + DAMPER + vm_force_van_der_pol(b, c, X, V) + vm_force_gravity(1, g))
 FORCES(5, -k *X *X *X - b * V + (b - c * X * X) * V + g + (T - c * V),
-       SPRING + DAMPER + vm_force_van_der_pol(b, c, X, V) + vm_force_gravity(1, g) + vm_force_drive(T, c, V))
+       SPRING + DAMPER + vm_force_van_der_pol(b, c, X, V) + vm_force_gravity(1, g) + vm_force_motor(T, c, V))
 
 FORCES(damper, -b *V, DAMPER)
 FORCES(linear, -b *V - k * X, DAMPER + vm_force_spring(k, 1, X))
@@ -47,7 +47,7 @@ FORCES(power, -b *V - k * VM_LIBM(pow)(X, a), DAMPER + vm_force_spring(k, a, X))
 FORCES(second, -b *V - c * V, DAMPER + vm_force_damper(c, V))
 FORCES(van_der_pol, -b *V + (b - c * X * X) * V, DAMPER + vm_force_van_der_pol(b, c, X, V))
 FORCES(gravity, -b *V + g, DAMPER + vm_force_gravity(1, g))
-FORCES(drive, -b *V + (T - c * V), DAMPER + vm_force_drive(T, c, V))
+FORCES(drive, -b *V + (T - c * V), DAMPER + vm_force_motor(T, c, V))
 FORCES(harmonic, -b *V + T * VM_LIBM(cos)(c * t + b), DAMPER + vm_force_harmonic(T, c, b, t))
 FORCES(user, -b *V + (-X - V), DAMPER + own_force(t, X, V, NULL))
 FORCES(mass, (-b * V - c * V) / (1 + c * t), (DAMPER + vm_force_stream(c, 0, 0, V)) / (1 + c * t))
@@ -100,7 +100,7 @@ static void one_after_another(void)
     effect[1] = vm_effect_damper(0, 0, VM_GROUND, 0, parameter[1]);
     effect[2] = vm_effect_van_der_pol(0, 0, parameter[1], parameter[2]);
     effect[3] = vm_effect_gravity(0, 0, parameter[4]);
-    effect[4] = vm_effect_drive(0, 0, parameter[3], parameter[2]);
+    effect[4] = vm_effect_motor(0, 0, parameter[3], parameter[2]);
     for (n = 0; n <= MOST; n++) {
         scene.n_effects = n;
         three_ways(jobs[n], hand[n], inlined[n]);
@@ -146,9 +146,9 @@ static void each_alone(void)
     adds("second damper", hand_second, inline_second, vm_effect_damper(0, 0, GROUND, c));
     adds("Van der Pol", hand_van_der_pol, inline_van_der_pol, vm_effect_van_der_pol(0, 0, b, c));
     adds("gravity", hand_gravity, inline_gravity, vm_effect_gravity(0, 0, g));
-    adds("drive", hand_drive, inline_drive, vm_effect_drive(0, 0, T, c));
+    adds("drive", hand_drive, inline_drive, vm_effect_motor(0, 0, T, c));
     adds("harmonic", hand_harmonic, inline_harmonic, vm_effect_harmonic(0, 0, T, c, b));
-    adds("own force", hand_user, inline_user, vm_effect_user(0, 0, own_force, NULL));
+    adds("own force", hand_user, inline_user, vm_effect_force(0, 0, own_force, NULL));
     adds("mass of time", hand_mass, inline_mass, vm_effect_mass(0, VM_MASS_OF_T, c, 0, 0));
 }
 
@@ -156,7 +156,7 @@ static void chain(int n)
 {
     char job[40];
     int i;
-    for (i = 0; i < n; i++) body[i] = vm_scene_line(1, 0, i == 0);
+    for (i = 0; i < n; i++) body[i] = vm_scene_body_line(1, 0, i == 0);
     for (i = 0; i <= n; i++)
         effect[i] = vm_effect_linear_spring(i < n ? i : n - 1, 0, i < n ? i - 1 : VM_GROUND, 0, parameter[0], 0);
     scene.n_bodies = n;
@@ -170,7 +170,7 @@ int main(int argc, char **argv)
 {
     int n;
     bench_start(argc, argv, "scenes, a right-hand side of a body on a line, beside one written by hand");
-    body[0] = vm_scene_line(1, VM_C(0.3), VM_C(0.1));
+    body[0] = vm_scene_body_line(1, VM_C(0.3), VM_C(0.1));
     scene.bodies = body;
     scene.n_bodies = 1;
     scene.effects = effect;

@@ -4,8 +4,8 @@
 #include "timing.h"
 #include "../varmass.h"
 
-enum { COUNT = 256, MOST = 4, STATES = VM_RHS };
-static double state[COUNT][VM_RHS_BALANCED];
+enum { COUNT = 256, MOST = 4, STATES = VM_FLOW_STATES };
+static double state[COUNT][VM_FLOW_BALANCED_STATES];
 static int sink;
 static vm_stream streams[MOST];
 static vm_stream2 streams2[MOST];
@@ -173,7 +173,7 @@ static int hand3(double t, const double *y, double *dy, void *ctx)
 
 /* ---- Runs ---- */
 
-static double derivative[COUNT][VM_RHS_BALANCED]; /* all of it is written */
+static double derivative[COUNT][VM_FLOW_BALANCED_STATES]; /* all of it is written */
 static volatile ode_rhs hidden;
 
 /* Called through a pointer, as a caller's own right-hand side would be */
@@ -186,28 +186,28 @@ static volatile ode_rhs hidden;
         for (i = 0; i < COUNT; i++) status += f(0, state[i], derivative[i], &(ctx)); \
         sink = status;                                                               \
     }
-RUN(count_1, vm_rhs1, flow1)
+RUN(count_1, vm_flow1_rhs, flow1)
 RUN(count_1_hand, hand1, flow1)
-RUN(count_translation, vm_rhs_translation, flow)
+RUN(count_translation, vm_translation_rhs, flow)
 RUN(count_translation_hand, hand_translation, flow)
-RUN(count_2, vm_rhs2, flow2)
+RUN(count_2, vm_flow2_rhs, flow2)
 RUN(count_2_hand, hand2, flow2)
-RUN(count_3, vm_rhs, flow)
+RUN(count_3, vm_flow_rhs, flow)
 RUN(count_3_hand, hand3, flow)
-RUN(count_given, vm_rhs_given, flow)
-RUN(count_carried, vm_rhs_carried, flow)
-RUN(count_balanced, vm_rhs_balanced, flow)
+RUN(count_given, vm_flow_given_rhs, flow)
+RUN(count_carried, vm_flow_carried_rhs, flow)
+RUN(count_balanced, vm_flow_balanced_rhs, flow)
 
 static const struct level {
     const char *name, *route;
     void (*kit)(void), (*hand)(void);
 } levels[] = {
-    {"one degree of freedom, fixed axle", "vm_rhs1", count_1, count_1_hand},
-    {"translation", "vm_rhs_translation", count_translation, count_translation_hand},
-    {"plane", "vm_rhs2", count_2, count_2_hand},
-    {"space", "vm_rhs", count_3, count_3_hand},
-    {"space, laws given", "vm_rhs_given", count_given, count_3_hand},
-    {"space, all carried, laws given", "vm_rhs_carried", count_carried, count_3_hand},
+    {"one degree of freedom, fixed axle", "vm_flow1_rhs", count_1, count_1_hand},
+    {"translation", "vm_translation_rhs", count_translation, count_translation_hand},
+    {"plane", "vm_flow2_rhs", count_2, count_2_hand},
+    {"space", "vm_flow_rhs", count_3, count_3_hand},
+    {"space, laws given", "vm_flow_given_rhs", count_given, count_3_hand},
+    {"space, all carried, laws given", "vm_flow_carried_rhs", count_carried, count_3_hand},
 };
 
 static double between(double low, double high)
@@ -257,7 +257,7 @@ int main(int argc, char **argv)
                     levels[i].hand, COUNT);
         }
     set_streams(1);
-    measure("space, with the account", "vm_rhs_balanced", "1", NO_ERROR, count_balanced, COUNT, "vm_rhs", count_3,
+    measure("space, with the account", "vm_flow_balanced_rhs", "1", NO_ERROR, count_balanced, COUNT, "vm_flow_rhs", count_3,
             COUNT);
     return bench_end() || sink != 0;
 }

@@ -100,12 +100,12 @@ static const vm_body piece = {
     1, {VM_C(0.1), VM_C(0.1), VM_C(0.1), 0, 0, 0}, {1, 0, 0, 0}, {VM_C(0.4), 0, 0}, {10, 2, 0}, {0, 0, 3}};
 static vm_body rest;
 static vm_body2 whole2, piece2, rest2;
-static vm_free_motion motion;
+static vm_torque_free motion;
 COUNT(vm_separate, vm_separate(&whole, &piece, NULL, &rest); a = rest.v.x)
 COUNT(vm_attach, vm_attach(&whole, &piece, NULL, &rest); a = rest.v.x)
 COUNT(vm_separate2, vm_separate2(&whole2, &piece2, NULL, &rest2); a = rest2.vx)
-COUNT(vm_free_init, vm_free_init(&motion, &whole, 0))
-COUNT(vm_free_at, vm_free_at(&motion, 100 * p[i], &rest); a = rest.omega.x)
+COUNT(vm_torque_free_init, vm_torque_free_init(&motion, &whole, 0))
+COUNT(vm_torque_free_at, vm_torque_free_at(&motion, 100 * p[i], &rest); a = rest.omega.x)
 
 static vm_osc_problem problem;
 static vm_osc_plan oscillator;
@@ -113,14 +113,14 @@ static vm_osc_motion now;
 COUNT(vm_osc_exact, vm_osc_exact(10 * p[i], 1, 1, alpha[i], &a, &b))
 COUNT(vm_osc_period, a = vm_osc_period(1, 1, alpha[i]))
 COUNT(vm_osc_amplitude_law, a = vm_osc_amplitude_law(1 + p[i], 0, 1, alpha[i]))
-COUNT(vm_osc_at_to_1e_3, vm_osc_at(&problem, 10 + 300 * p[i], VM_C(1e-3), &now); a = now.x)
+COUNT(vm_osc_at_to_1e_3, vm_osc_within(&problem, 10 + 300 * p[i], VM_C(1e-3), &now); a = now.x)
 COUNT(vm_osc_plan_init, vm_osc_plan_init(&oscillator, &problem))
-COUNT(vm_osc_plan_at_to_1e_3, vm_osc_plan_at(&oscillator, 10 + 300 * p[i], VM_C(1e-3), &now); a = now.x)
+COUNT(vm_osc_plan_at_to_1e_3, vm_osc_plan_within(&oscillator, 10 + 300 * p[i], VM_C(1e-3), &now); a = now.x)
 
 static vm_stream stream;
 static vm_flow flow;
-static vm_real y_flow[VM_RHS], dy_flow[VM_RHS];
-COUNT(vm_rhs_1_stream, vm_rhs(0, y_flow, dy_flow, &flow); a = dy_flow[0])
+static vm_real y_flow[VM_FLOW_STATES], dy_flow[VM_FLOW_STATES];
+COUNT(vm_rhs_1_stream, vm_flow_rhs(0, y_flow, dy_flow, &flow); a = dy_flow[0])
 
 static vm_scene_body body[1];
 static vm_effect effect[3];
@@ -167,7 +167,7 @@ static void set_up(void)
     stream.rate = 1;
     stream.velocity.x = 1;
     vm_flow_start(&flow, &whole, y_flow);
-    body[0] = vm_scene_line(1, VM_C(0.3), VM_C(0.1));
+    body[0] = vm_scene_body_line(1, VM_C(0.3), VM_C(0.1));
     effect[0] = vm_effect_spring(0, 0, VM_GROUND, 0, 2, 3, 0);
     effect[1] = vm_effect_damper(0, 0, VM_GROUND, 0, VM_C(0.1));
     effect[2] = vm_effect_van_der_pol(0, 0, VM_C(0.1), VM_C(0.2));
@@ -223,15 +223,15 @@ int main(void)
                                            count_vm_separate,
                                            count_vm_attach,
                                            count_vm_separate2,
-                                           count_vm_free_init,
-                                           count_vm_free_at,
+                                           count_vm_torque_free_init,
+                                           count_vm_torque_free_at,
                                            count_vm_osc_exact,
                                            count_vm_osc_period,
                                            count_vm_osc_amplitude_law,
                                            count_vm_osc_at_to_1e_3,
                                            count_vm_osc_plan_init,
                                            count_vm_osc_plan_at_to_1e_3,
-                                           count_vm_rhs_1_stream,
+                                           count_vm_flow_rhs_1_stream,
                                            count_vm_scene_rhs_no_effect,
                                            count_vm_scene_rhs_3_effects};
     static void (*const of_plans[])(void) = {count_jacobi_plan_sncndn, count_jacobi_plan_sncndn_array,

@@ -4,15 +4,15 @@
 load "bench/style.gp"
 if (!exists("all")) all = 0
 if (all) { set terminal svg size 1100,900 font "Helvetica,14" background "white"; set output svg; unset grid }
-array curve[6] = ["rk87_solve", "rk45_solve", "rk4_solve", "vm_osc_by variation", "GSL rk8pd", "GSL rkf45"]
+array curve[6] = ["rk87_solve", "rk45_solve", "rk4_solve", "vm_osc_by_route variation", "GSL rk8pd", "GSL rkf45"]
 array colour[6] = [blue, sky, green, purple, grey, grey]
 array dash[6] = [1, 1, 1, 1, 2, 3]
 array shape[6] = [7, 5, 9, 13, 7, 5]
 
 # closed forms: cos a disc, cn a triangle, ca a square, the second-order law a rhombus; open: as printed, or prepared
 array law[14] = ["cos (360) printed", "cn (396) printed", "ca (321) printed", "cos corrected", "cn corrected", "ca (325)", \
-    "vm_osc_plan_by trig", "vm_osc_plan_by Jacobi", "vm_osc_plan_by Ateb", "vm_osc_plan_by second", \
-    "vm_osc_by trig", "vm_osc_by Jacobi", "vm_osc_by Ateb", "vm_osc_by second"]
+    "vm_osc_plan_by_route trig", "vm_osc_plan_by_route Jacobi", "vm_osc_plan_by_route Ateb", "vm_osc_plan_by_route second", \
+    "vm_osc_by_route trig", "vm_osc_by_route Jacobi", "vm_osc_by_route Ateb", "vm_osc_by_route second"]
 array mark[14] = [6, 8, 4, 7, 9, 5, 6, 8, 4, 12, 7, 9, 5, 13]
 place(route) = sum [i=1:14] (route eq law[i] ? i : 0)
 tint(i) = i <= 6 ? 0x222222 : 0xd55e00

@@ -24,11 +24,11 @@ x'"''"' = -x^3 @ integrators @ cubic; 1000 steps @ rk4_solve @ @
 x'"''"' = -x^3 @ integrators @ cubic to 1e-6 @ rk45_solve @ * @ gsl_rkf45
 x'"''"' = -x^3 @ integrators @ cubic to 1e-10 @ rk87_solve @ * @ gsl_rk8pd
 Arenstorf'"'"'s orbit @ integrators @ orbit to 1e-8 @ rk87_solve @ * @ gsl_rk8pd
-x(300), mass 1 + 0.01 t @ oscillator @ alpha=3 psi0=0.7 eps=0.01 @ vm_osc_at @ 1e-04 @
+x(300), mass 1 + 0.01 t @ oscillator @ alpha=3 psi0=0.7 eps=0.01 @ vm_osc_within @ 1e-04 @
 attitude after 1e6 turns @ rotation @ triaxial 1e6 @ exact @ @
 a right-hand side with 3 effects @ scenes @ 3: and Van der Pol @ scene @ @
 the same by inline functions @ scenes @ 3: and Van der Pol @ inline functions @ @
-a right-hand side, 1 stream @ streams @ space @ vm_rhs @ 1 @'
+a right-hand side, 1 stream @ streams @ space @ vm_flow_rhs @ 1 @'
 cat "$folder"/*.csv | awk -F, -v rows="$rows" -v style="$style" '
     function digits(x) {return x < 9.995 ? sprintf("%.2f", x) : x < 99.95 ? sprintf("%.1f", x) : sprintf("%.0f", x)}
     function line(a, b, c, d, e, f, g, h, i) {

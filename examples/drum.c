@@ -96,7 +96,7 @@ static void rigid_shaft(FILE *file)
     for (i = 0; i < DRIVES; i++) {
         vm_drum d = rigid(drives[i]);
         const double k1 = d.damping / 0.6, f1 = 1 + drives[i] * drives[i] * 2 / 0.6;
-        const double w = k1 > 0 ? vm_lambert_w0_exp(-log(k1) - f1 / k1) : vm_lambert_w0(exp(-f1 / k1) / k1);
+        const double w = k1 > 0 ? vm_wright_omega(-log(k1) - f1 / k1) : vm_lambert_w0(exp(-f1 / k1) / k1);
         double y[2] = {0, 3};
         if (advance(rigid_rhs, &d, 2, 0, 2, y) < 0) puts("integration failed");
         printf("%6.1f  ", drives[i]);

@@ -51,7 +51,7 @@ static int spin_down(sample *samples)
     vm_flow flow;
     vm_body b = start();
     vm_vec3 before, after;
-    double y[VM_RHS], work[RK45_WORK(VM_RHS)], energy, worst = 0;
+    double y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)], energy, worst = 0;
     rk45_options options = rk45_defaults(NULL);
     rk45 s;
     int i;
@@ -65,19 +65,19 @@ static int spin_down(sample *samples)
     before = vm_angular_momentum(&b, b.r);
     energy = vm_kinetic_energy(&b);
     options.rtol = 1e-10;
-    if (vm_flow_start(&flow, &b, y) || rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, &options, work) < 0) return 1;
+    if (vm_flow_start(&flow, &b, y) || rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) < 0) return 1;
     for (i = 0; i < SAMPLES; i++) {
         sample *p = samples + i;
         const double t = end * i / (SAMPLES - 1), dust = gathered * t;
         vmi_mat3 turn;
         vm_vec3 omega;
-        if (rk45_solve(&s, t) < 0 || vm_flow_body(&flow, VM_RHS, s.y, &b)) return 1;
+        if (rk45_solve(&s, t) < 0 || vm_flow_body(&flow, VM_FLOW_STATES, s.y, &b)) return 1;
         turn = vmi_rotation(b.q);
         omega = vmi_times_transposed(&turn, b.omega);
         p->spin = omega.z;
         p->wobble = sqrt(omega.x * omega.x + omega.y * omega.y);
-        p->closed_spin = vm_levi_civita(2, axial, axial + dust * radius * radius / 2, 0, 0);
-        p->closed_wobble = vm_levi_civita(
+        p->closed_spin = vm_velocity_by_momentum(2, axial, axial + dust * radius * radius / 2, 0, 0);
+        p->closed_wobble = vm_velocity_by_momentum(
             0.2, transverse, transverse + dust * (radius * radius / 4 + half_length * half_length), 0, 0);
         p->energy = vm_kinetic_energy(&b) / energy;
         if (fabs(p->spin - p->closed_spin) > worst) worst = fabs(p->spin - p->closed_spin);
@@ -92,12 +92,12 @@ static int spin_down(sample *samples)
     return 0;
 }
 
-/* (168) as printed, of a body whose angular velocity is about x: I omega' = +SS2 x v M' - I' omega. Beside vm_rhs,
+/* (168) as printed, of a body whose angular velocity is about x: I omega' = +SS2 x v M' - I' omega. Beside vm_flow_rhs,
    whose mass, inertia, centre and attitude it takes. */
 static int with_printed(double t, const double *y, double *dydt, void *ctx)
 {
     const vm_flow *flow = (const vm_flow *)ctx;
-    const int status = vm_rhs(t, y, dydt, ctx);
+    const int status = vm_flow_rhs(t, y, dydt, ctx);
     vm_quat q;
     vmi_mat3 turn;
     vm_vec3 arm;
@@ -107,7 +107,7 @@ static int with_printed(double t, const double *y, double *dydt, void *ctx)
     q.z = y[VM_Y_Q + 3];
     turn = vmi_rotation(q);
     arm = vmi_scale(flow->streams[0].at.z - y[VM_Y_CENTRE + 2], turn.z);
-    dydt[VM_RHS] = (arm.y * y[VM_Y_P + 2] - arm.z * y[VM_Y_P + 1]) / y[VM_Y_MASS] *
+    dydt[VM_FLOW_STATES] = (arm.y * y[VM_Y_P + 2] - arm.z * y[VM_Y_P + 1]) / y[VM_Y_MASS] *
                    flow->streams[0].rate; /* (I omega)' */
     return status;
 }
@@ -118,7 +118,7 @@ static int turned(sample *samples)
     vm_stream front = settling(gathered / 10, half_length);
     vm_flow flow;
     vm_body b = start();
-    double y[VM_RHS + 1] = {0}, work[RK45_WORK(VM_RHS + 1)], expected;
+    double y[VM_FLOW_STATES + 1] = {0}, work[RK45_WORK(VM_FLOW_STATES + 1)], expected;
     rk45_options options = rk45_defaults(NULL);
     rk45 s;
     int i;
@@ -127,14 +127,14 @@ static int turned(sample *samples)
     flow.streams = &front;
     b.v.y = 2;
     options.rtol = 1e-10;
-    if (vm_flow_start(&flow, &b, y) || rk45_init(&s, with_printed, &flow, VM_RHS + 1, 0, y, &options, work) < 0)
+    if (vm_flow_start(&flow, &b, y) || rk45_init(&s, with_printed, &flow, VM_FLOW_STATES + 1, 0, y, &options, work) < 0)
         return 1;
     for (i = 0; i < SAMPLES; i++) {
-        if (rk45_solve(&s, end / 10 * i / (SAMPLES - 1)) < 0 || vm_flow_body(&flow, VM_RHS, s.y, &b)) return 1;
+        if (rk45_solve(&s, end / 10 * i / (SAMPLES - 1)) < 0 || vm_flow_body(&flow, VM_FLOW_STATES, s.y, &b)) return 1;
         samples[i].turning = b.omega.x;
-        samples[i].printed = s.y[VM_RHS] / s.y[VM_Y_INERTIA];
+        samples[i].printed = s.y[VM_FLOW_STATES] / s.y[VM_Y_INERTIA];
     }
-    expected = vm_levi_civita(2, mass, b.mass, 0, 0);
+    expected = vm_velocity_by_momentum(2, mass, b.mass, 0, 0);
     printf("Dust on one end, in flight: after %g s the speed is %.9f (Levi-Civita %.9f) m/s, turning at %.6f "
            "rad/s; as printed "
            "%.6f\n",

@@ -59,7 +59,7 @@ int main(int argc, char **argv)
     const vm_quat upright = {1, 0, 0, 0};
     vm_real work[RUNS][RK45_WORK(7)], y[RUNS][7];
     rk45 runs[RUNS];
-    vm_free_motion motion;
+    vm_torque_free motion;
     vm_quat q = {1, 0, 0, 0};
     vm_vec3 omega = spin, before = spin;
     double error[RUNS], worst[RUNS] = {0, 0};
@@ -68,7 +68,7 @@ int main(int argc, char **argv)
 
     puts("A wing nut spun about its middle axis: closed form, and rk45 at two tolerances");
     if (argc > 1 && !csv) return perror(argv[1]), 1;
-    if (vm_free_init_principal(&motion, moments, upright, spin, 0) != VM_OK) return 1;
+    if (vm_torque_free_init_principal(&motion, moments, upright, spin, 0) != VM_OK) return 1;
     for (run = 0; run < RUNS; run++) {
         const vm_real y0[7] = {spin.x, spin.y, spin.z, 1, 0, 0, 0};
         rk45_options options = rk45_defaults(NULL);
@@ -79,7 +79,7 @@ int main(int argc, char **argv)
            ((motion.phase.hi < 0 ? 0 : 0.5) - motion.phase.hi) / motion.phase_rate.hi); /* where sn is 0 */
     for (row = 0; row <= ROWS; row++) {
         const double t = duration * row / ROWS;
-        vm_free_attitude(&motion, t, &q, &omega);
+        vm_torque_free_attitude(&motion, t, &q, &omega);
         for (run = 0; run < RUNS; run++) {
             if (!follow(runs + run, t, y[run])) return 1;
             error[run] = attitude_error(q, y[run]);

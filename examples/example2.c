@@ -11,7 +11,7 @@ int main(int argc, char **argv)
 {
     const oscillator o = {1.5, 2};
     const double a = 1 / (o.alpha + 3), v = (o.alpha + 2) / (o.alpha + 3);
-    const double vmax = vm_osc_vmax(1, 1, o.alpha), trig = vm_osc_omega_trig(o.alpha), m = vm_osc_m_jacobi(o.alpha);
+    const double vmax = vm_osc_vmax(1, 1, o.alpha), trig = vm_osc_omega_trig(o.alpha), m = vm_osc_jacobi_parameter(o.alpha);
     const double s = (1 - m - (1 - 2 * m) / 2 - m * 3 / 8) / (1 - m + m * 3 / 8),
                  divisor = 2 + (o.alpha - 1) * s; /* (390) */
     envelope laws[] = {

@@ -16,7 +16,7 @@ typedef struct drifts {
     double nu0, nu_rate, mass_rate;
 } drifts;
 
-static void drift(vm_real t, vm_forced_now *now, void *ctx)
+static void drift(vm_real t, vm_forced_parameters *now, void *ctx)
 {
     const drifts *d = (const drifts *)ctx;
     now->nu = d->nu0 + d->nu_rate * t;
@@ -46,7 +46,7 @@ static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, do
                                    FILE *csv)
 {
     vm_real work[RK45_WORK(3)], buffer[3];
-    vm_point p;
+    vm_sample p;
     rk45_options options = rk45_defaults(NULL);
     rk45 s;
     double last = 0, passed = VM_NAN, nu;
@@ -55,7 +55,7 @@ static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, do
     status = rk45_init(&s, vm_forced_rhs, f, 3, 0, y, &options, work);
     while (status >= 0 && s.t < t_end) {
         status = rk45_step(&s);
-        if (vm_find_points_of_step(&s, 0, 1, VM_TURNING_POINTS, buffer, 1, &p) < 1 || p.t > t_end) continue;
+        if (vm_find_samples_of_step(&s, 0, 1, VM_TURNING_POINTS, buffer, 1, &p) < 1 || p.t > t_end) continue;
         nu = d->nu0 + d->nu_rate * p.t;
         if (csv) fprintf(csv, "%.6g,%.6g\n", by_nu ? nu : p.t, fabs(p.x));
         if (last > 0 && (last > level) != (fabs(p.x) > level)) passed = nu;
@@ -70,11 +70,11 @@ static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, do
 static void write_branch(const vm_forced *f, int upper, double fold[2], FILE *csv)
 {
     const double peak = vm_forced_peak(f, 0);
-    vm_steady curve[2];
+    vm_steady_state curve[2];
     int i, was_stable = -1;
     for (i = 1; i <= 2000; i++) {
         const int found = vm_forced_curve(f, 0, peak * i / 2000, curve);
-        const vm_steady *s = found == 2 ? curve + upper : curve;
+        const vm_steady_state *s = found == 2 ? curve + upper : curve;
         if (found == 0 || (found == 1 && !upper)) continue;
         if (was_stable >= 0 && s->stable != was_stable) {
             fold[0] = fmin(fold[0], s->nu);
@@ -123,7 +123,7 @@ static void passage(double force, double t_end, FILE *csv)
     vm_forced_passage(&f, 0, 0, &at);
     slow[0] = at.A;
     slow[1] = at.torque <= 1 ? at.delta : 0;
-    if (vm_forced_join(&f, 0, slow, y)) return;
+    if (vm_forced_from_averaged(&f, 0, slow, y)) return;
     rk45_init(&s, vm_forced_averaged_rhs, &f, 3, 0, slow, NULL, work);
     for (t = 0; t <= t_end; t += t_end / 2000) {
         vm_passage now;

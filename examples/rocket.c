@@ -4,7 +4,7 @@
    without spin, beside: (155), (157) as printed, with I'(Omega_2 - Omega) = 0, and no jet damping at all.
 
    usage: rocket [file.csv]
-   The file's columns: t, tilt (deg) of the spinless rocket by vm_rhs, as printed, without damping; its path x, z
+   The file's columns: t, tilt (deg) of the spinless rocket by vm_flow_rhs, as printed, without damping; its path x, z
    (km); tilt, x, z with spin */
 #include <stdio.h>
 #include <string.h>
@@ -16,7 +16,7 @@ static const double tank_radius = 0.2, tank_bottom = -1.2, propellant = 120, den
 static const double nozzle = -1.8, nozzle_radius = 0.05, off_axis = 1e-4, exhaust = 2200, burning = 12;
 static const double pi = 3.14159265358979323846;
 
-enum { PRINTED = VM_RHS_BALANCED, UNDAMPED = PRINTED + 2, STATES = UNDAMPED + 2 };
+enum { PRINTED = VM_FLOW_BALANCED_STATES, UNDAMPED = PRINTED + 2, STATES = UNDAMPED + 2 };
 
 typedef struct rocket {
     vm_flow flow;
@@ -43,13 +43,13 @@ static void burnt_out(double t, double *y, void *flow)
     ((vm_flow *)flow)->streams[0].rate = 0;
 }
 
-/* I theta'' = thrust's moment - mu D theta', D = l_e^2 as printed or 0: beside the states of vm_rhs, whose I it
+/* I theta'' = thrust's moment - mu D theta', D = l_e^2 as printed or 0: beside the states of vm_flow_rhs, whose I it
    uses */
 static int with_others(double t, const double *y, double *dydt, void *ctx)
 {
     const vm_flow *flow = (const vm_flow *)ctx;
     const double rate = -flow->streams[0].rate, lever = nozzle - y[VM_Y_CENTRE + 2], inertia = y[VM_Y_INERTIA];
-    const int status = vm_rhs_balanced(t, y, dydt, ctx);
+    const int status = vm_flow_balanced_rhs(t, y, dydt, ctx);
     int k;
     for (k = PRINTED; k <= UNDAMPED; k += 2) {
         dydt[k] = y[k + 1];
@@ -128,7 +128,7 @@ static int launch(double spin, sample *samples)
     angular.z = y[VM_Y_H + 2]; /* about the origin, where it is */
     if (rk45_init(&s, with_others, &r.flow, STATES, 0, y, &options, work) < 0) return 1;
     for (i = 0; i < SAMPLES; i++) {
-        if (rk45_solve(&s, end * i / (SAMPLES - 1)) < 0 || vm_flow_body(&r.flow, VM_RHS, s.y, &b)) return 1;
+        if (rk45_solve(&s, end * i / (SAMPLES - 1)) < 0 || vm_flow_body(&r.flow, VM_FLOW_STATES, s.y, &b)) return 1;
         samples[i].tilt = tilt(b.q);
         samples[i].x = b.r.x;
         samples[i].z = b.r.z;
@@ -142,12 +142,12 @@ static int launch(double spin, sample *samples)
     printf("  empty, by the streams less by its shape: mass %.1g kg, centre %.1g m, inertia %.1g, %.1g kg m^2\n",
            b.mass - empty.mass, s.y[VM_Y_CENTRE + 2] - centre, b.inertia.xx - empty.inertia.xx,
            b.inertia.zz - empty.inertia.zz);
-    momentum = vmi_sub(momentum, vmi_add(vm_momentum(&b), vmi_load3(s.y + VM_Y_BALANCE)));
+    momentum = vmi_sub(momentum, vmi_add(vm_momentum(&b), vmi_get3(s.y + VM_Y_BALANCE)));
     angular = vmi_sub(angular,
-                      vmi_add(vm_angular_momentum(&b, vmi_vec3(0, 0, 0)), vmi_load3(s.y + VM_Y_BALANCE + 3)));
+                      vmi_add(vm_angular_momentum(&b, vmi_vec3(0, 0, 0)), vmi_get3(s.y + VM_Y_BALANCE + 3)));
     arm = sqrt(vmi_dot(b.r, b.r));
-    printf("  balance with all that was shed: %.1g N s of %.2g, %.1g N m s of %.2g\n", vmi_size(momentum),
-           propellant * exhaust, vmi_size(angular), propellant * exhaust * arm);
+    printf("  balance with all that was shed: %.1g N s of %.2g, %.1g N m s of %.2g\n", vmi_norm1(momentum),
+           propellant * exhaust, vmi_norm1(angular), propellant * exhaust * arm);
     for (k = 0; k < 5; k++) {
         const sample *p = samples + (SAMPLES - 1) / 20 * 2 * (k + 1);
         if (spin == 0)

@@ -11,7 +11,7 @@
 #include "../varmass.h"
 #include "csv.h"
 
-static const vm_rotor whole = {5, 1.762857142857142857, 14.45, 0.455, 0.6825, 0};
+static const vm_broken_rotor whole = {5, 1.762857142857142857, 14.45, 0.455, 0.6825, 0};
 static const double radius = 1, piece_mass = 0.8, piece_inertia = 0.12, SS2 = 0.6, alpha = 0.4, break_time = 0.8;
 
 /* ---- before the break ---- */
@@ -23,7 +23,7 @@ static void start_state(vm_real *y)
     vm_real at[6];
     double turn, c, s;
     int i;
-    vm_rotor_free(break_time, &whole, first, at);
+    vm_broken_rotor_free_motion(break_time, &whole, first, at);
     turn = alpha - atan2(at[4], at[3]);
     c = cos(turn);
     s = sin(turn);
@@ -47,10 +47,10 @@ static void free_motion(const vm_real *start, const char *prefix)
     const double w = sqrt(whole.stiffness / whole.mass);
     vm_real abcd[4] = {0, 0, 0, 0}, y[6];
     int i;
-    vm_rotor_orbit(&whole, start, abcd);
+    vm_broken_rotor_orbit(&whole, start, abcd);
     for (i = 0; i <= 200; i++) {
         double t = i * break_time / 40;
-        vm_rotor_free(t, &whole, start, y);
+        vm_broken_rotor_free_motion(t, &whole, start, y);
         if (file) fprintf(file, "%g,%g,%g,%g,%g\n", t, y[0], y[1], hypot(y[3], y[4]), printed_speed(abcd, w, t));
         if (i == 40)
             printf("  speed of S at the break       printed %8.5f   true %8.5f m/s\n", printed_speed(abcd, w, t),
@@ -61,9 +61,9 @@ static void free_motion(const vm_real *start, const char *prefix)
 
 /* ---- the break ---- */
 
-static vm_rotor_piece piece_at(double angle)
+static vm_broken_rotor_piece piece_at(double angle)
 {
-    vm_rotor_piece p = {0, 0, 0, 0, 0, 0};
+    vm_broken_rotor_piece p = {0, 0, 0, 0, 0, 0};
     p.mass = piece_mass;
     p.inertia = piece_inertia;
     p.distance = SS2;
@@ -74,7 +74,7 @@ static vm_rotor_piece piece_at(double angle)
 }
 
 /* (59) as printed */
-static double printed_spin(const vm_rotor_break *b, double spin, double angle)
+static double printed_spin(const vm_broken_rotor_break *b, double spin, double angle)
 {
     double share = piece_mass / (whole.mass - piece_mass), moment = SS2 * b->tangential * cos(angle + b->beta);
     return (whole.inertia * spin - piece_inertia * (spin + b->spin_piece) + share * SS2 * SS2 * spin +
@@ -87,7 +87,7 @@ static void arrow(FILE *file, double x, double y, double vx, double vy)
     if (file) fprintf(file, "%g,%g,%g,%g\n", x, y, vx, vy);
 }
 
-static void draw_break(const vm_real *before, const vm_rotor_break *b, const char *prefix)
+static void draw_break(const vm_real *before, const vm_broken_rotor_break *b, const char *prefix)
 {
     FILE *file = csv_open(prefix, "vectors");
     const double *rest = b->state, *piece = b->piece, scale = 0.5;
@@ -108,9 +108,9 @@ static void spins(const vm_real *before, const char *prefix)
     FILE *file = csv_open(prefix, "spin");
     double angle;
     for (angle = -3; angle < 3.005; angle += 0.02) {
-        vm_rotor_piece p = piece_at(angle);
-        vm_rotor_break b;
-        if (vm_rotor_break_off(&whole, before, &p, &b) == VM_OK && file)
+        vm_broken_rotor_piece p = piece_at(angle);
+        vm_broken_rotor_break b;
+        if (vm_broken_rotor_break_off(&whole, before, &p, &b) == VM_OK && file)
             fprintf(file, "%g,%g,%g\n", angle, b.state[5], printed_spin(&b, before[5], angle));
     }
     csv_close(file);
@@ -118,13 +118,13 @@ static void spins(const vm_real *before, const char *prefix)
 
 /* ---- after it ---- */
 
-static double printed_74(const vm_rotor *r, double t)
+static double printed_74(const vm_broken_rotor *r, double t)
 {
     double Omega = r->torque / r->damping, s = r->s, k = r->damping / r->inertia;
     return Omega * (1 - piece_inertia / r->inertia * (radius - s) / s * exp(-k * t));
 }
 
-static double printed_73(const vm_rotor *r, const vm_real *y, double t)
+static double printed_73(const vm_broken_rotor *r, const vm_real *y, double t)
 {
     double Omega = r->torque / r->damping, s = r->s, k = r->damping / r->inertia, w2 = r->stiffness / r->mass;
     double w = sqrt(w2), sum = w2 + k * k, q = piece_inertia / r->inertia * (radius - s);
@@ -133,19 +133,19 @@ static double printed_73(const vm_rotor *r, const vm_real *y, double t)
            (y[1] + s * y[2] - Omega * q * k / sum) * cos(w * t);
 }
 
-static void transient(const vm_rotor_break *b, const char *prefix)
+static void transient(const vm_broken_rotor_break *b, const char *prefix)
 {
     FILE *file = csv_open(prefix, "transient");
-    vm_rotor rotor = b->rest;
+    vm_broken_rotor rotor = b->rest;
     vm_real work[RK45_WORK(6)], coupled[6], closed[6];
     rk45 s;
     int i;
-    rk45_init(&s, vm_rotor_rhs, &rotor, 6, 0, b->state, NULL, work);
+    rk45_init(&s, vm_broken_rotor_rhs, &rotor, 6, 0, b->state, NULL, work);
     for (i = 0; i <= 150; i++) {
         double t = 0.02 * i;
         rk45_solve(&s, t);
-        vm_rotor_linear(t, &rotor, b->state, coupled);
-        vm_rotor_linear_uncoupled(t, &rotor, b->state, closed);
+        vm_broken_rotor_linear(t, &rotor, b->state, coupled);
+        vm_broken_rotor_linear_uncoupled(t, &rotor, b->state, closed);
         if (file)
             fprintf(file, "%g,%g,%g,%g,%g,%g,%g,%g,%g\n", t, s.y[1], s.y[5], coupled[1], coupled[5], closed[1],
                     closed[5], printed_73(&rotor, b->state, t), printed_74(&rotor, t));
@@ -162,44 +162,44 @@ static void fig18(const char *prefix)
 {
     const double Omega[3] = {0.625, 1, 2.5}, printed[3] = {0.82051, 0, 0};
     FILE *file = csv_open(prefix, "fig18");
-    vm_rotor r[3] = {{1, 0.25, 1, 0.25, 0, 0.5}, {1, 0.25, 1, 0.25, 0, 0.5}, {1, 0.25, 1, 0.25, 0, 0.5}};
+    vm_broken_rotor r[3] = {{1, 0.25, 1, 0.25, 0, 0.5}, {1, 0.25, 1, 0.25, 0, 0.5}, {1, 0.25, 1, 0.25, 0, 0.5}};
     vm_real work[3][RK45_WORK(6)], start[6] = {0, 0, 0.5, 0, 0, 0};
     rk45 s[3];
     int i, k;
     for (k = 0; k < 3; k++) {
         r[k].torque = r[k].damping * Omega[k];
-        rk45_init(&s[k], vm_rotor_rhs, &r[k], 6, 0, start, NULL, work[k]);
+        rk45_init(&s[k], vm_broken_rotor_rhs, &r[k], 6, 0, start, NULL, work[k]);
     }
     for (i = 0; i <= 4000; i++) {
         double t = 0.1 * i;
         for (k = 0; k < 3; k++) rk45_solve(&s[k], t);
         if (file)
             fprintf(file, "%g,%g,%g,%g,%g,%g\n", t, hypot(s[0].y[0], s[0].y[1]), hypot(s[1].y[0], s[1].y[1]),
-                    hypot(s[2].y[0], s[2].y[1]), vm_rotor_growth(t, &r[1], 1), vm_rotor_growth(t, &r[2], 2.5));
+                    hypot(s[2].y[0], s[2].y[1]), vm_broken_rotor_resonance_radius(t, &r[1], 1), vm_broken_rotor_resonance_radius(t, &r[2], 2.5));
     }
     csv_close(file);
     puts("Fig. 18, k* = 1, at t = 400:");
     for (k = 0; k < 3; k++) {
-        double law = k ? vm_rotor_growth(400, &r[k], Omega[k]) : vm_rotor_steady(&r[k], Omega[k]);
+        double law = k ? vm_broken_rotor_resonance_radius(400, &r[k], Omega[k]) : vm_broken_rotor_steady_radius(&r[k], Omega[k]);
         printf("  Omega = %5.3f   r by rk45 %9.5f   %s %9.5f", Omega[k], hypot(s[k].y[0], s[k].y[1]),
                k ? "law of growth" : "r_SS (77)    ", law);
         if (k == 0) printf("   printed %.5f", printed[0]);
-        puts(vm_rotor_stable(&r[k], Omega[k]) ? "   stable" : "   not stable");
+        puts(vm_broken_rotor_is_stable(&r[k], Omega[k]) ? "   stable" : "   not stable");
     }
 }
 
 int main(int argc, char **argv)
 {
     const char *prefix = argc > 1 ? argv[1] : NULL;
-    vm_rotor_piece piece = piece_at(alpha);
-    vm_rotor_break b;
+    vm_broken_rotor_piece piece = piece_at(alpha);
+    vm_broken_rotor_break b;
     vm_real start[6], y[6];
     int status;
     puts("A rotor loses a piece, (46)-(82): M = 5 kg, m = 0.8 kg, SS2 = 0.6 m, Omega_b = 1.5 rad/s");
     start_state(start);
     free_motion(start, prefix);
-    vm_rotor_free(break_time, &whole, start, y);
-    status = vm_rotor_break_off(&whole, y, &piece, &b);
+    vm_broken_rotor_free_motion(break_time, &whole, start, y);
+    status = vm_broken_rotor_break_off(&whole, y, &piece, &b);
     if (status) return puts(vm_strerror(status)), 1;
     printf("  angle of S2A, beta (56)       printed %8.5f   true %8.5f rad\n",
            atan(SS2 / radius * sin(alpha) / (1 - cos(alpha))), b.beta);

@@ -40,7 +40,7 @@ static double damped(double t, const motion_case *c) { return solution_356(t, c-
 /* (424) and case c) as printed, with the means of (383), (384), (408) by their printed series */
 static double vdp_printed(double t, const motion_case *c)
 {
-    const double alpha = 5. / 3, k2 = vm_osc_m_jacobi(alpha);
+    const double alpha = 5. / 3, k2 = vm_osc_jacobi_parameter(alpha);
     const double C2 = 0.5 + k2 / 16, C4 = 3. / 8 + k2 / 32, C6 = 5. / 16 + 5 * k2 / 256;
     const double a2 = (1 - k2) - (1 - 2 * k2) * C2 - k2 * C4, a1 = (1 - k2) + k2 * C4 + (alpha - 1) / 2 * a2;
     const double a3 = (1 - k2) * C2 - (1 - 2 * k2) * C4 - k2 * C6, x2 = c->x0 * c->x0;
@@ -76,12 +76,12 @@ static double fifth_root(double t, const motion_case *c) { return (void)c, pow(1
 static double radius(double t, const motion_case *c)
 {
     vm_power_force cubic = {1, 3};
-    vm_laval r;
+    vm_jeffcott r;
     memset(&r, 0, sizeof r);
-    r.stiffness = vm_laval_power;
+    r.stiffness = vm_jeffcott_power;
     r.stiffness_ctx = &cubic;
     r.reactive = 1;
-    return vm_laval_amplitude(&r, c->x0, c->m0, c->m0 + c->m1 * t);
+    return vm_jeffcott_amplitude(&r, c->x0, c->m0, c->m0 + c->m1 * t);
 }
 
 static double pair_printed(double t, const motion_case *c)
@@ -101,7 +101,7 @@ typedef struct context {
     vm_linear_mass mass;
     vm_vdp vdp;
     vm_power_force cubic;
-    vm_laval rotor;
+    vm_jeffcott rotor;
     vm_pair pair;
 } context;
 
@@ -118,13 +118,13 @@ static void *start(const motion_case *c, context *x, vm_real *y)
     x->cubic.alpha = 3;
     x->rotor.mass = x->pair.mass = vm_slow_mass_linear;
     x->rotor.mass_ctx = x->pair.mass_ctx = &x->mass;
-    x->rotor.stiffness = vm_laval_power;
+    x->rotor.stiffness = vm_jeffcott_power;
     x->rotor.stiffness_ctx = &x->cubic;
     x->rotor.reactive = 1;
     x->pair.alpha = 3;
     x->pair.k = 1;
     x->pair.reactive = 1;
-    if (c->f == vm_laval_rhs) return y[0] = y[1] = y[3] = half, y[2] = -half, &x->rotor;
+    if (c->f == vm_jeffcott_rhs) return y[0] = y[1] = y[3] = half, y[2] = -half, &x->rotor;
     if (c->f == vm_pair_rhs) return y[0] = 1, y[1] = 3, y[2] = y[3] = 0, &x->pair;
     return y[0] = c->x0, y[1] = 0, &x->vdp;
 }
@@ -168,7 +168,7 @@ static void write_row(FILE *csv, const motion_case *c, double t, double x)
    motion everywhere */
 static int run(const motion_case *c, FILE *csv, errors *e)
 {
-    static vm_point points[MOST_POINTS];
+    static vm_sample points[MOST_POINTS];
     vm_real y[4], work[RK45_WORK(4)], sample[4];
     const double spacing = c->t_end / 1500;
     rk45_options options = rk45_defaults(NULL);
@@ -184,7 +184,7 @@ static int run(const motion_case *c, FILE *csv, errors *e)
     if (csv) fprintf(csv, "t,\"%s\"\n", c->label);
     while (status >= 0 && s.t < c->t_end) {
         status = rk45_step(&s);
-        n += vm_find_points_of_step(&s, c->x, c->v, VM_TURNING_POINTS, sample, MOST_POINTS - n, points + n);
+        n += vm_find_samples_of_step(&s, c->x, c->v, VM_TURNING_POINTS, sample, MOST_POINTS - n, points + n);
         for (; t_next <= s.t && t_next <= c->t_end; t_next += spacing) {
             rk45_interpolate(&s, t_next, sample);
             if (c->waves) compare(e, c, t_next, sample[c->x]);
@@ -215,7 +215,7 @@ int main(int argc, char **argv)
     }
 #define ROTOR(label, x)                                                                         \
     {                                                                                           \
-        "30", label, vm_laval_rhs, 4, x, x + 2, 200, fifth_root, radius, 0, 0, 0, 1, 0.01, 1, 0 \
+        "30", label, vm_jeffcott_rhs, 4, x, x + 2, 200, fifth_root, radius, 0, 0, 0, 1, 0.01, 1, 0 \
     }
 #define PAIR(label, x)                                                                        \
     {                                                                                         \

@@ -37,7 +37,7 @@ int main(void)
         double kit[3];
         int off = 0, shown = 0;
         kit[0] = vm_osc_omega_trig(row->alpha);
-        kit[1] = vm_osc_m_jacobi(row->alpha);
+        kit[1] = vm_osc_jacobi_parameter(row->alpha);
         kit[2] = vm_osc_omega_jacobi(row->alpha);
         printf("%5g", row->alpha);
         for (k = 0; k < 3; k++) {

@@ -31,7 +31,7 @@
                     Lambert's W
      Chapter 6      Lagrange's equations with variable mass, masses frozen; Euler's angles
      Chapter 7.2-3  the oscillator m x'' + k x|x|^(alpha-1) = 0: exact, trigonometric and Jacobi motion
-     Chapter 7.4    the same with laws of mass and stiffness: routes to x(t) from a cosine to rk87, and vm_osc_at,
+     Chapter 7.4    the same with laws of mass and stiffness: routes to x(t) from a cosine to rk87, and vm_osc_within,
                     which picks the cheapest within a tolerance and says which it took
      Chapter 7.6    Van der Pol with variable mass: amplitude law in closed form, steady amplitudes
      Chapter 7.7    Laval's rotor: two-frequency and one-frequency averaging, radius law, gyroscopic
@@ -83,7 +83,7 @@
      terms; body and everything shed keep momentum, angular momentum and energy to 7e-15 (rk87), to 0.3 of the
      tolerance (rk45). Lambert's W within 1 ulp; the drum on a rigid shaft within 4 ulp, through e = 0 and k1 = 0.
      The constants of the oscillator are right to 8 eps; the second-order law errs by (q/Om)^2 to t = 3/q (1e-6 for
-     eps = 0.01); every route estimates its error: below 3 estimates in 99 % of random problems by vm_osc_at, above
+     eps = 0.01); every route estimates its error: below 3 estimates in 99 % of random problems by vm_osc_within, above
      10 (and there by little) in 1 of 1000. Closed forms of Van der Pol, rotor and steady vibrations 3e-15,
      coefficients 5 eps for alpha to 1e6.
 

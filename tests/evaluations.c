@@ -240,7 +240,7 @@ static trial try_saca(random_bits *g)
         s = random_phase(g, quarter);
         ateb_saca(s, alpha, &sa, &ca);
         ateb_saca(-s, alpha, &sa2, &ca2);
-        x = vmi_raised(VM_FABS(ca), n);
+        x = vmi_pow_checked(VM_FABS(ca), n);
         good = VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 && sa2 == -sa && ca2 == ca &&
                (n * EPS > R(1e-3) ||
                 VM_FABS(sa * sa + x - 1) <= EPS * (4 + 4 * (2 * sa * sa + n * x) + (alpha + 1 - n != 0)));
@@ -342,8 +342,8 @@ static trial try_saca_nm(random_bits *g)
     const vm_real n = of_size(g, -9, 9), m = of_size(g, -9, 9), s = uniform(g, -4, 4) * ateb_pi_nm(n, m);
     vm_real sa, ca, x, y;
     ateb_saca_nm(s, n, m, &sa, &ca);
-    x = vmi_raised(VM_FABS(sa), n + 1);
-    y = vmi_raised(VM_FABS(ca), m + 1);
+    x = vmi_pow_checked(VM_FABS(sa), n + 1);
+    y = vmi_pow_checked(VM_FABS(ca), m + 1);
     return result(n, m, s,
                   VM_FABS(sa) <= 1 && VM_FABS(ca) <= 1 &&
                       VM_FABS(x + y - 1) <= EPS * (8 + 10 * ((n + 1) * x + (m + 1) * y)));
@@ -359,11 +359,11 @@ static trial try_mean(random_bits *g)
 
 static trial try_lambert(random_bits *g)
 {
-    const vm_real l = uniform(g, -60, 60), w = vm_lambert_w0_exp(l), x = of_size(g, -20, 30), w0 = vm_lambert_w0(x);
-    const vm_real m = -1 - of_size(g, -20, 9), a = vm_lambert_w0_mexp(m), b = vm_lambert_wm1_mexp(m);
+    const vm_real l = uniform(g, -60, 60), w = vm_wright_omega(l), x = of_size(g, -20, 30), w0 = vm_lambert_w0(x);
+    const vm_real m = -1 - of_size(g, -20, 9), a = vm_lambert_w0_neg_exp(m), b = vm_lambert_wm1_neg_exp(m);
     return result(
         l, x, m,
-        w > 0 && vm_lambert_w0_exp(l + R(0.001)) >= w && w0 > 0 &&
+        w > 0 && vm_wright_omega(l + R(0.001)) >= w && w0 > 0 &&
             vm_lambert_w0(next_up(x)) >= w0 * (1 - 2 * EPS) &&
             same_size(vmi_log(w0).hi + w0, vmi_log(x).hi, 8 + 8 / (double)(VM_FABS(vmi_log(x).hi) + EPS)) &&
             a <= 0 && a >= -1 && b <= -1);

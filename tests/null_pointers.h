@@ -100,14 +100,14 @@ static void null_bodies(void)
     const vm_inertia i = whole.inertia, little = part.inertia;
     const vm_vec3 aside = {R(0.25), 0, 0};
     vm_body2 out_of_centre = part2;
-    vm_free_motion motion;
+    vm_torque_free motion;
     out_of_centre.x = R(0.25);
     NUMBER(1, vm_momentum(IN(0, vm_body, &whole)).x);
     NUMBER(1, vm_angular_momentum(IN(0, vm_body, &whole), zero).z);
     NUMBER(1, vm_kinetic_energy(IN(0, vm_body, &whole)));
     NUMBER(1, vm_angular_momentum2(IN(0, vm_body2, &whole2), 0, 0));
     NUMBER(1, vm_kinetic_energy2(IN(0, vm_body2, &whole2)));
-    NUMBER(1, vm_in_space(IN(0, vm_body2, &whole2)).mass);
+    NUMBER(1, vm_body_from_body2(IN(0, vm_body2, &whole2)).mass);
     NUMBER(1, vm_parallel_axes(IN(0, vm_inertia, &i), 1, aside).zz);
     ANSWER(1, vm_inertia_possible(IN(0, vm_inertia, &i)));
     STATUS(3, vm_balance_between(1, IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, zero, X(2, vm_balance)));
@@ -131,47 +131,47 @@ static void null_bodies(void)
     STATUS(3, vm_attach_relative(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, X(2, vm_body)));
     STATUS(3, vm_separate_relative2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
     STATUS(3, vm_attach_relative2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
-    STATUS(3, vm_separate_for(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, NULL, NULL, X(2, vm_body)));
-    STATUS(3, vm_separate_for2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, NULL, NULL, X(2, vm_body2)));
-    STATUS(3, vm_separate_for_spin2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &out_of_centre), NULL, 1,
+    STATUS(3, vm_separation_for_rest(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, NULL, NULL, X(2, vm_body)));
+    STATUS(3, vm_separation_for_rest2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, NULL, NULL, X(2, vm_body2)));
+    STATUS(3, vm_separation_for_spin2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &out_of_centre), NULL, 1,
                                     X(2, vm_body2)));
     NUMBER(3, vm_energy_gain(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
     NUMBER(3, vm_energy_loss(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
-    STATUS(2, vm_free_init(IO(0, vm_free_motion, &motion), IN(1, vm_body, &whole), 0));
-    STATUS(1, vm_free_init_principal(IO(0, vm_free_motion, &motion), vmi_vec3(1, 2, 2), turned, aside, 0));
-    STATUS(2, vm_free_at(IN(0, vm_free_motion, &motion), 1, X(1, vm_body)));
-    STATUS(3, vm_free_attitude(IN(0, vm_free_motion, &motion), 1, X(1, vm_quat), X(2, vm_vec3)));
-    STATUS(2, vm_free_rotation(IN(0, vm_body, &whole), 1, X(1, vm_body)));
+    STATUS(2, vm_torque_free_init(IO(0, vm_torque_free, &motion), IN(1, vm_body, &whole), 0));
+    STATUS(1, vm_torque_free_init_principal(IO(0, vm_torque_free, &motion), vmi_vec3(1, 2, 2), turned, aside, 0));
+    STATUS(2, vm_torque_free_at(IN(0, vm_torque_free, &motion), 1, X(1, vm_body)));
+    STATUS(3, vm_torque_free_attitude(IN(0, vm_torque_free, &motion), 1, X(1, vm_quat), X(2, vm_vec3)));
+    STATUS(2, vm_torque_free_rotation(IN(0, vm_body, &whole), 1, X(1, vm_body)));
 }
 
 static void null_rotor(void)
 {
-    static const vm_rotor round = {2, 1, 9, R(0.5), 1, 0}, bent = {2, 1, 9, R(0.5), 1, R(0.1)};
+    static const vm_broken_rotor round = {2, 1, 9, R(0.5), 1, 0}, bent = {2, 1, 9, R(0.5), 1, R(0.1)};
     static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1};
-    vm_rotor rotor = bent;
-    vm_rotor_piece piece;
+    vm_broken_rotor rotor = bent;
+    vm_broken_rotor_piece piece;
     memset(&piece, 0, sizeof piece);
     piece.mass = R(0.1);
     piece.inertia = R(0.001);
     piece.distance = R(0.1);
     piece.radius = R(0.2);
     piece.alpha = R(0.1);
-    STATUS(3, vm_rotor_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
-    STATUS(3, vm_rotor_polar_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_rotor, &rotor)));
-    STATUS(3, vm_rotor_free(1, IN(0, vm_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_rotor_orbit(IN(0, vm_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(4, vm_rotor_break_off(IN(0, vm_rotor, &round), IN(1, vm_real, y), IN(2, vm_rotor_piece, &piece),
-                                 X(3, vm_rotor_break)));
-    STATUS(3, vm_rotor_linear(1, IN(0, vm_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_rotor_linear_uncoupled(1, IN(0, vm_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(2, vm_rotor_to_polar(IN(0, vm_real, y), X(1, vm_real)));
-    STATUS(2, vm_rotor_from_polar(IN(0, vm_real, y), X(1, vm_real)));
-    NUMBER(1, vm_rotor_steady(IN(0, vm_rotor, &bent), 1));
-    STATUS(2, vm_rotor_char_poly(IN(0, vm_rotor, &bent), 1, X(1, vm_real)));
-    STATUS(3, vm_rotor_eigenvalues(IN(0, vm_rotor, &bent), 1, X(1, vm_real), X(2, vm_real)));
-    STATUS(2, vm_rotor_routh(IN(0, vm_rotor, &bent), 1, X(1, vm_real)));
-    ANSWER(1, vm_rotor_stable(IN(0, vm_rotor, &bent), 1));
-    NUMBER(1, vm_rotor_growth(1, IN(0, vm_rotor, &bent), 3));
+    STATUS(3, vm_broken_rotor_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_broken_rotor, &rotor)));
+    STATUS(3, vm_broken_rotor_polar_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_broken_rotor, &rotor)));
+    STATUS(3, vm_broken_rotor_free_motion(1, IN(0, vm_broken_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_broken_rotor_orbit(IN(0, vm_broken_rotor, &round), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(4, vm_broken_rotor_break_off(IN(0, vm_broken_rotor, &round), IN(1, vm_real, y), IN(2, vm_broken_rotor_piece, &piece),
+                                 X(3, vm_broken_rotor_break)));
+    STATUS(3, vm_broken_rotor_linear(1, IN(0, vm_broken_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_broken_rotor_linear_uncoupled(1, IN(0, vm_broken_rotor, &bent), IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(2, vm_broken_rotor_to_polar(IN(0, vm_real, y), X(1, vm_real)));
+    STATUS(2, vm_broken_rotor_from_polar(IN(0, vm_real, y), X(1, vm_real)));
+    NUMBER(1, vm_broken_rotor_steady_radius(IN(0, vm_broken_rotor, &bent), 1));
+    STATUS(2, vm_broken_rotor_characteristic(IN(0, vm_broken_rotor, &bent), 1, X(1, vm_real)));
+    STATUS(3, vm_broken_rotor_eigenvalues(IN(0, vm_broken_rotor, &bent), 1, X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_broken_rotor_routh(IN(0, vm_broken_rotor, &bent), 1, X(1, vm_real)));
+    ANSWER(1, vm_broken_rotor_is_stable(IN(0, vm_broken_rotor, &bent), 1));
+    NUMBER(1, vm_broken_rotor_resonance_radius(1, IN(0, vm_broken_rotor, &bent), 3));
 }
 
 static void null_lagrange(void)
@@ -182,7 +182,7 @@ static void null_lagrange(void)
     const vm_pendulum pendulum = {1, 1, R(0.3), 1, VM_AXES_COS_SIN};
     const vm_body body = a_body(2);
     vm_real work[VM_LAGRANGE_WORK(1)], moment = 0, mass = 0;
-    vm_lagrange l = system_of_two();
+    vm_lagrange_system l = system_of_two();
     NOTHING(2, vm_lagrange_mass(1, IN(0, vm_body, &body), along, NULL, X(1, vm_real)));
     NOTHING(2, vm_lagrange_mass(1, IN(0, vm_body, &body), NULL, along, X(1, vm_real)));
     NOTHING(2, vm_lagrange_momentum(1, IN(0, vm_body, &body), along, NULL, X(1, vm_real)));
@@ -195,14 +195,14 @@ static void null_lagrange(void)
                                    X(3, vm_real), IO(4, vm_real, work)));
     STATUS(5, vm_lagrange_attach(1, IN(0, vm_real, &two), IN(1, vm_real, &three), IN(2, vm_real, &two), NULL, NULL,
                                  X(3, vm_real), IO(4, vm_real, work)));
-    STATUS(5, vm_lagrange_hit(1, IN(0, vm_real, &two), IN(1, vm_real, &two), IN(2, vm_real, &three), X(3, vm_real),
+    STATUS(5, vm_lagrange_impact(1, IN(0, vm_real, &two), IN(1, vm_real, &two), IN(2, vm_real, &three), X(3, vm_real),
                               IO(4, vm_real, work)));
     STATUS(2, vm_pendulum_separate(IN(0, vm_pendulum, &pendulum), R(0.25), 1, 0, 0, X(1, vm_pendulum_cut)));
-    STATUS(3, vm_lagrange_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_lagrange, &l)));
-    STATUS(4, vm_lagrange_start(IO(0, vm_lagrange, &l), 0, IN(1, vm_real, q), IN(2, vm_real, y), X(3, vm_real)));
-    STATUS(3, vm_lagrange_rates(IO(0, vm_lagrange, &l), 0, IN(1, vm_real, y), X(2, vm_real)));
-    NUMBER(3, vm_frozen_derivative(IO(0, vm_lagrange, &l), 0, IN(1, vm_real, q), IN(2, vm_real, q), 0));
-    NOTHING(1, vm_add_force(1, along[0], along, along[0], NULL, X(0, vm_real)));
+    STATUS(3, vm_lagrange_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_lagrange_system, &l)));
+    STATUS(4, vm_lagrange_start(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, q), IN(2, vm_real, y), X(3, vm_real)));
+    STATUS(3, vm_lagrange_rates(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, y), X(2, vm_real)));
+    NUMBER(3, vm_lagrange_partial_q(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, q), IN(2, vm_real, q), 0));
+    NOTHING(1, vm_lagrange_add_force(1, along[0], along, along[0], NULL, X(0, vm_real)));
     NOTHING(1, vm_euler_313_axes(1, 1, X(0, vm_vec3)));
     NOTHING(1, vm_euler_313_body_axes(1, 1, X(0, vm_vec3)));
     STATUS(1, vm_euler_313_rates(1, 1, along[0], X(0, vm_real)));
@@ -223,7 +223,7 @@ static void null_streams(void)
     vm_flow flow;
     vm_flow1 flow1;
     vm_flow2 flow2;
-    vm_real y[VM_RHS_BALANCED] = {0};
+    vm_real y[VM_FLOW_BALANCED_STATES] = {0};
     memset(&stream, 0, sizeof stream);
     memset(&stream2, 0, sizeof stream2);
     memset(&flow, 0, sizeof flow);
@@ -240,27 +240,27 @@ static void null_streams(void)
                                X(3, vm_vec3)));
     STATUS(3, vm_flow_start(IO(0, vm_flow, &flow), IN(1, vm_body, &body), X(2, vm_real)));
     CHECK(vm_flow_start(&flow, &body, y) == VM_OK);
-    STATUS(3, vm_flow_body(IN(0, vm_flow, &flow), VM_RHS, IN(1, vm_real, y), X(2, vm_body)));
-    STATUS(3, vm_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
-    STATUS(3, vm_rhs_given(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
-    STATUS(3, vm_rhs_carried(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
-    STATUS(3, vm_rhs_balanced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_flow_body(IN(0, vm_flow, &flow), VM_FLOW_STATES, IN(1, vm_real, y), X(2, vm_body)));
+    STATUS(3, vm_flow_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_flow_given_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_flow_carried_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_flow_balanced_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
     NUMBER(2, vm_flow_mass_left(0, IN(0, vm_real, y), IO(1, vm_flow, &flow)));
     NUMBER(2, vm_flow_inertia_left(0, IN(0, vm_real, y), IO(1, vm_flow, &flow)));
     y[2] = y[6] = y[9] = 1;
-    STATUS(3, vm_rhs_translation(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
-    STATUS(3, vm_rhs1(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow1, &flow1)));
-    STATUS(3, vm_rhs2(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow2, &flow2)));
+    STATUS(3, vm_translation_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow, &flow)));
+    STATUS(3, vm_flow1_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow1, &flow1)));
+    STATUS(3, vm_flow2_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_flow2, &flow2)));
     flow.streams = NULL;
     flow1.streams = NULL;
     flow2.streams = NULL; /* one stream, which is not there */
     CHECK(vm_flow_start(&flow, &body, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
-    CHECK(vm_rhs_given(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
-    CHECK(vm_rhs_balanced(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
-    CHECK(vm_rhs_translation(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
-    CHECK(vm_rhs1(0, y, null_output[0], &flow1) == VM_BAD_ARGUMENT);
-    CHECK(vm_rhs2(0, y, null_output[0], &flow2) == VM_BAD_ARGUMENT);
+    CHECK(vm_flow_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_flow_given_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_flow_balanced_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_translation_rhs(0, y, null_output[0], &flow) == VM_BAD_ARGUMENT);
+    CHECK(vm_flow1_rhs(0, y, null_output[0], &flow1) == VM_BAD_ARGUMENT);
+    CHECK(vm_flow2_rhs(0, y, null_output[0], &flow2) == VM_BAD_ARGUMENT);
     STATUS(3, vm_linear_flow(1, 0, 1, 2, 0, IN(0, vm_stream1, &line), X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_jet_damping(1, IN(0, vm_jet, &jet), zero, X(1, vm_vec3)));
     STATUS(2, vm_drum_at(1, IN(0, vm_drum, &d), X(1, vm_drum_geometry)));
@@ -297,17 +297,17 @@ static void null_oscillators(void)
     STATUS(3, vm_law_at(IN(0, vm_law, &law), 1, X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_law_inverse_integral(IN(0, vm_law, &law), 1, X(1, vm_real)));
     STATUS(2, vm_osc_plan_init(IO(0, vm_osc_plan, &p), IN(1, vm_osc_problem, &o)));
-    STATUS(2, vm_osc_plan_by(IN(0, vm_osc_plan, &p), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_plan_at(IN(0, vm_osc_plan, &p), 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by(IN(0, vm_osc_problem, &o), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_at(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_trig(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_jacobi(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_ateb(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_second(IN(0, vm_osc_problem, &o), 1, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_variation(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_rk45(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
-    STATUS(2, vm_osc_by_rk87(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_plan_by_route(IN(0, vm_osc_plan, &p), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_plan_within(IN(0, vm_osc_plan, &p), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_within(IN(0, vm_osc_problem, &o), 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_TRIG, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_JACOBI, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_ATEB, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_SECOND, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_VARIATION, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
+    STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK87, 1, 0, X(1, vm_osc_motion)));
     STATUS(4, vm_osc_averaged(IN(0, vm_osc_plan, &p), VM_ROUTE_ATEB, 1, 1, X(1, vm_real), X(2, vm_real),
                               X(3, vm_real)));
     o.mass = vm_law_user(NULL, NULL);
@@ -323,7 +323,7 @@ static void null_slow(void)
     vm_linear_mass linear = mass;
     vm_power_force power = cubic;
     vm_vdp v = {3, 2, R(0.1), R(0.2), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
-    vm_laval r = laval(), soft = laval();
+    vm_jeffcott r = laval(), soft = laval();
     vm_pair pair = {3, 2, 1, NULL, NULL};
     vm_forced f = prepared();
     const vm_power_force first = {3, 1};
@@ -334,50 +334,50 @@ static void null_slow(void)
     NUMBER(2, vm_slow_mass_linear(1, X(0, vm_real), IO(1, vm_linear_mass, &linear)));
     STATUS(1, vm_vdp_init(IO(0, vm_vdp, &v)));
     NUMBER(1, vm_vdp_amplitude(IN(0, vm_vdp, &v), 1, 1, mass));
-    NUMBER(1, vm_vdp_steady(IN(0, vm_vdp, &v), 0, NULL));
+    NUMBER(1, vm_vdp_limit_cycle(IN(0, vm_vdp, &v), 0, NULL));
     STATUS(3, vm_vdp_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_vdp, &v)));
     STATUS(3, vm_vdp_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_vdp, &v)));
-    NUMBER(2, vm_laval_power(1, X(0, vm_real), IO(1, vm_power_force, &power)));
-    NOTHING(2, vm_laval_polar(vmi_complex(1, 2), X(0, vm_real), X(1, vm_real)));
-    NUMBER(1, vm_laval_momentum(IN(0, vm_laval, &r), 1, vmi_complex(1, 2), vmi_complex(2, 3)));
-    STATUS(3, vm_laval_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &r)));
-    STATUS(3, vm_laval_split(IN(0, vm_laval, &soft), 0, IN(1, vm_real, y), 0, X(2, vm_real)));
-    STATUS(3, vm_laval_join(IN(0, vm_laval, &soft), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_laval_exact_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &soft)));
-    STATUS(3, vm_laval_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &soft)));
-    NUMBER(1, vm_laval_frequency(IN(0, vm_laval, &r), 1, 1, 1));
-    STATUS(3, vm_laval_forward_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &r)));
-    STATUS(3, vm_laval_backward_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_laval, &r)));
-    NUMBER(1, vm_laval_amplitude(IN(0, vm_laval, &r), 1, 1, 2));
+    NUMBER(2, vm_jeffcott_power(1, X(0, vm_real), IO(1, vm_power_force, &power)));
+    NOTHING(2, vm_jeffcott_polar(vmi_complex(1, 2), X(0, vm_real), X(1, vm_real)));
+    NUMBER(1, vm_jeffcott_momentum(IN(0, vm_jeffcott, &r), 1, vmi_complex(1, 2), vmi_complex(2, 3)));
+    STATUS(3, vm_jeffcott_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
+    STATUS(3, vm_jeffcott_to_averaged(IN(0, vm_jeffcott, &soft), 0, IN(1, vm_real, y), 0, X(2, vm_real)));
+    STATUS(3, vm_jeffcott_from_averaged(IN(0, vm_jeffcott, &soft), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_jeffcott_exact_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &soft)));
+    STATUS(3, vm_jeffcott_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &soft)));
+    NUMBER(1, vm_jeffcott_frequency(IN(0, vm_jeffcott, &r), 1, 1, 1));
+    STATUS(3, vm_jeffcott_forward_whirl_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
+    STATUS(3, vm_jeffcott_backward_whirl_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
+    NUMBER(1, vm_jeffcott_amplitude(IN(0, vm_jeffcott, &r), 1, 1, 2));
     STATUS(3, vm_pair_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_pair, &pair)));
-    STATUS(3, vm_pair_split(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_pair_join(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_pair_to_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_pair_from_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
     STATUS(3, vm_pair_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_pair, &pair)));
     STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, y), mass, X(2, vm_real)));
     STATUS(1, vm_forced_init(IO(0, vm_forced, &f)));
     STATUS(3, vm_forced_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
     STATUS(3, vm_forced_exact_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
     STATUS(3, vm_forced_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
-    STATUS(3, vm_forced_split(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_forced_join(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(2, vm_forced_steady(IN(0, vm_forced, &f), 0, X(1, vm_steady)));
-    STATUS(2, vm_forced_curve(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_steady)));
+    STATUS(3, vm_forced_to_averaged(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_forced_from_averaged(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(2, vm_forced_steady_states(IN(0, vm_forced, &f), 0, X(1, vm_steady_state)));
+    STATUS(2, vm_forced_curve(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_steady_state)));
     NUMBER(1, vm_forced_peak(IN(0, vm_forced, &f), 0));
     STATUS(2, vm_forced_passage(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_passage)));
     /* no mass, no stiffness where one is needed */
     v.mass = r.mass = soft.mass = pair.mass = NULL;
     CHECK(vm_pair_rhs(0, y, null_output[0], &pair) == VM_BAD_ARGUMENT);
-    CHECK(vm_pair_split(&pair, 0, y, null_output[0]) == VM_BAD_ARGUMENT);
-    CHECK(vm_laval_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
-    CHECK(vm_laval_split(&soft, 0, y, 0, null_output[0]) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_to_averaged(&pair, 0, y, null_output[0]) == VM_BAD_ARGUMENT);
+    CHECK(vm_jeffcott_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_jeffcott_to_averaged(&soft, 0, y, 0, null_output[0]) == VM_BAD_ARGUMENT);
     r.mass = vm_slow_mass_linear;
     r.stiffness = NULL;
-    CHECK(vm_laval_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
-    CHECK(vm_laval_forward_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
-    CHECK(isnan((double)vm_laval_frequency(&r, 1, 1, 1)) && isnan((double)vm_laval_amplitude(&r, 1, 1, 2)));
+    CHECK(vm_jeffcott_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(isnan((double)vm_jeffcott_frequency(&r, 1, 1, 1)) && isnan((double)vm_jeffcott_amplitude(&r, 1, 1, 2)));
     memset(&f, 0, sizeof f);
     f.now.mass = f.now.k = 1; /* not prepared */
-    CHECK(vm_forced_split(&f, 0, y, null_output[0]) < 0 && vm_forced_averaged_rhs(0, y, null_output[0], &f) < 0);
+    CHECK(vm_forced_to_averaged(&f, 0, y, null_output[0]) < 0 && vm_forced_averaged_rhs(0, y, null_output[0], &f) < 0);
 }
 
 static vm_real null_law(vm_real t, void *ctx) { return (void)ctx, 1 + t; }
@@ -388,16 +388,16 @@ static void null_motion(vm_real t, vm_real *x, vm_real *v, void *ctx) {
 
 static void null_diagnostics(void)
 {
-    static const vm_point points[1] = {{1, 2, 0}};
+    static const vm_sample points[1] = {{1, 2, 0}};
     vm_real y[2] = {R(-0.1), 1}, work[RK45_WORK(2)], buffer[2];
     rk45 s;
-    STATUS(1, vm_find_points(null_motion, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, X(0, vm_point)));
-    CHECK(vm_find_points(NULL, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, (vm_point *)(void *)null_output) ==
+    STATUS(1, vm_find_samples(null_motion, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, X(0, vm_sample)));
+    CHECK(vm_find_samples(NULL, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.3), 4, (vm_sample *)(void *)null_output) ==
           VM_BAD_ARGUMENT);
     CHECK(rk45_init(&s, oscillate, NULL, 2, 0, y, NULL, work) == ODE_OK && rk45_solve(&s, 1) == ODE_OK);
-    STATUS(3, vm_find_points_of_step(IO(0, rk45, &s), 0, 1, VM_ZERO_CROSSINGS, IO(1, vm_real, buffer), 4,
-                                     X(2, vm_point)));
-    NUMBER(1, vm_envelope_error(VM_TURNING_POINTS, 1, IN(0, vm_point, points), null_law, NULL));
+    STATUS(3, vm_find_samples_of_step(IO(0, rk45, &s), 0, 1, VM_ZERO_CROSSINGS, IO(1, vm_real, buffer), 4,
+                                     X(2, vm_sample)));
+    NUMBER(1, vm_envelope_error(VM_TURNING_POINTS, 1, IN(0, vm_sample, points), null_law, NULL));
     CHECK(isnan((double)vm_envelope_error(VM_TURNING_POINTS, 1, points, NULL, NULL)));
 }
 
@@ -444,12 +444,12 @@ static int null_in_scene(const vm_scene_body *body, const vm_effect *effect, con
     ode_event located[1];
     vm_scene s;
     memset(&s, 0, sizeof s);
-    bodies[0] = vm_scene_line(2, 0, 1);
-    bodies[1] = vm_scene_axle(2, 0, 1);
-    bodies[2] = vm_scene_plane(2, 1, zero, 0, zero, 0);
-    bodies[3] = body ? *body : vm_scene_free(&free_body);
-    bodies[4] = vm_scene_growing_free(vm_scene_free(&free_body));
-    bodies[5] = vm_scene_absent(vm_scene_line(1, 0, 0));
+    bodies[0] = vm_scene_body_line(2, 0, 1);
+    bodies[1] = vm_scene_body_axle(2, 0, 1);
+    bodies[2] = vm_scene_body_plane(2, 1, zero, 0, zero, 0);
+    bodies[3] = body ? *body : vm_scene_body_free(&free_body);
+    bodies[4] = vm_scene_body_growing_free(vm_scene_body_free(&free_body));
+    bodies[5] = vm_scene_body_absent(vm_scene_body_line(1, 0, 0));
     s.bodies = bodies;
     s.n_bodies = 6;
     s.effects = effects;
@@ -478,11 +478,11 @@ static void null_parts_of_scenes(void)
     stream.rate = 1;
     part.mass = 1;
     mass = vm_effect_stream_mass(4, &stream);
-    STATUS(1, body_in_scene(vm_scene_free(IN(0, vm_body, &body))));
-    STATUS(1, body_in_scene(vm_scene_growing_free(vm_scene_free(IN(0, vm_body, &body)))));
-    STATUS(1, effect_in_scene(vm_effect_user(0, 0, CALLBACK(0, null_force), NULL)));
-    STATUS(1, effect_in_scene(vm_effect_user_between(0, 0, 3, 0, CALLBACK(0, null_force), NULL)));
-    STATUS(1, effect_in_scene(vm_effect_callback(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
+    STATUS(1, body_in_scene(vm_scene_body_free(IN(0, vm_body, &body))));
+    STATUS(1, body_in_scene(vm_scene_body_growing_free(vm_scene_body_free(IN(0, vm_body, &body)))));
+    STATUS(1, effect_in_scene(vm_effect_force(0, 0, CALLBACK(0, null_force), NULL)));
+    STATUS(1, effect_in_scene(vm_effect_force_between(0, 0, 3, 0, CALLBACK(0, null_force), NULL)));
+    STATUS(1, effect_in_scene(vm_effect_custom(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
     STATUS(1, effect_in_scene(vm_effect_link(2, VM_GROUND, CALLBACK(0, null_point), NULL, 1, 0, 1)));
     STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 0)));
     STATUS(1, effect_in_scene(vm_effect_stream_mass(4, IN(0, vm_stream, &stream))));
@@ -505,18 +505,18 @@ static void null_parts_of_scenes(void)
 
 static void null_scenes(void)
 {
-    vm_scene_body body = vm_scene_line(2, 0, 1);
-    vm_real y[2 + VM_BOOK] = {0}, z[2 + VM_BOOK], work[VM_SCENE_WORK(2 + VM_BOOK)], t = 0;
-    vm_culprit culprit;
-    vm_book book, totals;
+    vm_scene_body body = vm_scene_body_line(2, 0, 1);
+    vm_real y[2 + VM_BUDGET] = {0}, z[2 + VM_BUDGET], work[VM_SCENE_WORK(2 + VM_BUDGET)], t = 0;
+    vm_scene_fault culprit;
+    vm_budget book, totals;
     vm_scene s;
     memset(&s, 0, sizeof s);
     s.bodies = &body;
     s.n_bodies = 1;
     null_clear();
-    vm_scene_keep_book(NULL, (vm_book *)(void *)null_output);
+    vm_scene_keep_budget(NULL, (vm_budget *)(void *)null_output);
     CHECK(null_untouched());
-    vm_scene_keep_book(&s, &book);
+    vm_scene_keep_budget(&s, &book);
     STATUS(1, vm_scene_check(IN(0, vm_scene, &s), &culprit));
     STATUS(1, vm_scene_size(IN(0, vm_scene, &s)));
     STATUS(2, vm_scene_start(IO(0, vm_scene, &s), 0, IO(1, vm_real, y), NULL));
@@ -525,7 +525,7 @@ static void null_scenes(void)
     STATUS(3, vm_scene_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_scene, &s)));
     STATUS(4, (t = 0, vm_scene_run(IO(0, vm_scene, &s), IO(1, vm_real, &t), 1, IO(2, vm_real, z),
                                    IO(3, vm_real, work), NULL)));
-    STATUS(3, vm_scene_balance(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_book, &totals)));
+    STATUS(3, vm_scene_budget_at(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_budget, &totals)));
     NOTHING(3, vm_scene_body_at(IN(0, vm_scene, &s), 0, IN(1, vm_real, y), X(2, vm_body)));
     s.bodies = NULL;
     CHECK(vm_scene_size(&s) == VM_BAD_ARGUMENT && vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);

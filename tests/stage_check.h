@@ -23,7 +23,7 @@ static inline void run(stage *s, double t_end, int expected)
 
 static inline void begin(stage *s)
 {
-    vm_culprit culprit;
+    vm_scene_fault culprit;
     CHECK(vm_scene_check(&s->scene, &culprit) == VM_OK && culprit.index == -1);
     CHECK(vm_scene_size(&s->scene) <= STAGE_STATE);
     CHECK(stage_start(s) == VM_OK);
@@ -33,9 +33,9 @@ static inline vm_real size_of(vm_vec3 a) { return VM_SQRT(vmi_dot(a, a)); }
 
 static inline void balanced(stage *s, const char *machine, double momentum, double energy)
 {
-    vm_book b;
+    vm_budget b;
     memset(&b, 0, sizeof b);
-    CHECK(vm_scene_balance(&s->scene, s->t, s->y, &b) == VM_OK);
+    CHECK(vm_scene_budget_at(&s->scene, s->t, s->y, &b) == VM_OK);
     agrees(machine, "momentum", size_of(b.momentum_defect), 0, momentum, 1e-9);
     agrees(machine, "angular", size_of(b.angular_defect), 0, momentum, 1e-9);
     agrees(machine, "energy", b.energy_defect, 0, energy, 1e-9);

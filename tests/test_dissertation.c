@@ -24,7 +24,7 @@ static void test_constants(void)
                     cases[i].alpha, 0);
         check_error("Omega_a (293)", "R1", "eps", fabs((double)vm_osc_omega_trig(alpha) / cases[i].omega - 1) / eps,
                     3, cases[i].alpha, 0);
-        check_error("k^2 (307)", "R1", "eps", ERROR_EPS(vm_osc_m_jacobi(alpha), cases[i].m, 0, 1), 8,
+        check_error("k^2 (307)", "R1", "eps", ERROR_EPS(vm_osc_jacobi_parameter(alpha), cases[i].m, 0, 1), 8,
                     cases[i].alpha, 0);
         check_error("Omega_1* (300)", "R1", "eps",
                     fabs((double)vm_osc_omega_jacobi(alpha) / cases[i].omega1 - 1) / eps, 6, cases[i].alpha, 0);
@@ -84,7 +84,7 @@ static void test_table5(void)
         vm_real kit[3], alpha = R(table[i].alpha);
         int off = 0;
         kit[0] = vm_osc_omega_trig(alpha);
-        kit[1] = vm_osc_m_jacobi(alpha);
+        kit[1] = vm_osc_jacobi_parameter(alpha);
         kit[2] = vm_osc_omega_jacobi(alpha);
         for (k = 0; k < 3; k++) {
             double defect = 1e6 * (table[i].printed[k] - table[i].exact[k]);

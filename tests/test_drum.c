@@ -17,9 +17,9 @@ static vm_real lambert(int form, vm_real x)
     switch (form) {
     case 0: return vm_lambert_w0(x);
     case 1: return vm_lambert_wm1(x);
-    case 2: return vm_lambert_w0_exp(x);
-    case 3: return vm_lambert_w0_mexp(x);
-    default: return vm_lambert_wm1_mexp(x);
+    case 2: return vm_wright_omega(x);
+    case 3: return vm_lambert_w0_neg_exp(x);
+    default: return vm_lambert_wm1_neg_exp(x);
     }
 }
 
@@ -84,22 +84,22 @@ static void test_lambert_edges(void)
     CHECK(x != x);
     x = vm_lambert_wm1(VM_NAN);
     CHECK(x != x);
-    CHECK(vm_lambert_w0_mexp(-1) == -1 && vm_lambert_wm1_mexp(-1) == -1);
-    x = vm_lambert_w0_mexp(R(-0.999));
+    CHECK(vm_lambert_w0_neg_exp(-1) == -1 && vm_lambert_wm1_neg_exp(-1) == -1);
+    x = vm_lambert_w0_neg_exp(R(-0.999));
     CHECK(x != x);
-    x = vm_lambert_wm1_mexp(R(-0.999));
+    x = vm_lambert_wm1_neg_exp(R(-0.999));
     CHECK(x != x);
-    x = vm_lambert_w0_exp(VM_INFINITY);
+    x = vm_wright_omega(VM_INFINITY);
     CHECK(x != x);
-    x = vm_lambert_w0_exp(VM_NAN);
+    x = vm_wright_omega(VM_NAN);
     CHECK(x != x);
-    x = vm_lambert_w0_mexp(-VM_INFINITY);
+    x = vm_lambert_w0_neg_exp(-VM_INFINITY);
     CHECK(x != x);
-    x = vm_lambert_wm1_mexp(-VM_INFINITY);
+    x = vm_lambert_wm1_neg_exp(-VM_INFINITY);
     CHECK(x != x);
-    CHECK(vm_lambert_w0_exp(-VM_MAX) == 0 && vm_lambert_w0_mexp(-VM_MAX) == 0);
-    CHECK(vm_lambert_w0_exp(VM_MAX) == VM_MAX && vm_lambert_wm1_mexp(-VM_MAX) == -VM_MAX);
-    CHECK(fabs((double)vm_lambert_w0_exp(0) - 0.56714329040978387) < eps); /* the omega constant */
+    CHECK(vm_wright_omega(-VM_MAX) == 0 && vm_lambert_w0_neg_exp(-VM_MAX) == 0);
+    CHECK(vm_wright_omega(VM_MAX) == VM_MAX && vm_lambert_wm1_neg_exp(-VM_MAX) == -VM_MAX);
+    CHECK(fabs((double)vm_wright_omega(0) - 0.56714329040978387) < eps); /* the omega constant */
 }
 
 /* w e^w = x (202) at random arguments; both branches increase and decrease throughout, also where regions meet */

@@ -871,7 +871,7 @@ static void test_power(void)
     for (x = 1e-30; x < 1e20; x *= 1.3)
         for (p = -0.2; p < 0.21; p += 0.04) {
             double wanted = pow(x, p);
-            if (wanted > 0.1 && wanted < 10) worst = fmax(worst, fabs((double)vmi_power(R(x), R(p)) / wanted - 1));
+            if (wanted > 0.1 && wanted < 10) worst = fmax(worst, fabs((double)vmi_pow_rough(R(x), R(p)) / wanted - 1));
         }
     check_error("step-size root", "0.1 .. 10", "1", worst, 0.016, 0, 0);
 }

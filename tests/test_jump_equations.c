@@ -481,7 +481,7 @@ static void set_relative(const vm_body2 *whole, vm_body2 *part, double vrx, doub
     vm_to_absolute2(whole, &relative, part);
 }
 
-/* The part that vm_separate_for2 finds for the rest to turn with omega, and to move with v if not NULL, is p's */
+/* The part that vm_separation_for_rest2 finds for the rest to turn with omega, and to move with v if not NULL, is p's */
 static void answers(const plane *p, const char *row, const double *v, double omega)
 {
     vm_real wanted[2] = {0, 0}, turning = R(omega);
@@ -490,7 +490,7 @@ static void answers(const plane *p, const char *row, const double *v, double ome
         wanted[0] = R(v[0]);
         wanted[1] = R(v[1]);
     }
-    if (vm_separate_for2(&p->S, &p->S2, NULL, v ? wanted : NULL, &turning, &found)) {
+    if (vm_separation_for_rest2(&p->S, &p->S2, NULL, v ? wanted : NULL, &turning, &found)) {
         FAIL("separate_for2");
         return;
     }
@@ -628,7 +628,7 @@ static void test_table3(void)
         p = separated(whole, part);
         moves(&p, "T3.7", t[0] - k * p.vr[0], t[1] - k * p.vr[1], p.O);
         answers(&p, "T3.7", NULL, p.O);
-        if (vm_separate_for_spin2(&whole, &part, NULL, whole.omega, &found)) FAIL("separate_for_spin2");
+        if (vm_separation_for_spin2(&whole, &part, NULL, whole.omega, &found)) FAIL("separate_for_spin2");
         else {
             const plane q = separated(whole, found); /* the question for v_r: M SS1 x v_r is I_S2 Omega_r again */
             same("T3.7", "asked: v_r", p.M * cross(p.SS1, q.vr), c, p.I1 * (p.w + q.w));

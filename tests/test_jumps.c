@@ -444,7 +444,7 @@ static void test_relative(void)
 
 /* ---- Inverse questions ---- */
 
-/* The part that leaves as vm_separate_for says leaves the rest with the motion asked for */
+/* The part that leaves as vm_separation_for_rest says leaves the rest with the motion asked for */
 static void test_inverse(void)
 {
     int i;
@@ -457,28 +457,28 @@ static void test_inverse(void)
         CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK);
         if (i % 3 == 0) v = omega = still;   /* at rest */
         if (i % 3 == 1) omega = whole.omega; /* turning as before */
-        CHECK(vm_separate_for(&whole, &b, j, &v, &omega, &moving) == VM_OK);
+        CHECK(vm_separation_for_rest(&whole, &b, j, &v, &omega, &moving) == VM_OK);
         CHECK(vm_separate(&whole, &moving, j, &rest) == VM_OK);
         check_error("separate_for: v", "space", "eps", size_of(vmi_sub(rest.v, v)) / eps, 30, i, 0);
         check_error("separate_for: w", "space", "eps",
                     size_of(vmi_sub(rest.omega, omega)) / eps / (1 + size_of(moving.omega)), 20, i, 0);
-        CHECK(vm_separate_for(&whole, &b, j, NULL, &omega, &moving) == VM_OK &&
+        CHECK(vm_separation_for_rest(&whole, &b, j, NULL, &omega, &moving) == VM_OK &&
               size_of(vmi_sub(moving.v, b.v)) == 0);
         CHECK(vm_separate(&whole, &moving, j, &rest) == VM_OK);
         check_error("separate_for: w", "space", "eps",
                     size_of(vmi_sub(rest.omega, omega)) / eps / (1 + size_of(moving.omega)), 20, i, 1);
-        CHECK(vm_separate_for(&whole, &b, j, &v, NULL, &moving) == VM_OK);
+        CHECK(vm_separation_for_rest(&whole, &b, j, &v, NULL, &moving) == VM_OK);
         CHECK(size_of(vmi_sub(moving.omega, b.omega)) == 0);
-        CHECK(vm_separate_for(&whole, &b, j, NULL, NULL, &moving) == VM_OK && apart(&moving, &b) == 0);
+        CHECK(vm_separation_for_rest(&whole, &b, j, NULL, NULL, &moving) == VM_OK && apart(&moving, &b) == 0);
     }
     { /* a point cannot be given the spin that would stop the rest, but for one that need not stop */
         vm_body whole = random_body(4, 1), point = rod(1, vector(1, 0, 0)), moving;
         vm_vec3 still = vector(0, 0, 0);
         point.r = vmi_add(whole.r, vector(0.01, 0, 0));
         point.v = whole.v;
-        CHECK(vm_separate_for(&whole, &point, NULL, NULL, &still, &moving) == VM_NULL_AXIS);
+        CHECK(vm_separation_for_rest(&whole, &point, NULL, NULL, &still, &moving) == VM_NULL_AXIS);
         point.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(point.r, whole.r)));
-        CHECK(vm_separate_for(&whole, &point, NULL, NULL, &whole.omega, &moving) == VM_OK);
+        CHECK(vm_separation_for_rest(&whole, &point, NULL, NULL, &whole.omega, &moving) == VM_OK);
     }
 }
 
@@ -501,7 +501,7 @@ static vm_body2 random_body2(double mass)
 /* As a lamina in space, the jump of the plane is that of space */
 static double apart2(const vm_body2 *got, const vm_body *in_space)
 {
-    vm_body b = vm_in_space(got);
+    vm_body b = vm_body_from_body2(got);
     double of_inertia = fabs((double)(got->inertia / in_space->inertia.zz - 1)) / eps;
     return fmax(apart(&b, in_space), of_inertia);
 }
@@ -532,8 +532,8 @@ static void test_plane(void)
     int i;
     for (i = 0; i < 1000; i++) {
         vm_body2 a = random_body2(uniform(1, 5)), b = random_body2(uniform(0.5, 3)), whole, rest, moving;
-        const vm_body a_in_space = vm_in_space(&a);
-        vm_body b_in_space = vm_in_space(&b), joined_in_space, rest_in_space;
+        const vm_body a_in_space = vm_body_from_body2(&a);
+        vm_body b_in_space = vm_body_from_body2(&b), joined_in_space, rest_in_space;
         const vm_impulse2 impulse = random_impulse2(), *j = i % 2 ? &impulse : NULL;
         const vm_impulse blow = impulse_in_space(&impulse), *blow_or_null = i % 2 ? &blow : NULL;
         const double L = (double)vm_angular_momentum(&a_in_space, vmi_vec3(1, 2, 0)).z;
@@ -551,7 +551,7 @@ static void test_plane(void)
         b.vx = R(uniform(-3, 3));
         b.vy = R(uniform(-3, 3));
         b.omega = R(uniform(-3, 3));
-        b_in_space = vm_in_space(&b);
+        b_in_space = vm_body_from_body2(&b);
         CHECK(vm_separate2(&whole, &b, j, &rest) == VM_OK && rest.angle == whole.angle);
         CHECK(vm_separate(&joined_in_space, &b_in_space, blow_or_null, &rest_in_space) == VM_OK);
         check_error("separate2", "as in space", "eps",
@@ -573,13 +573,13 @@ static void test_plane_burst(void)
         parts[1] = random_body2(uniform(1, 5));
         CHECK(vm_attach_all2(&body, 2, parts, j, &whole) == VM_OK);
         CHECK(vm_attach2(&body, &parts[0], j, &one) == VM_OK && vm_attach2(&one, &parts[1], NULL, &one) == VM_OK);
-        in_space = vm_in_space(&one);
+        in_space = vm_body_from_body2(&one);
         check_error("attach_all2", "one by one", "eps", apart2(&whole, &in_space), 10, i, 0);
         impulse.jx = -impulse.jx;
         impulse.jy = -impulse.jy;
         impulse.couple = -impulse.couple;
         CHECK(vm_separate_all2(&whole, 2, parts, j, &one) == VM_OK);
-        in_space = vm_in_space(&body);
+        in_space = vm_body_from_body2(&body);
         check_error("separate_all2", "undoes it", "eps",
                     apart2(&one, &in_space) * (double)(one.inertia / whole.inertia), 15, i, 0);
     }
@@ -598,13 +598,13 @@ static void test_plane_inverse(void)
         v[0] = R(uniform(-2, 2));
         v[1] = R(uniform(-2, 2));
         CHECK(vm_attach2(&a, &b, j, &whole) == VM_OK);
-        CHECK(vm_separate_for2(&whole, &b, j, v, &omega, &moving) == VM_OK);
+        CHECK(vm_separation_for_rest2(&whole, &b, j, v, &omega, &moving) == VM_OK);
         CHECK(vm_separate2(&whole, &moving, j, &rest) == VM_OK);
         check_error("separate_for2: v", "plane", "eps",
                     hypot((double)(rest.vx - v[0]), (double)(rest.vy - v[1])) / eps, 30, i, 0);
         check_error("separate_for2: w", "plane", "eps",
                     fabs((double)(rest.omega - omega)) / eps / (1 + fabs((double)moving.omega)), 60, i, 0);
-        CHECK(vm_separate_for_spin2(&whole, &b, j, omega, &moving) == VM_OK && moving.omega == b.omega);
+        CHECK(vm_separation_for_spin2(&whole, &b, j, omega, &moving) == VM_OK && moving.omega == b.omega);
         CHECK(vm_separate2(&whole, &moving, j, &rest) == VM_OK);
         fast = 1 + hypot((double)moving.vx, (double)moving.vy);
         check_error("..for_spin2: w", "plane", "eps", fabs((double)(rest.omega - omega)) / eps / fast, 200, i, 0);
@@ -623,8 +623,8 @@ static void test_plane_point(void)
     part.vy = 6;
     CHECK(vm_separate2(&whole, &part, NULL, &rest) == VM_NULL_AXIS && rest.omega == 3);
     part.x = 0;
-    CHECK(vm_separate_for_spin2(&whole, &part, NULL, 0, &rest) == VM_SINGULAR);
-    CHECK(vm_separate_for2(&whole, &part, NULL, NULL, &part.omega, &rest) == VM_NULL_AXIS);
+    CHECK(vm_separation_for_spin2(&whole, &part, NULL, 0, &rest) == VM_SINGULAR);
+    CHECK(vm_separation_for_rest2(&whole, &part, NULL, NULL, &part.omega, &rest) == VM_NULL_AXIS);
 }
 
 /* The spin that a small point leaves can be had again by its motion, also where it differs from the whole's by less
@@ -652,8 +652,8 @@ static void test_plane_point_again(void)
         v[0] = rest.vx;
         v[1] = rest.vy;
         omega = rest.omega;
-        CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
-        CHECK(vm_separate_for2(&whole, &point, NULL, v, &omega, &moving) == VM_OK);
+        CHECK(vm_separation_for_rest2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
+        CHECK(vm_separation_for_rest2(&whole, &point, NULL, v, &omega, &moving) == VM_OK);
         fast = 1 + hypot((double)point.vx, (double)point.vy) +
                hypot((double)v[0], (double)v[1]) / (double)point.mass;
         check_error("separate_for2: v", "a point", "eps",
@@ -951,9 +951,9 @@ static void test_nothing_left(void)
         point.vx -= whole.omega * (point.y - whole.y);
         point.vy += whole.omega * (point.x - whole.x);
         omega = whole.omega;
-        CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
+        CHECK(vm_separation_for_rest2(&whole, &point, NULL, NULL, &omega, &moving) == VM_OK);
         omega += R(1e-3);
-        CHECK(vm_separate_for2(&whole, &point, NULL, NULL, &omega, &moving) == VM_NULL_AXIS);
+        CHECK(vm_separation_for_rest2(&whole, &point, NULL, NULL, &omega, &moving) == VM_NULL_AXIS);
     }
 }
 
@@ -1135,9 +1135,9 @@ static void test_outputs_as_inputs(void)
     CHECK(memcmp(&y, &rest, sizeof y) == 0);
     x = whole;
     y = part;
-    CHECK(vm_separate_for(&whole, &part, NULL, &part.v, &part.omega, &rest) >= 0);
-    CHECK(vm_separate_for(&x, &part, NULL, &part.v, &part.omega, &x) >= 0 && memcmp(&x, &rest, sizeof x) == 0);
-    CHECK(vm_separate_for(&whole, &y, NULL, &y.v, &y.omega, &y) >= 0 && memcmp(&y, &rest, sizeof y) == 0);
+    CHECK(vm_separation_for_rest(&whole, &part, NULL, &part.v, &part.omega, &rest) >= 0);
+    CHECK(vm_separation_for_rest(&x, &part, NULL, &part.v, &part.omega, &x) >= 0 && memcmp(&x, &rest, sizeof x) == 0);
+    CHECK(vm_separation_for_rest(&whole, &y, NULL, &y.v, &y.omega, &y) >= 0 && memcmp(&y, &rest, sizeof y) == 0);
     CHECK(vm_separate(&whole, &part, NULL, &whole) == VM_OK && whole.mass == 4);
 }
 
@@ -1211,7 +1211,7 @@ static void test_not_finite_member(vm_real bad)
         REFUSES(VM_NOT_FINITE, vm_separate_all(&in.a, 1, &x, NULL, &out.body));
         REFUSES(VM_NOT_FINITE, vm_attach_all(&x, 0, NULL, NULL, &out.body));
         REFUSES(VM_NOT_FINITE, vm_attach_relative(&in.a, &x, NULL, &out.body));
-        REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &x, NULL, NULL, NULL, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_separation_for_rest(&in.a, &x, NULL, NULL, NULL, &out.body));
     }
     for (k = 0; k < sizeof(vm_impulse) / sizeof(vm_real); k++) {
         vm_impulse x = in.j;
@@ -1219,7 +1219,7 @@ static void test_not_finite_member(vm_real bad)
         ((vm_real *)(void *)&x)[k] = bad;
         REFUSES(VM_NOT_FINITE, vm_attach(&in.a, &in.b, &x, &out.body));
         REFUSES(VM_NOT_FINITE, vm_attach_all(&point, 0, NULL, &x, &out.body));
-        REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &in.b, &x, NULL, NULL, &out.body));
+        REFUSES(VM_NOT_FINITE, vm_separation_for_rest(&in.a, &in.b, &x, NULL, NULL, &out.body));
         REFUSES(VM_NOT_FINITE, vm_balance_between(1, &in.a, 1, &in.b, &x, in.a.r, &out.sum));
     }
 }
@@ -1233,8 +1233,8 @@ static void test_not_finite_member2(vm_real bad)
         REFUSES(VM_NOT_FINITE, vm_separate2(&in.a2, &x, NULL, &out.body2));
         REFUSES(VM_NOT_FINITE, vm_attach2(&x, &in.a2, NULL, &out.body2));
         REFUSES(VM_NOT_FINITE, vm_attach_all2(&in.a2, 1, &x, NULL, &out.body2));
-        REFUSES(VM_NOT_FINITE, vm_separate_for2(&in.a2, &x, NULL, NULL, NULL, &out.body2));
-        REFUSES(VM_NOT_FINITE, vm_separate_for_spin2(&x, &in.b2, NULL, 0, &out.body2));
+        REFUSES(VM_NOT_FINITE, vm_separation_for_rest2(&in.a2, &x, NULL, NULL, NULL, &out.body2));
+        REFUSES(VM_NOT_FINITE, vm_separation_for_spin2(&x, &in.b2, NULL, 0, &out.body2));
     }
     for (k = 0; k < sizeof(vm_impulse2) / sizeof(vm_real); k++) {
         vm_impulse2 x = in.j2;
@@ -1249,9 +1249,9 @@ static void test_not_finite(vm_real bad)
     vm_inertia i = in.i;
     test_not_finite_member(bad);
     test_not_finite_member2(bad);
-    REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &in.b, NULL, &nowhere, NULL, &out.body));
-    REFUSES(VM_NOT_FINITE, vm_separate_for(&in.a, &in.b, NULL, NULL, &nowhere, &out.body));
-    REFUSES(VM_NOT_FINITE, vm_separate_for_spin2(&in.a2, &in.b2, NULL, bad, &out.body2));
+    REFUSES(VM_NOT_FINITE, vm_separation_for_rest(&in.a, &in.b, NULL, &nowhere, NULL, &out.body));
+    REFUSES(VM_NOT_FINITE, vm_separation_for_rest(&in.a, &in.b, NULL, NULL, &nowhere, &out.body));
+    REFUSES(VM_NOT_FINITE, vm_separation_for_spin2(&in.a2, &in.b2, NULL, bad, &out.body2));
     REFUSES(VM_NOT_FINITE, vm_balance_between(1, &in.a, 1, &in.b, NULL, nowhere, &out.sum));
     REFUSES(VM_NOT_FINITE, vm_combine_inertia(1, &i, 1, &i, nowhere, &out.inertia, &out.centre));
     i.yz = bad;
@@ -1267,8 +1267,8 @@ static void test_null(void)
     REFUSES_NULL(vm_attach_all(NULL, 1, &in.b, NULL, &out.body));
     REFUSES_NULL(vm_attach_relative(NULL, &in.b, NULL, &out.body));
     REFUSES_NULL(vm_separate_relative(&in.a, NULL, NULL, &out.body));
-    REFUSES_NULL(vm_separate_for(&in.a, NULL, NULL, NULL, NULL, &out.body));
-    REFUSES_NULL(vm_separate_for(NULL, &in.b, NULL, NULL, NULL, &out.body));
+    REFUSES_NULL(vm_separation_for_rest(&in.a, NULL, NULL, NULL, NULL, &out.body));
+    REFUSES_NULL(vm_separation_for_rest(NULL, &in.b, NULL, NULL, NULL, &out.body));
     REFUSES_NULL(vm_to_relative(&in.a, NULL, &out.body));
     REFUSES_NULL(vm_to_absolute(NULL, &in.b, &out.body));
     REFUSES_NULL(vm_separate2(NULL, &in.b2, NULL, &out.body2));
@@ -1278,8 +1278,8 @@ static void test_null(void)
     REFUSES_NULL(vm_attach_relative2(&in.a2, NULL, NULL, &out.body2));
     REFUSES_NULL(vm_to_relative2(NULL, &in.b2, &out.body2));
     REFUSES_NULL(vm_to_absolute2(&in.a2, NULL, &out.body2));
-    REFUSES_NULL(vm_separate_for2(&in.a2, NULL, NULL, NULL, &wanted, &out.body2));
-    REFUSES_NULL(vm_separate_for_spin2(NULL, &in.b2, NULL, 1, &out.body2));
+    REFUSES_NULL(vm_separation_for_rest2(&in.a2, NULL, NULL, NULL, &wanted, &out.body2));
+    REFUSES_NULL(vm_separation_for_spin2(NULL, &in.b2, NULL, 1, &out.body2));
     REFUSES_NULL(vm_balance_between(-1, &in.a, 1, &in.b, NULL, d, &out.sum));
     REFUSES_NULL(vm_balance_between(1, NULL, 1, &in.b, NULL, d, &out.sum));
     REFUSES_NULL(vm_balance_between(1, &in.a, 1, NULL, NULL, d, &out.sum));
@@ -1292,7 +1292,7 @@ static void test_null(void)
     CHECK(vm_balance_between(1, &in.a, 1, &in.b, NULL, d, NULL) == VM_BAD_ARGUMENT);
     CHECK(isnan(vm_momentum(NULL).y) && isnan(vm_angular_momentum(NULL, d).x) && isnan(vm_kinetic_energy(NULL)));
     CHECK(isnan(vm_angular_momentum2(NULL, 0, 0)) && isnan(vm_kinetic_energy2(NULL)) &&
-          isnan(vm_in_space(NULL).mass));
+          isnan(vm_body_from_body2(NULL).mass));
     CHECK(isnan(vm_energy_gain(&in.a, -1, &in.b, NULL, &in.b)) &&
           isnan(vm_energy_gain(&in.a, 1, NULL, NULL, &in.b)) && isnan(vm_energy_loss(NULL, 0, NULL, NULL, &in.b)));
     CHECK(vm_energy_gain(&in.a, 0, NULL, NULL, &in.a) == 0 && isnan(vm_energy_gain(NULL, 0, NULL, NULL, &in.b)));
@@ -1310,13 +1310,13 @@ static void test_impossible_parts(void)
     REFUSES(VM_BAD_MASS, vm_split_inertia(1, &in.i, 1, &in.i, d, &out.inertia, &out.centre));
     in.b2.x = in.a2.x + 10;
     REFUSES(VM_BAD_INERTIA, vm_separate2(&in.a2, &in.b2, NULL, &out.body2)); /* it never was inside */
-    REFUSES(VM_BAD_INERTIA, vm_separate_for2(&in.a2, &in.b2, NULL, NULL, NULL, &out.body2));
-    REFUSES(VM_BAD_INERTIA, vm_separate_for_spin2(&in.a2, &in.b2, NULL, 1, &out.body2));
+    REFUSES(VM_BAD_INERTIA, vm_separation_for_rest2(&in.a2, &in.b2, NULL, NULL, NULL, &out.body2));
+    REFUSES(VM_BAD_INERTIA, vm_separation_for_spin2(&in.a2, &in.b2, NULL, 1, &out.body2));
     in.b2.inertia = -1;
     REFUSES(VM_BAD_INERTIA, vm_attach2(&in.a2, &in.b2, NULL, &out.body2));
     in.b.mass = in.b2.mass = 0; /* what the part's velocity would be divided by */
-    REFUSES(VM_BAD_MASS, vm_separate_for(&in.a, &in.b, NULL, &d, NULL, &out.body));
-    REFUSES(VM_BAD_MASS, vm_separate_for2(&in.a2, &in.b2, NULL, wanted, NULL, &out.body2));
+    REFUSES(VM_BAD_MASS, vm_separation_for_rest(&in.a, &in.b, NULL, &d, NULL, &out.body));
+    REFUSES(VM_BAD_MASS, vm_separation_for_rest2(&in.a2, &in.b2, NULL, wanted, NULL, &out.body2));
     REFUSES(VM_BAD_MASS, vm_attach2(&in.a2, &in.b2, NULL, &out.body2));
 }
 

@@ -35,8 +35,8 @@ static void test_tables(void)
                     o.stiffness = table;
                 }
                 o.v = R(0.2 * k);
-                CHECK(vm_osc_by_rk87(&o, t, R(1e-8), &truth) >= 0);
-                CHECK(vm_osc_by_second(&o, t, &second) == VM_OK);
+                CHECK(vm_osc_by_route(&o, VM_ROUTE_RK87, t, R(1e-8), &truth) >= 0);
+                CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, t, 0, &second) == VM_OK);
                 error = fabs((double)((second.x - truth.x) / truth.amplitude));
                 check_error("second order", k > 1 ? "table of k" : "table of m", "A", error, 1.5e-5, alphas[a],
                             (double)t);
@@ -62,8 +62,8 @@ static void test_first_order(void)
                 ateb_saca(pi * R(k - 12) / 12, alpha, &sa, &ca);
                 o.x = ca;
                 o.v = R(-vmax) * sa;
-                CHECK(vm_osc_by_variation(&o, R(0.3 * i), R(1e-6), &truth) >= 0);
-                CHECK(vm_osc_by_ateb(&o, R(0.3 * i), &m) == VM_OK);
+                CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, R(0.3 * i), R(1e-6), &truth) >= 0);
+                CHECK(vm_osc_by_route(&o, VM_ROUTE_ATEB, R(0.3 * i), 0, &m) == VM_OK);
                 error = fmax(fabs((double)(m.x - truth.x)), fabs((double)(m.v - truth.v)) / vmax);
                 check_error("first order", "true/est", "", error / (double)m.error, 1, alphas[a], 0.3 * i);
                 least = fmin(least, (double)m.error / error);
@@ -96,8 +96,8 @@ static void test_asked_no_further(void)
             if (i) o.stiffness = same.stiffness = vm_law_exponential(1, R(0.001));
             same.mass = vm_law_exponential(1, R(0.002));
             CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
-            CHECK(vm_osc_plan_by(&p, route, R(ends[i]), 0, &m) >= 0 && m.route == route);
-            CHECK(vm_osc_by(&same, route, R(ends[i]), 0, &n) >= 0);
+            CHECK(vm_osc_plan_by_route(&p, route, R(ends[i]), 0, &m) >= 0 && m.route == route);
+            CHECK(vm_osc_by_route(&same, route, R(ends[i]), 0, &n) >= 0);
             check_error("user's law", "its closed form", "", fabs((double)(m.x - n.x)) /
                                                                  ((is_float ? 2e-3 : 2e-6) + (double)(m.error + n.error)),
                         1, ends[i], route);
@@ -163,17 +163,17 @@ static void test_slow_vibration(void)
         o = problem(1, vm_law_user(localised_law, &l), 1, 0);
         o.stiffness = vm_law_linear(R(1e-3), 0);
         if (i == 2) o.mass.change_time = R(0.05);
-        CHECK(vm_osc_by_rk87(&o, 1000, R(1e-9), &strict) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_RK87, 1000, R(1e-9), &strict) >= 0);
         /* what the bump makes of it, 0.03 by each second of its width, in first order: int dt/m is less by so much */
         check_error("slow vibration", "the bump's effect", "%",
                     100 * fabs(((double)strict.x - cos(sqrt(1e-3) * 1000)) / (0.02963 * widths[i]) - 1), 1, widths[i], 0);
         for (route = VM_ROUTE_VARIATION; route <= VM_ROUTE_RK87; route++) {
-            CHECK(vm_osc_by(&o, route, 1000, R(1e-4), &m) == VM_OK);
+            CHECK(vm_osc_by_route(&o, route, 1000, R(1e-4), &m) == VM_OK);
             check_error("slow vibration", "by integration", "1e-4", fabs((double)(m.x - strict.x)) / 1e-4, 1, widths[i],
                         route);
         }
-        CHECK(vm_osc_at(&o, 1000, R(1e-4), &m) == VM_OK);
-        check_error("slow vibration", "vm_osc_at", "1e-4", fabs((double)(m.x - strict.x)) / 1e-4, 1, widths[i], 0);
+        CHECK(vm_osc_within(&o, 1000, R(1e-4), &m) == VM_OK);
+        check_error("slow vibration", "vm_osc_within", "1e-4", fabs((double)(m.x - strict.x)) / 1e-4, 1, widths[i], 0);
     }
 }
 
@@ -190,8 +190,8 @@ static void test_change_time(void)
         vm_osc_motion m;
         o.mass.change_time = R(bad[i]);
         CHECK(vm_law_inverse_integral(&o.mass, 1000, &integral) == expected && integral == 7);
-        CHECK(vm_osc_at(&o, 1000, 0, &m) == expected);
-        CHECK(vm_osc_by_rk45(&o, 1000, 0, &m) == expected);
+        CHECK(vm_osc_within(&o, 1000, 0, &m) == expected);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 1000, 0, &m) == expected);
     }
 }
 
@@ -214,7 +214,7 @@ static void test_choice(void)
         vm_osc_problem o = problem(rows[i].alpha, vm_law_linear(1, R(1e-3)), 1, 0);
         vm_osc_motion m;
         if (is_float && rows[i].tolerance < 1e-3) continue;
-        CHECK(vm_osc_at(&o, 20, R(rows[i].tolerance), &m) >= 0 && m.route == rows[i].route);
+        CHECK(vm_osc_within(&o, 20, R(rows[i].tolerance), &m) >= 0 && m.route == rows[i].route);
     }
 }
 
@@ -225,12 +225,10 @@ static vm_real drag(vm_real t, vm_real x, vm_real v, void *ctx)
     return -*(const vm_real *)ctx * R(1 + sin(3 * (double)t)) * v * v * v;
 }
 
-/* Each call by name is that by number; with a force the laws' equations are integrated to the default tolerance, and
+/* With a force the laws' equations are integrated to the default tolerance, and
    the error is that of averaging, which the drag's strength makes some percent */
-static void test_calls(void)
+static void test_routes_with_force(void)
 {
-    static int (*const by_law[])(const vm_osc_problem *, vm_real,
-                                 vm_osc_motion *) = {vm_osc_by_trig, vm_osc_by_jacobi, vm_osc_by_ateb};
     vm_real strength = R(0.1);
     vm_osc_problem o = problem(2.3, vm_law_linear(1, R(1e-3)), 1, 0);
     int route;
@@ -238,12 +236,12 @@ static void test_calls(void)
     o.ctx = &strength;
     for (route = 0; route <= VM_ROUTE_ATEB; route++) {
         vm_osc_motion strict, m, exact;
-        CHECK(vm_osc_by_rk45(&o, 30, is_float ? R(1e-4) : R(1e-9), &exact) >= 0);
-        CHECK(vm_osc_by(&o, route, 30, is_float ? R(1e-4) : R(1e-9), &strict) >= 0);
-        CHECK(by_law[route](&o, 30, &m) == VM_OK && m.route == route);
-        check_error("by name", "whole error", "est", fabs((double)((m.x - exact.x) / exact.amplitude)) / (double)m.error,
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 30, is_float ? R(1e-4) : R(1e-9), &exact) >= 0);
+        CHECK(vm_osc_by_route(&o, route, 30, is_float ? R(1e-4) : R(1e-9), &strict) >= 0);
+        CHECK(vm_osc_by_route(&o, route, 30, 0, &m) == VM_OK && m.route == route);
+        check_error("with a force", "whole error", "est", fabs((double)((m.x - exact.x) / exact.amplitude)) / (double)m.error,
                     1, route, 0);
-        check_error("by name", "with a force", "tol", fabs((double)(m.x - strict.x)) / (is_float ? 1e-3 : 1e-6), 1,
+        check_error("with a force", "to tolerance", "tol", fabs((double)(m.x - strict.x)) / (is_float ? 1e-3 : 1e-6), 1,
                     route, 0);
     }
 }
@@ -318,7 +316,7 @@ int main(void)
     test_slow_vibration();
     test_change_time();
     test_choice();
-    test_calls();
+    test_routes_with_force();
     test_averages();
     return check_finish("ladder");
 }

@@ -222,10 +222,10 @@ static void test_double_pendulum(void)
             relative.v = vmi_sub(relative.v, part.v);
             relative.omega = vmi_sub(relative.omega, part.omega);
             vm_lagrange_momentum(2, &relative, dr[3], turn[3], kick);
-            CHECK(vm_lagrange_hit(2, after, qdot, kick, again, work) == VM_OK);
+            CHECK(vm_lagrange_impact(2, after, qdot, kick, again, work) == VM_OK);
             size = (1 + fabs((double)qdot1[0]) + fabs((double)qdot1[1])) * pow(L2 / (L2 - l), 3);
-            check_case("vm_lagrange_hit", "double pendulum", again[0], (double)qdot1[0], size, 10);
-            check_case("vm_lagrange_hit", "double pendulum", again[1], (double)qdot1[1], size, 10);
+            check_case("vm_lagrange_impact", "double pendulum", again[0], (double)qdot1[0], size, 10);
+            check_case("vm_lagrange_impact", "double pendulum", again[1], (double)qdot1[1], size, 10);
         }
     }
 }
@@ -324,7 +324,7 @@ static void test_singular(void)
     CHECK(vm_lagrange_attach(3, before, before, NULL, NULL, NULL, got, work) == VM_BAD_ARGUMENT);
     CHECK(vm_lagrange_attach(3, before, before, qdot, NULL, NULL, NULL, work) == VM_BAD_ARGUMENT);
     CHECK(vm_lagrange_attach(3, before, before, qdot, NULL, NULL, got, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_lagrange_hit(3, before, qdot, NULL, got, work) == VM_BAD_ARGUMENT);
+    CHECK(vm_lagrange_impact(3, before, qdot, NULL, got, work) == VM_BAD_ARGUMENT);
     CHECK(memcmp(got, kept, sizeof got) == 0);
 }
 

@@ -141,21 +141,21 @@ static void test_model(void)
         options.rtol = is_float ? R(1e-5) : R(1e-12);
         rk45_init(&s, momentum_rhs, &o, 2, 0, y0, &options, work);
         CHECK(rk45_solve(&s, 10) >= 0);
-        CHECK(vm_osc_by_rk45(&o, 10, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 10, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
         near("(253), (254)", "m x'", 2 * (double)motion.v, (double)s.y[1], is_float ? 3e-3 : 1e-9);
-        CHECK(vm_osc_by_variation(&o, 10, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 10, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
         near("(310), (311)", "m x'", 2 * (double)motion.v, (double)s.y[1], is_float ? 3e-3 : 1e-9);
         if (alphas[i] == 3) { /* E1: the references of (398) */
             near("(398)", "x(10)", (double)motion.x, 0.8329476745754213932, is_float ? 3e-3 : 1e-9);
             near("(398)", "x'(10)", (double)motion.v, -0.1999729378502724774, is_float ? 3e-3 : 1e-9);
-            CHECK(vm_osc_by_variation(&o, 20, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 20, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
             near("(398)", "x(20)", (double)motion.x, 0.1626996653923250896, is_float ? 3e-3 : 1e-9);
             near("(398)", "x'(20)", (double)motion.v, 0.2820905760446623161, is_float ? 3e-3 : 1e-9);
         }
         if (alphas[i] == 1) {
             near("(318)", "x(10), J0 Y0", (double)motion.x, -0.3331145282992179077, is_float ? 3e-3 : 1e-9);
             o.mass = vm_law_power(1, R(0.1), 2);
-            CHECK(vm_osc_by_variation(&o, 10, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 10, is_float ? R(1e-3) : R(1e-10), &motion) >= 0);
             near("(318)", "x(10), m^2", (double)motion.x, 0.5884587582788442776, is_float ? 3e-3 : 1e-9);
         }
         ERRATUM("(250)", vmi_osc_elastic(R(-0.3), R(alphas[i])) != vmi_osc_elastic(R(0.3), R(alphas[i])),
@@ -416,11 +416,11 @@ static void test_approximations(void)
         {100, 0.2029, 0.8674, 9.710e-2, 0.7413}};
     static const double ratio[][2] = {{0.5, 0.910744}, {1, 1}, {1.5, 1.067380}, {3, 1.198140}, {10, 1.401537}};
     static const double largest[][2] = {{4, 1.0115}, {5, 1.0308}, {10, 1.1069}, {100, 1.2435}};
-    vm_osc_comparison c;
+    vm_osc_errors c;
     int i, balanced;
     double t;
     for (i = 0; i < 9; i++) {
-        c = vm_osc_compare(R(table[i][0]));
+        c = vm_osc_approximation_errors(R(table[i][0]));
         check_error("(268)", "cos", "%", 100 * fabs((double)c.trig_x / table[i][1] - 1), is_float ? 1 : 0.5,
                     table[i][0], 0);
         check_error("(268)", "cos, v", "%", 100 * fabs((double)c.trig_v / table[i][2] - 1), is_float ? 1 : 0.5,
@@ -434,18 +434,18 @@ static void test_approximations(void)
                                : 1,
                     table[i][0], 0);
     }
-    c = vm_osc_compare(3);
+    c = vm_osc_approximation_errors(3);
     CHECK((double)c.jacobi_x < 8 * eps && (double)c.jacobi_v < 8 * eps);
-    c = vm_osc_compare(1);
+    c = vm_osc_approximation_errors(1);
     CHECK((double)c.trig_x < 8 * eps && (double)c.jacobi_v < 8 * eps);
-    c = vm_osc_compare(R(-0.5));
+    c = vm_osc_approximation_errors(R(-0.5));
     CHECK(isnan(c.trig_x) && isnan(c.jacobi_vmax));
     for (i = 0; i < 5; i++)
-        near("(296)", "by (267)", (double)vm_osc_compare(R(ratio[i][0])).trig_vmax, ratio[i][1], 1e-6);
-    near("(296)", "alpha -> 0", (double)vm_osc_compare(R(1e-7)).trig_vmax, pi / 4, 1e-6);
-    near("(296)", "alpha -> inf", (double)vm_osc_compare(R(1e7)).trig_vmax, pi / 2, 1e-5);
+        near("(296)", "by (267)", (double)vm_osc_approximation_errors(R(ratio[i][0])).trig_vmax, ratio[i][1], 1e-6);
+    near("(296)", "alpha -> 0", (double)vm_osc_approximation_errors(R(1e-7)).trig_vmax, pi / 4, 1e-6);
+    near("(296)", "alpha -> inf", (double)vm_osc_approximation_errors(R(1e7)).trig_vmax, pi / 2, 1e-5);
     for (i = 0; i < 4; i++) { /* the largest velocity is not that at x = 0 (306), where k^2 > 1/2 */
-        double m = (double)vm_osc_m_jacobi(R(largest[i][0])), O = (double)vm_osc_omega_jacobi(R(largest[i][0])),
+        double m = (double)vm_osc_jacobi_parameter(R(largest[i][0])), O = (double)vm_osc_omega_jacobi(R(largest[i][0])),
                seen = 0;
         double vmax = (double)vm_osc_vmax(1, 1, R(largest[i][0])),
                T = (double)vm_osc_period(1, 1, R(largest[i][0])), v0;
@@ -459,7 +459,7 @@ static void test_approximations(void)
         near("(303)-(306)", "at x = 0", v0 / vmax, 1, 1e-12);
         near("(306)", "k' Omega_1", O * sqrt(1 - m), vmax, 1e-13);
         near("(306)", "k^2 > 1/2", seen / vmax, largest[i][1], 1e-4);
-        near("(306)", "Omega_1/(2k)", (double)vm_osc_compare(R(largest[i][0])).jacobi_vmax,
+        near("(306)", "Omega_1/(2k)", (double)vm_osc_approximation_errors(R(largest[i][0])).jacobi_vmax,
              O / (2 * sqrt(m)) / vmax, 1e-12);
         ERRATUM("(306)", seen / v0 > 1.01, check_holds("(306)")); /* as printed they would be equal */
     }
@@ -471,10 +471,10 @@ static void test_approximations(void)
         near("(291), (292)", "", (double)x, x0 * cos(O * t), 1e-12);
         near("(295)", "", (double)v, -x0 * O * sin(O * t), 1e-12);
         vm_osc_jacobi(R(t), R(x0), R(w), R(a), &x, &v);
-        jacobi_sncndn(R(O1 * t), vm_osc_m_jacobi(R(a)), &sn, &cn, &dn);
+        jacobi_sncndn(R(O1 * t), vm_osc_jacobi_parameter(R(a)), &sn, &cn, &dn);
         near("(297), (299)", "", (double)x, x0 * (double)cn, 1e-12);
         near("(302)", "", (double)v, -x0 * O1 * (double)(sn * dn), 1e-12);
-        near("(298)", "", O1 / O, 2 * (double)jacobi_K(vm_osc_m_jacobi(R(a))) / pi, 1e-13);
+        near("(298)", "", O1 / O, 2 * (double)jacobi_K(vm_osc_jacobi_parameter(R(a))) / pi, 1e-13);
     }
     for (t = 0, balanced = 1; t < 7; t += 0.9) { /* (294): the restoring term is of power alpha, and has x's sign */
         double k = (double)vm_osc_omega_trig(2), left = -k * k * 0.6 * cos(t),
@@ -491,11 +491,11 @@ static void test_approximations(void)
             sign = (double)jacobi_cd(R(0.7), R(-ms[i] / (1 - ms[i])));
             near("(308)", "", (double)cn, sign, is_float ? 1e-4 : 1e-13);
         }
-        near("k^2, alpha -> 0", "", (double)vm_osc_m_jacobi(0), -1.807854731049967665, 1e-14);
-        near("(308)", "cd modulus", (double)(vm_osc_m_jacobi(0) / (vm_osc_m_jacobi(0) - 1)), 0.643856219147754647,
+        near("k^2, alpha -> 0", "", (double)vm_osc_jacobi_parameter(0), -1.807854731049967665, 1e-14);
+        near("(308)", "cd modulus", (double)(vm_osc_jacobi_parameter(0) / (vm_osc_jacobi_parameter(0) - 1)), 0.643856219147754647,
              1e-15);
         near("(309)", "", (double)ateb_pi(R(1e12)) / 1e12, 1, 1e-10);
-        near("k^2, alpha -> inf", "", (double)vm_osc_m_jacobi(R(1e12)), 0.806192642052912167, 1e-10);
+        near("k^2, alpha -> inf", "", (double)vm_osc_jacobi_parameter(R(1e12)), 0.806192642052912167, 1e-10);
         near("(307)", "2 at alpha = 0", (double)ateb_pi(0), 2, 1e-15);
     }
     /* Omega_1* is not monotone: 1.019139 near alpha = 1.81 */
@@ -808,7 +808,7 @@ static void test_variation(void)
                     check_holds("(335)") && check_holds("(336)"));
         }
         { /* (375), (377) solved: (378), (379), where (376) holds with A^alpha cn|cn|^(alpha-1) for A cn */
-            double m = (double)vm_osc_m_jacobi(R(a)),
+            double m = (double)vm_osc_jacobi_parameter(R(a)),
                    O = (double)vm_osc_omega_jacobi(R(a)) * w * pow(A, (a - 1) / 2), Or = 0.2, mr = -2 * wr / w,
                    F = f, g, bracket;
             vm_real sn, cn, dn, lhs[4], rhs[2];
@@ -930,7 +930,7 @@ static void test_averages(void)
                         check_holds("(337)"));
         }
         { /* Jacobi: (380)-(382), <.> by the trapezoidal rule, with Omega_1' that has the A' part */
-            double k2 = (double)vm_osc_m_jacobi(R(a)),
+            double k2 = (double)vm_osc_jacobi_parameter(R(a)),
                    O = (double)vm_osc_omega_jacobi(R(a)) * w * pow(A, (a - 1) / 2), K = (double)jacobi_K(R(k2));
             double Fs = 0, Fc = 0, S2 = 0, bracket;
             vm_real C2, C4, C6;
@@ -1287,7 +1287,7 @@ static void test_waveforms(void)
             follow(&j, 0.025 * k);
             for (route = 0; route <= 2; route++) {
                 vm_osc_motion m;
-                CHECK(vm_osc_plan_by(&p, route, j.s.t, 0, &m) == VM_OK);
+                CHECK(vm_osc_plan_by_route(&p, route, j.s.t, 0, &m) == VM_OK);
                 worst[route] = fmax(worst[route], fabs((double)(m.x - j.s.y[0])));
             }
         }
@@ -1322,17 +1322,17 @@ static void test_hard_cases(void)
             near("x0 = 1e-150, 1e150", "A kept", (double)A / x0, 1, 1e-12);
             o = problem(a, vm_law_linear(1, R(1e-3 / T)), 1, 0);
             o.x = R(x0); /* scale by scale, the same motion */
-            CHECK(vm_osc_by_second(&o, R(20.3 * T), &m) == VM_OK);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(20.3 * T), 0, &m) == VM_OK);
             o.x = 1;
             o.mass = vm_law_linear(1, R(1e-3 / (double)vm_osc_period(1, 1, R(a))));
-            CHECK(vm_osc_by_second(&o, R(20.3 * (double)vm_osc_period(1, 1, R(a))), &n) == VM_OK);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(20.3 * (double)vm_osc_period(1, 1, R(a))), 0, &n) == VM_OK);
             near("x0 = 1e-150, 1e150", "second order", (double)m.x / x0, (double)n.x, is_float ? 1e-3 : 1e-10);
             o = problem(a, vm_law_linear(1, R(1e-3 / T)), 1, 0);
             o.x = R(x0);
-            CHECK(vm_osc_by_rk45(&o, R(2.3 * T), is_float ? R(1e-2) : R(1e-3), &m) >= 0 &&
-                  vm_osc_by_second(&o, R(2.3 * T), &n) == VM_OK);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, R(2.3 * T), is_float ? R(1e-2) : R(1e-3), &m) >= 0 &&
+                  vm_osc_by_route(&o, VM_ROUTE_SECOND, R(2.3 * T), 0, &n) == VM_OK);
             near("x0 = 1e-150, 1e150", "rk45", (double)m.x / x0, (double)n.x / x0, is_float ? 1e-2 : 2e-3);
-            CHECK(vm_osc_by_variation(&o, R(2.3 * T), is_float ? R(1e-2) : R(1e-3), &m) >= 0);
+            CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, R(2.3 * T), is_float ? R(1e-2) : R(1e-3), &m) >= 0);
             near("x0 = 1e-150, 1e150", "variation", (double)m.x / x0, (double)n.x / x0, is_float ? 1e-2 : 2e-3);
         }
     }
@@ -1342,8 +1342,8 @@ static void test_hard_cases(void)
         double eps_ = 0.01, end = i % 2 ? 0.999 / eps_ : (is_float || i == 0 ? 1e3 : 1e6) / eps_,
                mass = i % 2 ? -eps_ : eps_;
         o = problem(3, vm_law_linear(1, R(mass)), i / 2, 0);
-        CHECK(vm_osc_by_second(&o, R(end), &m) == VM_OK &&
-              vm_osc_by_variation(&o, R(end), is_float ? R(1e-3) : R(1e-7), &n) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(end), 0, &m) == VM_OK &&
+              vm_osc_by_route(&o, VM_ROUTE_VARIATION, R(end), is_float ? R(1e-3) : R(1e-7), &n) >= 0);
         near("m to 1e6 m0, m0/1000", "x", (double)(m.x - n.x) / (double)n.amplitude, 0,
              3 * (double)(m.error + n.error) + (is_float ? 1e-2 : 0));
         check_error("m to 1e6 m0, m0/1000", "estimate", "1", (double)m.error, is_float ? 1 : 0.1, i, end);
@@ -1354,7 +1354,7 @@ static void test_hard_cases(void)
         double nu, L, exact;
         t = 6.2831853e7;
         o = problem(1, vm_law_power(1, R(e), 2), 1, 0);
-        CHECK(vm_osc_by_second(&o, R(t), &m) == VM_OK);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, R(t), 0, &m) == VM_OK);
         nu = sqrt(1 / (e * e) - 0.25);
         L = log1p(e * t);
         exact = (cos(nu * L) + sin(nu * L) / (2 * nu)) / sqrt(1 + e * t);
@@ -1363,17 +1363,17 @@ static void test_hard_cases(void)
     }
     /* alpha = 0, and 1000 */
     o = problem(0, vm_law_linear(1, R(1e-3)), 1, 0);
-    CHECK(vm_osc_by_second(&o, 500, &m) == VM_OK && vm_osc_by_variation(&o, 500, R(1e-3), &n) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 500, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_VARIATION, 500, R(1e-3), &n) >= 0);
     near("alpha = 0", "", (double)m.x, (double)n.x, is_float ? 2e-2 : 3e-3);
     o.alpha = 1000;
     o.x = R(1.001);
-    CHECK(vm_osc_by_second(&o, 300, &m) == VM_OK && vm_osc_by_variation(&o, 300, R(1e-3), &n) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 300, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_VARIATION, 300, R(1e-3), &n) >= 0);
     near("alpha = 1000", "", (double)m.x, (double)n.x, is_float ? 1e-2 : 1e-3);
     /* eps = 0.3: the estimate says that averaging is off */
     o = problem(3, vm_law_linear(1, R(0.3)), 0, 0);
     o.v = R(0.3);
-    CHECK(vm_osc_by_second(&o, 10, &m) == VM_OK && m.error > R(1e-2));
-    CHECK(vm_osc_at(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_VARIATION);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 10, 0, &m) == VM_OK && m.error > R(1e-2));
+    CHECK(vm_osc_within(&o, 10, R(1e-3), &n) == VM_OK && n.route >= VM_ROUTE_VARIATION);
     check_error("eps = 0.3", "|x - true| by estimate", "3",
                 fabs((double)(m.x - n.x) / (double)n.amplitude) / (double)m.error, 3, 0, 0);
     /* nothing changes: exact to roundings, and said to be */
@@ -1382,14 +1382,14 @@ static void test_hard_cases(void)
     o.v = R(0.4);
     {
         vm_real x, v;
-        CHECK(vm_osc_by_ateb(&o, 77, &m) == VM_OK && m.error < 2000 * VM_EPSILON);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_ATEB, 77, 0, &m) == VM_OK && m.error < 2000 * VM_EPSILON);
         vm_osc_exact_from(77, R(-0.7), R(0.4), VM_SQRT(R(0.5)), 4, &x, &v);
         near("constant mass", "x", (double)m.x, (double)x, 1e-13);
         near("constant mass", "x'", (double)m.v, (double)v, 1e-13);
     }
     o.x = o.v = 0; /* at rest */
-    CHECK(vm_osc_at(&o, 5, 0, &m) == VM_OK && m.x == 0 && m.v == 0);
-    CHECK(vm_osc_by_rk45(&o, 5, 0, &m) == VM_OK && m.x == 0);
+    CHECK(vm_osc_within(&o, 5, 0, &m) == VM_OK && m.x == 0 && m.v == 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 5, 0, &m) == VM_OK && m.x == 0);
 }
 
 /* ---- Bad input ---- */
@@ -1406,10 +1406,10 @@ static void refuses(vm_osc_problem o, double t, int wanted)
     memset(&m, 7, sizeof m);
     before = m;
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++) {
-        CHECK(vm_osc_by(&o, route, R(t), 0, &m) == wanted);
+        CHECK(vm_osc_by_route(&o, route, R(t), 0, &m) == wanted);
         CHECK(memcmp(&m, &before, sizeof m) == 0);
     }
-    CHECK(vm_osc_at(&o, R(t), 0, &m) == wanted && memcmp(&m, &before, sizeof m) == 0);
+    CHECK(vm_osc_within(&o, R(t), 0, &m) == wanted && memcmp(&m, &before, sizeof m) == 0);
 }
 
 static void test_bad_input(void)
@@ -1471,9 +1471,9 @@ static void test_bad_input(void)
     o.mass = vm_law_linear(VM_INFINITY, 0);
     refuses(o, 1, VM_NOT_FINITE);
     o = good;
-    CHECK(vm_osc_by(&o, 7, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_by(&o, -1, 1, 0, &m) == VM_BAD_ARGUMENT);
-    CHECK(vm_osc_at(&o, 1, -1, &m) == VM_BAD_ARGUMENT && vm_osc_at(NULL, 1, 0, &m) == VM_BAD_ARGUMENT &&
-          vm_osc_at(&o, 1, 0, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_by_route(&o, 7, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_by_route(&o, -1, 1, 0, &m) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_within(&o, 1, -1, &m) == VM_BAD_ARGUMENT && vm_osc_within(NULL, 1, 0, &m) == VM_BAD_ARGUMENT &&
+          vm_osc_within(&o, 1, 0, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_plan_init(NULL, &o) == VM_BAD_ARGUMENT && vm_osc_plan_init(&p, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK && vm_osc_averaged(&p, 3, 0, 1, &x, &v, &A) == VM_BAD_ARGUMENT &&
           vm_osc_averaged(&p, 0, 0, -1, &x, &v, &A) == VM_BAD_ARGUMENT);

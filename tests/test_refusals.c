@@ -250,7 +250,7 @@ static int separate_for(trial *a)
     take(a, &v, sizeof v);
     take(a, &omega, sizeof omega);
     part.v = part.omega = vmi_vec3(0, 0, 0); /* they are what is asked for */
-    return vm_separate_for(POINTER(0, &whole), POINTER(1, &part), &blow, &v, &omega, OUT(2, vm_body, 0));
+    return vm_separation_for_rest(POINTER(0, &whole), POINTER(1, &part), &blow, &v, &omega, OUT(2, vm_body, 0));
 }
 static int separate_for2(trial *a)
 {
@@ -262,7 +262,7 @@ static int separate_for2(trial *a)
     take(a, &blow, sizeof blow);
     take(a, v, sizeof v);
     omega = next(a);
-    return vm_separate_for2(POINTER(0, &whole), POINTER(1, &part), &blow, v, &omega, OUT(2, vm_body2, 0));
+    return vm_separation_for_rest2(POINTER(0, &whole), POINTER(1, &part), &blow, v, &omega, OUT(2, vm_body2, 0));
 }
 static int separate_for_spin2(trial *a)
 {
@@ -273,7 +273,7 @@ static int separate_for_spin2(trial *a)
     take(a, &blow, sizeof blow);
     part.vx = part.vy = VM_NAN;
     part.omega = next(a); /* the velocity is what is asked for */
-    return vm_separate_for_spin2(POINTER(0, &whole), POINTER(1, &part), &blow, next(a), OUT(2, vm_body2, 0));
+    return vm_separation_for_spin2(POINTER(0, &whole), POINTER(1, &part), &blow, next(a), OUT(2, vm_body2, 0));
 }
 static int relative(trial *a)
 {
@@ -427,7 +427,7 @@ static void test_lists_of_bodies(void)
         list[1] = part;
         CHECK(vm_balance_between(2, list, 1, &result, NULL, vmi_vec3(1, 2, 3), &left) == VM_OK);
         check_error("attach", "attitudes", "eps",
-                    (double)(vmi_size(left.momentum) + vmi_size(left.angular_momentum)) / (double)VM_EPSILON, 64, k,
+                    (double)(vmi_norm1(left.momentum) + vmi_norm1(left.angular_momentum)) / (double)VM_EPSILON, 64, k,
                     0);
     }
     CHECK(!vm_inertia_possible(&i));
@@ -444,7 +444,7 @@ static void test_lists_of_bodies(void)
     for (k = 0; k < 2; k++) {
         flat[1].y = k ? 0 : R(0.5);
         moving.mass = 7;
-        CHECK(vm_separate_for_spin2(&flat[0], &flat[1], NULL, omega, &moving) == (k ? VM_SINGULAR : VM_OK));
+        CHECK(vm_separation_for_spin2(&flat[0], &flat[1], NULL, omega, &moving) == (k ? VM_SINGULAR : VM_OK));
         if (k) CHECK(moving.mass == 7);
         else CHECK(vm_separate2(&flat[0], &moving, NULL, &moving) == VM_OK && moving.omega == omega);
     }
@@ -452,7 +452,7 @@ static void test_lists_of_bodies(void)
         const vm_real v[2] = {1, 2};
         flat[1].y = R(0.5);
         flat[1].omega = 3;
-        CHECK(vm_separate_for2(&flat[0], &flat[1], NULL, v, NULL, &moving) == VM_OK && moving.omega == 3);
+        CHECK(vm_separation_for_rest2(&flat[0], &flat[1], NULL, v, NULL, &moving) == VM_OK && moving.omega == 3);
         CHECK(vm_separate2(&flat[0], &moving, NULL, &moving) == VM_OK);
         check_error("separate for", "v alone", "eps",
                     hypot((double)moving.vx - 1, (double)moving.vy - 2) / (double)VM_EPSILON, 16, 0, 0);
@@ -472,76 +472,76 @@ static void test_lists_of_bodies(void)
 
 static int steady(trial *a)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     take(a, &r, sizeof r);
-    return value(a, vm_rotor_steady(POINTER(0, &r), next(a)));
+    return value(a, vm_broken_rotor_steady_radius(POINTER(0, &r), next(a)));
 }
 static int growth(trial *a)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     take(a, &r, sizeof r);
-    return value(a, vm_rotor_growth(next(a), POINTER(0, &r), 25));
+    return value(a, vm_broken_rotor_resonance_radius(next(a), POINTER(0, &r), 25));
 }
 static int char_poly(trial *a)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     take(a, &r, sizeof r);
-    return vm_rotor_char_poly(POINTER(0, &r), next(a), OUT(1, vm_real, 0));
+    return vm_broken_rotor_characteristic(POINTER(0, &r), next(a), OUT(1, vm_real, 0));
 }
 static int eigenvalues(trial *a)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     take(a, &r, sizeof r);
-    return vm_rotor_eigenvalues(POINTER(0, &r), next(a), OUT(1, vm_real, 0), OUT(2, vm_real, 8));
+    return vm_broken_rotor_eigenvalues(POINTER(0, &r), next(a), OUT(1, vm_real, 0), OUT(2, vm_real, 8));
 }
 static int routh(trial *a)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     take(a, &r, sizeof r);
-    return vm_rotor_routh(POINTER(0, &r), next(a), OUT(1, vm_real, 0));
+    return vm_broken_rotor_routh(POINTER(0, &r), next(a), OUT(1, vm_real, 0));
 }
 static int rotor_free(trial *a)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     vm_real y[6];
     const vm_real t = next(a);
-    take(a, &r, offsetof(vm_rotor, s));
+    take(a, &r, offsetof(vm_broken_rotor, s));
     take(a, y, sizeof y);
     r.s = 0;
-    return vm_rotor_free(t, POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
+    return vm_broken_rotor_free_motion(t, POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
 }
 static int orbit(trial *a)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     vm_real y[6] = {0};
     memset(&r, 0, sizeof r);
     take(a, &r, sizeof r);
     y[0] = next(a);
     y[3] = next(a);
-    return vm_rotor_orbit(POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
+    return vm_broken_rotor_orbit(POINTER(0, &r), POINTER(1, y), OUT(2, vm_real, 0));
 }
 static int break_off(trial *a)
 {
-    vm_rotor r;
-    vm_rotor_piece piece;
+    vm_broken_rotor r;
+    vm_broken_rotor_piece piece;
     vm_real y[6];
     take(a, &r, sizeof r);
     take(a, y, sizeof y);
     take(a, &piece, sizeof piece);
     a->is_value = 1; /* energies may overflow where motions do not */
-    return vm_rotor_break_off(POINTER(0, &r), POINTER(1, y), POINTER(2, &piece), OUT(3, vm_rotor_break, 0));
+    return vm_broken_rotor_break_off(POINTER(0, &r), POINTER(1, y), POINTER(2, &piece), OUT(3, vm_broken_rotor_break, 0));
 }
 static int to_polar(trial *a)
 {
     vm_real y[6];
     take(a, y, sizeof y);
-    return vm_rotor_to_polar(POINTER(0, y), OUT(1, vm_real, 0));
+    return vm_broken_rotor_to_polar(POINTER(0, y), OUT(1, vm_real, 0));
 }
 static int from_polar(trial *a)
 {
     vm_real y[6];
     take(a, y, sizeof y);
-    return vm_rotor_from_polar(POINTER(0, y), OUT(1, vm_real, 0));
+    return vm_broken_rotor_from_polar(POINTER(0, y), OUT(1, vm_real, 0));
 }
 static int pendulum(trial *a)
 {
@@ -558,7 +558,7 @@ static int pendulum(trial *a)
 
 static void test_rotor(void)
 {
-    const vm_rotor rotor = {ROTOR}, centred = {10, R(0.5), 4000, R(0.3), R(0.2), 0};
+    const vm_broken_rotor rotor = {ROTOR}, centred = {10, R(0.5), 4000, R(0.3), R(0.2), 0};
     vm_pendulum swing = {2, 1, R(0.3), 1, VM_AXES_COS_SIN};
     vm_pendulum_cut cut;
     REFUSES(steady, 1, ROTOR, 15);
@@ -572,8 +572,8 @@ static void test_rotor(void)
     REFUSES(to_polar, 2, STATE6);
     REFUSES(from_polar, 2, STATE6);
     REFUSES(pendulum, 2, R(0.3), 1, R(0.1), R(0.2), 2, 1, R(0.3), 1);
-    CHECK(vm_rotor_stable(&rotor, 15) && !vm_rotor_stable(&centred, 15) && !vm_rotor_stable(NULL, 15));
-    CHECK(!vm_rotor_stable(&rotor, VM_NAN) && !vm_rotor_stable(&rotor, 25));
+    CHECK(vm_broken_rotor_is_stable(&rotor, 15) && !vm_broken_rotor_is_stable(&centred, 15) && !vm_broken_rotor_is_stable(NULL, 15));
+    CHECK(!vm_broken_rotor_is_stable(&rotor, VM_NAN) && !vm_broken_rotor_is_stable(&rotor, 25));
     swing.rate = VM_MAX / 4; /* finite, but its energy is not */
     CHECK(vm_pendulum_separate(&swing, R(0.3), 1, 0, 0, &cut) == VM_NOT_FINITE);
     swing.rate = 1;
@@ -611,11 +611,11 @@ static void test_lagrange_limits(void)
     const vm_vec3 turn[2] = {{1, 0, 0}, {0, 2, 0}};
     const vm_real mass[4] = {2, 0, 0, 1}, blow[2] = {2, 1}, rates[2] = {VM_NAN, 0};
     vm_real Q[2] = {1, 1}, after[2] = {7, 7}, work[VM_LAGRANGE_WORK(2)];
-    vm_add_force(2, vmi_vec3(5, 5, 5), NULL, vmi_vec3(3, 4, 5), turn, Q);
+    vm_lagrange_add_force(2, vmi_vec3(5, 5, 5), NULL, vmi_vec3(3, 4, 5), turn, Q);
     CHECK(Q[0] == 4 && Q[1] == 9);
-    vm_add_force(2, vmi_vec3(5, 6, 7), turn, vmi_vec3(3, 4, 5), NULL, Q);
+    vm_lagrange_add_force(2, vmi_vec3(5, 6, 7), turn, vmi_vec3(3, 4, 5), NULL, Q);
     CHECK(Q[0] == 9 && Q[1] == 21);
-    CHECK(vm_lagrange_hit(2, mass, rates, blow, after, work) == VM_NOT_FINITE && after[0] == 7 && after[1] == 7);
+    CHECK(vm_lagrange_impact(2, mass, rates, blow, after, work) == VM_NOT_FINITE && after[0] == 7 && after[1] == 7);
 }
 
 /* -- Free rotation, streams -- */
@@ -624,21 +624,21 @@ static int free_init(trial *a)
 {
     vm_body b;
     take(a, &b, sizeof b);
-    return vm_free_init(OUT(0, vm_free_motion, 0), POINTER(1, &b), next(a));
+    return vm_torque_free_init(OUT(0, vm_torque_free, 0), POINTER(1, &b), next(a));
 }
 static int free_at(trial *a)
 {
     const vm_body b = {3, {R(0.4), R(0.5), R(0.6), 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}, {1, 0, 0}, {1, 2, 1}};
-    vm_free_motion motion;
-    if (vm_free_init(&motion, &b, 0)) return -1;
-    return vm_free_at(POINTER(0, &motion), next(a), OUT(1, vm_body, 0));
+    vm_torque_free motion;
+    if (vm_torque_free_init(&motion, &b, 0)) return -1;
+    return vm_torque_free_at(POINTER(0, &motion), next(a), OUT(1, vm_body, 0));
 }
 static int free_attitude(trial *a)
 {
     const vm_body b = {3, {R(0.4), R(0.5), R(0.6), 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}, {1, 0, 0}, {1, 2, 1}};
-    vm_free_motion motion;
-    if (vm_free_init(&motion, &b, 0)) return -1;
-    return vm_free_attitude(POINTER(0, &motion), next(a), OUT(1, vm_quat, 0), OUT(2, vm_vec3, 8));
+    vm_torque_free motion;
+    if (vm_torque_free_init(&motion, &b, 0)) return -1;
+    return vm_torque_free_attitude(POINTER(0, &motion), next(a), OUT(1, vm_quat, 0), OUT(2, vm_vec3, 8));
 }
 
 /* rate, at, velocity, spin, gyration */
@@ -698,17 +698,17 @@ static int flow_start(trial *a)
 static int flow_body(trial *a)
 {
     vm_flow flow;
-    vm_real y[VM_RHS];
+    vm_real y[VM_FLOW_STATES];
     memset(&flow, 0, sizeof flow);
     take(a, y, VM_Y_CENTRE * sizeof *y);
     take(a, y + VM_Y_INERTIA, 6 * sizeof *y);
     y[VM_Y_CENTRE] = y[VM_Y_CENTRE + 1] = y[VM_Y_CENTRE + 2] = 0; /* not looked at */
-    return vm_flow_body(POINTER(0, &flow), VM_RHS, POINTER(1, y), OUT(2, vm_body, 0));
+    return vm_flow_body(POINTER(0, &flow), VM_FLOW_STATES, POINTER(1, y), OUT(2, vm_body, 0));
 }
 static int levi_civita(trial *a)
 {
     const vm_real v0 = next(a), m0 = next(a), m = next(a), u = next(a);
-    return value(a, vm_levi_civita(v0, m0, m, u, next(a)));
+    return value(a, vm_velocity_by_momentum(v0, m0, m, u, next(a)));
 }
 static int tsiolkovsky(trial *a)
 {
@@ -744,7 +744,7 @@ static void test_streams(void)
     vm_flow2 flow2 = {1, &s2, 0, 0, 0, stop_2, NULL, 0};
     vm_flow flow;
     vm_stream1 late = {-1, 2, VM_ABSOLUTE};
-    vm_real y[VM_RHS_BALANCED] = {0, 1, 2}, rates[VM_RHS_BALANCED], x, v;
+    vm_real y[VM_FLOW_BALANCED_STATES] = {0, 1, 2}, rates[VM_FLOW_BALANCED_STATES], x, v;
     const vm_body b = {3, {R(0.4), R(0.5), R(0.6), 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}, {1, 0, 0}, {1, 2, 1}};
     vm_jet jet = {-1, 1, 2, 1, R(0.1), 1, 1};
     vm_vec3 omega;
@@ -763,9 +763,9 @@ static void test_streams(void)
     REFUSES(tsiolkovsky, 0, 1, 3, 2, 1);
     REFUSES(linear_flow, 3, 1, 2, 3, 4, 1, R(-0.1), 2);
     REFUSES(jet_damping, 2, 1, R(-0.1), 1, 2, R(0.1), R(0.2), R(0.1), 1, 1, 2, 3);
-    CHECK(vm_rhs1(0, y, rates, &flow1) == 7 && vm_rhs2(0, y, rates, &flow2) == 7);
-    CHECK(vm_rhs_translation(0, y, rates, &flow) == 7 && vm_rhs_carried(0, y, rates, &flow) == 7);
-    CHECK(isnan(vm_levi_civita(1, -3, 2, 1, 0)) && isnan(vm_tsiolkovsky(1, -3, 2, 1)));
+    CHECK(vm_flow1_rhs(0, y, rates, &flow1) == 7 && vm_flow2_rhs(0, y, rates, &flow2) == 7);
+    CHECK(vm_translation_rhs(0, y, rates, &flow) == 7 && vm_flow_carried_rhs(0, y, rates, &flow) == 7);
+    CHECK(isnan(vm_velocity_by_momentum(1, -3, 2, 1, 0)) && isnan(vm_tsiolkovsky(1, -3, 2, 1)));
     CHECK(vm_linear_flow(1, 0, 0, -1, 0, &late, &x, &v) == VM_BAD_MASS);
     CHECK(vm_linear_flow(2, 0, 0, 1, 0, &late, &x, &v) == VM_BAD_MASS);
     late.motion = 77;
@@ -804,18 +804,18 @@ static void test_stream_limits(void)
     vm_flow1 flow1 = {0, NULL, 0, force_1, NULL, 0};
     vm_flow2 flow2 = {0, NULL, 3, 4, 5, NULL, NULL, 0};
     vm_flow flow;
-    vm_real y[VM_RHS] = {0, 6, 2}, rates[VM_RHS];
-    vm_free_motion motion;
+    vm_real y[VM_FLOW_STATES] = {0, 6, 2}, rates[VM_FLOW_STATES];
+    vm_torque_free motion;
     vm_stream stream;
     vm_reactive loads;
     vm_body b, later;
     int k;
     memset(&flow, 0, sizeof flow);
     flow.update = force_3;
-    CHECK(vm_rhs1(5, y, rates, &flow1) == 0 && rates[0] == 3 && rates[1] == 5 && rates[2] == 0);
+    CHECK(vm_flow1_rhs(5, y, rates, &flow1) == 0 && rates[0] == 3 && rates[1] == 5 && rates[2] == 0);
     y[3] = 8;
     y[6] = 2;
-    CHECK(vm_rhs_translation(5, y, rates, &flow) == 0 && rates[0] == 4 && rates[3] == 5 && rates[6] == 0);
+    CHECK(vm_translation_rhs(5, y, rates, &flow) == 0 && rates[0] == 4 && rates[3] == 5 && rates[6] == 0);
     y[2] = 1;
     y[3] = 2;
     y[4] = 4;
@@ -823,7 +823,7 @@ static void test_stream_limits(void)
     y[6] = 2;
     y[7] = y[8] = 0;
     y[9] = 3;
-    CHECK(vm_rhs2(0, y, rates, &flow2) == 0 && rates[0] == 1 && rates[1] == 2 && rates[2] == 2);
+    CHECK(vm_flow2_rhs(0, y, rates, &flow2) == 0 && rates[0] == 1 && rates[1] == 2 && rates[2] == 2);
     CHECK(rates[3] == 3 && rates[4] == 4 && rates[5] == 5 && rates[6] == 0 && rates[9] == 0);
     memset(&b, 0, sizeof b);
     b.mass = 1;
@@ -833,23 +833,23 @@ static void test_stream_limits(void)
     for (k = 0; k < 8; k++) { /* 3 (4 - 3) w_z^2 = 6 (6 - 4) w_x^2: omega tends to the middle axis */
         vm_vec3 h, h_later;
         b.omega = vmi_vec3(k & 1 ? R(-0.5) : R(0.5), k & 2 ? R(-0.75) : R(0.75), k & 4 ? -1 : 1);
-        CHECK(vm_free_rotation(&b, 3, &later) == VM_OK);
+        CHECK(vm_torque_free_rotation(&b, 3, &later) == VM_OK);
         h = vm_angular_momentum(&b, b.r);
         h_later = vm_angular_momentum(&later, b.r);
         check_error("free rotation", "separatrix", "eps",
-                    (double)vmi_size(vmi_sub(h, h_later)) / (double)VM_EPSILON, 100, k, 0);
+                    (double)vmi_norm1(vmi_sub(h, h_later)) / (double)VM_EPSILON, 100, k, 0);
         check_error("free rotation", "separatrix", "eps",
                     fabs((double)(vm_kinetic_energy(&b) - vm_kinetic_energy(&later))) / (double)VM_EPSILON, 100, k,
                     0);
     }
     b.q.y = 1;
-    CHECK(vm_free_init(&motion, &b, 0) == VM_OK);
+    CHECK(vm_torque_free_init(&motion, &b, 0) == VM_OK);
     b.q.y = 0;
     b.q.z = 1;
     b.v.x = VM_MAX / 4;
     later.mass = 7;
-    CHECK(vm_free_init(&motion, &b, 0) == VM_OK && vm_free_at(&motion, 64, &later) == VM_NOT_FINITE);
-    CHECK(later.mass == 7 && vm_free_at(&motion, 1, &later) == VM_OK && later.r.x == VM_MAX / 4);
+    CHECK(vm_torque_free_init(&motion, &b, 0) == VM_OK && vm_torque_free_at(&motion, 64, &later) == VM_NOT_FINITE);
+    CHECK(later.mass == 7 && vm_torque_free_at(&motion, 1, &later) == VM_OK && later.r.x == VM_MAX / 4);
     memset(&stream, 0, sizeof stream);
     stream.rate = -64;
     stream.at.x = 64;
@@ -927,14 +927,14 @@ static void one_mass(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
     masses[0] = 2 - t;
 }
 static vm_real frozen_work[VM_LAGRANGE_RHS_WORK(2, 1)];
-static vm_lagrange system_of_two(void)
+static vm_lagrange_system system_of_two(void)
 {
-    const vm_lagrange l = {2, 1, one_mass, kinetic, NULL, NULL, NULL, frozen_work};
+    const vm_lagrange_system l = {2, 1, one_mass, kinetic, NULL, NULL, NULL, frozen_work};
     return l;
 }
 static int lagrange_start(trial *a)
 {
-    vm_lagrange l = system_of_two();
+    vm_lagrange_system l = system_of_two();
     vm_real q[2], rates[2];
     const vm_real t = next(a);
     take(a, q, sizeof q);
@@ -943,22 +943,22 @@ static int lagrange_start(trial *a)
 }
 static int lagrange_rates(trial *a)
 {
-    vm_lagrange l = system_of_two();
+    vm_lagrange_system l = system_of_two();
     const vm_real y[4] = {1, 1, 1, 1};
     return vm_lagrange_rates(POINTER(0, &l), 0, POINTER(1, y), OUT(2, vm_real, 0));
 }
 static int frozen_derivative(trial *a)
 {
-    vm_lagrange l = system_of_two();
+    vm_lagrange_system l = system_of_two();
     vm_real q[2], rates[2];
     q[0] = rates[0] = rates[1] = q[1] = 1;
-    return value(a, vm_frozen_derivative(POINTER(0, &l), 0, POINTER(1, q), POINTER(2, rates), 1));
+    return value(a, vm_lagrange_partial_q(POINTER(0, &l), 0, POINTER(1, q), POINTER(2, rates), 1));
 }
 
 static void test_lagrange(void)
 {
     const vm_real scales[2] = {2, R(0.5)}, q[2] = {R(0.3), R(0.2)}, rates[2] = {1, 2};
-    vm_lagrange l = system_of_two();
+    vm_lagrange_system l = system_of_two();
     vm_real y[4], derivative;
     int i;
     REFUSES(drum_at, 2, 1, R(0.5), 10, 2, R(0.1));
@@ -969,11 +969,11 @@ static void test_lagrange(void)
     REFUSES(lagrange_start, 4, 1, R(0.3), R(0.2), 1, 2);
     REFUSES_NULL(lagrange_rates, 3);
     REFUSES_NULL(frozen_derivative, 3);
-    CHECK(isnan(vm_frozen_derivative(&l, 0, q, rates, -1)) && isnan(vm_frozen_derivative(&l, 0, q, rates, 2)));
-    derivative = vm_frozen_derivative(&l, 0, q, rates, 0);
+    CHECK(isnan(vm_lagrange_partial_q(&l, 0, q, rates, -1)) && isnan(vm_lagrange_partial_q(&l, 0, q, rates, 2)));
+    derivative = vm_lagrange_partial_q(&l, 0, q, rates, 0);
     l.scales = scales; /* the difference's steps are others, the derivative m q q'^2 is not */
     check_error("dT/dq", "scales", "eps",
-                fabs((double)(vm_frozen_derivative(&l, 0, q, rates, 0) - derivative)) / (double)VM_EPSILON, 250, 0,
+                fabs((double)(vm_lagrange_partial_q(&l, 0, q, rates, 0) - derivative)) / (double)VM_EPSILON, 250, 0,
                 0);
     for (i = 0; i < 6; i++) {
         l = system_of_two();
@@ -1091,13 +1091,13 @@ static int osc_by(trial *a)
 {
     const vm_osc_problem o = osc_problem(a);
     const vm_real t = next(a);
-    return vm_osc_by(POINTER(0, &o), VM_ROUTE_SECOND, t, next(a), OUT(1, vm_osc_motion, 0));
+    return vm_osc_by_route(POINTER(0, &o), VM_ROUTE_SECOND, t, next(a), OUT(1, vm_osc_motion, 0));
 }
 static int osc_at(trial *a)
 {
     const vm_osc_problem o = osc_problem(a);
     const vm_real t = next(a);
-    return vm_osc_at(POINTER(0, &o), t, next(a), OUT(1, vm_osc_motion, 0));
+    return vm_osc_within(POINTER(0, &o), t, next(a), OUT(1, vm_osc_motion, 0));
 }
 static int osc_averaged(trial *a)
 {
@@ -1187,11 +1187,11 @@ static void test_oscillators(void)
             int status;
             memset(&m, 0x55, sizeof m);
             calls = 0;
-            status = vm_osc_by(&o, i, 1, 0, &m);
+            status = vm_osc_by_route(&o, i, 1, 0, &m);
             if (calls > fails_after) CHECK(status < 0);
         }
         calls = 0;
-        CHECK(vm_osc_at(&o, 1, 0, &m) < 0 || fails_after >= calls);
+        CHECK(vm_osc_within(&o, 1, 0, &m) < 0 || fails_after >= calls);
     }
 }
 
@@ -1235,16 +1235,16 @@ static void test_laws(void)
     o.stiffness = vm_law_linear(30, 0);
     for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) { /* even laws: t backward with v forward is v backward */
         o.v = R(0.25);
-        CHECK(vm_osc_by(&o, i, R(-3.5), 0, &back) >= 0);
+        CHECK(vm_osc_by_route(&o, i, R(-3.5), 0, &back) >= 0);
         o.v = R(-0.25);
-        CHECK(vm_osc_by(&o, i, R(3.5), 0, &forward) >= 0);
+        CHECK(vm_osc_by_route(&o, i, R(3.5), 0, &forward) >= 0);
         check_error("backward", vm_osc_route_name(i), "eps", ERROR_EPS(back.x, (double)forward.x, 0, 1), 200, i, 0);
     }
     for (i = 0; i < 9; i++) values[i] = 3 + times[i] / 4; /* nothing jumps at the points of a straight line */
     o.mass = vm_law_linear(3, R(0.25));
-    CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &m) == VM_OK);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 3, 0, &m) == VM_OK);
     o.mass = vm_law_table(9, times, values);
-    CHECK(vm_osc_by(&o, VM_ROUTE_SECOND, 3, 0, &back) == VM_OK);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 3, 0, &back) == VM_OK);
     check_error("table", "straight line", "", fabs((double)(back.x - m.x)), VM_MANT_DIG > 24 ? 1e-9 : 1e-4, 0, 0);
 }
 
@@ -1291,7 +1291,7 @@ static void test_failing_laws(void)
                 o.ctx = &b;
                 memset(&m, 0x55, sizeof m);
                 calls = 0;
-                status = vm_osc_by(&o, i, R(2.5), R(1e-3), &m);
+                status = vm_osc_by_route(&o, i, R(2.5), R(1e-3), &m);
                 CHECK(calls > fails_after ? status < 0 : status >= 0);
                 CHECK(status >= 0 ? VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v) : memcmp(&m, untouched, sizeof m) == 0);
             }
@@ -1323,12 +1323,12 @@ static void test_oscillator_limits(void)
     o.x = R(0.5);
     o.mass = vm_law_linear(2, 0);
     o.stiffness = vm_law_linear(3, 0);
-    CHECK(vm_osc_plan_at(NULL, 1, 0, &m) == VM_BAD_ARGUMENT);
-    CHECK(vm_osc_plan_by(NULL, VM_ROUTE_RK45, 1, 0, &m) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_plan_within(NULL, 1, 0, &m) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_plan_by_route(NULL, VM_ROUTE_RK45, 1, 0, &m) == VM_BAD_ARGUMENT);
     o.x = 0;
     o.force = drag;
     o.ctx = &b;
-    CHECK(vm_osc_at(&o, 1, 0, &m) == VM_NO_LAW && vm_osc_by(&o, VM_ROUTE_RK87, 1, 0, &m) == VM_NO_LAW);
+    CHECK(vm_osc_within(&o, 1, 0, &m) == VM_NO_LAW && vm_osc_by_route(&o, VM_ROUTE_RK87, 1, 0, &m) == VM_NO_LAW);
     o.x = R(0.5);
     for (i = 0; i < 2; i++) { /* a force that is a damping; the quarter of the period is long for large alpha */
         int route;
@@ -1350,13 +1350,13 @@ static void test_oscillator_limits(void)
     o.damping = 0;
     o.alpha = 300;
     o.x = 1; /* a wave's estimate is not above 1, so that 2 is content with any */
-    CHECK(vm_osc_at(&o, 1, 2, &m) == VM_OK && m.route == VM_ROUTE_TRIG && m.error >= 1);
+    CHECK(vm_osc_within(&o, 1, 2, &m) == VM_OK && m.route == VM_ROUTE_TRIG && m.error >= 1);
     o.alpha = 3;
     o.x = R(0.5);
     o.reactive = R(0.5);
     o.mass = vm_law_linear(2, R(0.5));
     o.v = R(0.25);
-    CHECK(vm_osc_by(&o, VM_ROUTE_RK45, 2, 0, &m) == VM_OK && vm_osc_by(&o, VM_ROUTE_RK87, 2, 0, &other) == VM_OK);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 2, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_RK87, 2, 0, &other) == VM_OK);
     check_error("reactive 1/2", "rk45, rk87", "", fabs((double)(m.x - other.x)), (double)(m.error + other.error), 0,
                 0);
     o.mass = vm_law_linear(2, 500);
@@ -1367,7 +1367,7 @@ static void test_oscillator_limits(void)
         o.v = R(0.01) * (vm_real)(i - 32);
         memset(&m, 0x55, sizeof m);
         other = m;
-        if (vm_osc_by(&o, VM_ROUTE_SECOND, R(0.01) * (vm_real)i, 0, &m) < 0)
+        if (vm_osc_by_route(&o, VM_ROUTE_SECOND, R(0.01) * (vm_real)i, 0, &m) < 0)
             CHECK(memcmp(&m, &other, sizeof m) == 0);
         else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
     }
@@ -1378,7 +1378,7 @@ static void test_oscillator_limits(void)
     for (i = 0; i < 2; i++, o.reactive = -o.reactive) { /* an amplitude that overflows; one that vanishes */
         memset(&m, 0x55, sizeof m);
         other = m;
-        if (vm_osc_by(&o, VM_ROUTE_TRIG, VM_MANT_DIG > 24 ? 300 : 40, 0, &m) < 0)
+        if (vm_osc_by_route(&o, VM_ROUTE_TRIG, VM_MANT_DIG > 24 ? 300 : 40, 0, &m) < 0)
             CHECK(memcmp(&m, &other, sizeof m) == 0);
         else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
     }
@@ -1423,26 +1423,26 @@ static int vdp_amplitude(trial *a)
     return value(a, vm_vdp_amplitude(&v, t, A0, m));
 }
 static const vm_power_force cubic = {2, 3};
-static vm_laval laval(void)
+static vm_jeffcott laval(void)
 {
-    vm_laval r;
+    vm_jeffcott r;
     memset(&r, 0, sizeof r);
-    r.stiffness = vm_laval_power;
+    r.stiffness = vm_jeffcott_power;
     r.stiffness_ctx = (void *)&cubic;
     r.reactive = 1;
     return r;
 }
 static int laval_frequency(trial *a)
 {
-    const vm_laval r = laval();
+    const vm_jeffcott r = laval();
     const vm_real A = next(a);
-    return value(a, vm_laval_frequency(&r, A, next(a), 1));
+    return value(a, vm_jeffcott_frequency(&r, A, next(a), 1));
 }
 static int laval_amplitude(trial *a)
 {
-    const vm_laval r = laval();
+    const vm_jeffcott r = laval();
     const vm_real A0 = next(a), mass0 = next(a);
-    return value(a, vm_laval_amplitude(&r, A0, mass0, next(a)));
+    return value(a, vm_jeffcott_amplitude(&r, A0, mass0, next(a)));
 }
 static int pair_at(trial *a)
 {
@@ -1469,7 +1469,7 @@ static int pair_split(trial *a)
     p.mass_ctx = &m;
     take(a, y, sizeof y);
     take(a, &m, sizeof m);
-    return vm_pair_split(&p, t, y, (vm_real *)(void *)a->output);
+    return vm_pair_to_averaged(&p, t, y, (vm_real *)(void *)a->output);
 }
 static vm_forced forced(trial *a)
 {
@@ -1504,14 +1504,14 @@ static int forced_split(trial *a)
     const vm_forced f = prepared();
     vm_real motion[3];
     take(a, motion, sizeof motion);
-    return vm_forced_split(&f, 0, motion, (vm_real *)(void *)a->output);
+    return vm_forced_to_averaged(&f, 0, motion, (vm_real *)(void *)a->output);
 }
 static int forced_join(trial *a)
 {
     const vm_forced f = prepared();
     vm_real y[3];
     take(a, y, sizeof y);
-    return vm_forced_join(&f, 0, y, (vm_real *)(void *)a->output);
+    return vm_forced_from_averaged(&f, 0, y, (vm_real *)(void *)a->output);
 }
 static int adiabaticity(trial *a)
 {
@@ -1532,9 +1532,9 @@ static void test_slow_vibrations(void)
 {
     vm_vdp v = {3, 2, R(0.1), R(0.2), 1, -1, NULL, NULL, 0, 0, 0};
     vm_forced f = prepared();
-    vm_steady curve[2];
+    vm_steady_state curve[2];
     vm_passage passage;
-    vm_point points[4];
+    vm_sample points[4];
     vm_real y[3] = {1, 0, 0}, motion[3], state[2] = {1, 0}, work[RK45_WORK(2)], buffer[2];
     rk45 s;
     REFUSES(vdp_init, 1, 3, 2, R(0.1), R(0.2), 1);
@@ -1556,7 +1556,7 @@ static void test_slow_vibrations(void)
     REFUSES(forced_split, 0, 1, R(0.2), R(0.3));
     REFUSES(forced_join, 0, 1, R(0.2), R(0.3));
     y[0] = -1;
-    CHECK(vm_forced_join(&f, 0, y, motion) == VM_DOMAIN);
+    CHECK(vm_forced_from_averaged(&f, 0, y, motion) == VM_DOMAIN);
     CHECK(vm_forced_curve(&f, 0, VM_NAN, curve) == VM_DOMAIN &&
           vm_forced_curve(&f, 0, VM_INFINITY, curve) == VM_DOMAIN && vm_forced_curve(&f, 0, 0, curve) == VM_DOMAIN);
     f.now.force = 0;
@@ -1572,13 +1572,13 @@ static void test_slow_vibrations(void)
     CHECK(vm_forced_passage(&f, 0, 1, &passage) == VM_OK && isnan(passage.delta)); /* linear: nothing holds it */
     REFUSES(adiabaticity, 0, R(0.1), 2, R(0.01), 3, R(0.02), R(0.1), 1, 3);
     CHECK(rk45_init(&s, oscillate, NULL, 2, 0, state, NULL, work) == ODE_OK);
-    CHECK(vm_find_points_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == 0); /* no step yet */
-    CHECK(vm_find_points_of_step(NULL, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, NULL, 4, points) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points_of_step(&s, -1, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points_of_step(&s, 0, -1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points_of_step(&s, 2, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points_of_step(&s, 0, 2, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == 0); /* no step yet */
+    CHECK(vm_find_samples_of_step(NULL, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, NULL, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, -1, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 0, -1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 2, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 0, 2, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
 }
 
 static vm_real no_rate(vm_real t, vm_real *rate, void *ctx) { return (void)t, (void)ctx, *rate = VM_INFINITY, 1; }
@@ -1604,7 +1604,7 @@ static void test_slow_limits(void)
     vm_pair pair = {3, 2, 1, no_rate, NULL};
     vm_vdp vdp = {3, 2, 0, R(0.2), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
     const vm_power_force none = {0, 1};
-    vm_laval r = laval();
+    vm_jeffcott r = laval();
     vm_real y[4] = {R(0.1), R(0.2), R(0.3), R(0.4)}, rates[2][4], radius = VM_MAX;
     int k, stable;
     CHECK(vm_pair_averaged_rhs(0, y, rates[0], &pair) == VM_NOT_FINITE);
@@ -1616,33 +1616,33 @@ static void test_slow_limits(void)
     for (k = -1; k < 2; k += 2) { /* neither driven nor damped but by c: rest is stable where that damps */
         vdp.c = (vm_real)k;
         stable = 7;
-        CHECK(vm_vdp_steady(&vdp, 0, &stable) == 0 && stable == (k > 0));
+        CHECK(vm_vdp_limit_cycle(&vdp, 0, &stable) == 0 && stable == (k > 0));
     }
     r.mass = one_kg;
     r.force = pull;
-    CHECK(vm_laval_forward_rhs(0, y, rates[0], &r) == VM_OK);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, rates[0], &r) == VM_OK);
     r.samples = 64;
-    CHECK(vm_laval_forward_rhs(0, y, rates[1], &r) == VM_OK);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, rates[1], &r) == VM_OK);
     check_error("Laval", "samples", "eps", ERROR_EPS(rates[0][1], (double)rates[1][1], 0, 1), 64, 0, 0);
-    CHECK(vm_laval_amplitude(&r, R(0.1), 2, 2) == R(0.1));
+    CHECK(vm_jeffcott_amplitude(&r, R(0.1), 2, 2) == R(0.1));
     r.stiffness_ctx = (void *)&none;
-    CHECK(vm_laval_forward_rhs(0, y, rates[0], &r) == VM_DOMAIN &&
-          vm_laval_backward_rhs(0, y, rates[0], &r) == VM_DOMAIN);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, rates[0], &r) == VM_DOMAIN &&
+          vm_jeffcott_backward_whirl_rhs(0, y, rates[0], &r) == VM_DOMAIN);
     r.stiffness = known_to;
     r.stiffness_ctx = &radius;
     radius = R(1.05); /* A = (m0/m)^(1/4) is inside, or not */
     for (k = 0; k < 2; k++) {
-        const double mass = pow(k ? 1.1 : 1.04, -4), A = (double)vm_laval_amplitude(&r, 1, 1, (vm_real)mass);
+        const double mass = pow(k ? 1.1 : 1.04, -4), A = (double)vm_jeffcott_amplitude(&r, 1, 1, (vm_real)mass);
         if (k) CHECK(isnan(A));
         else check_error("Laval", "known to 1.05", "eps", fabs(A - 1.04) / (double)VM_EPSILON, 8, 0, 0);
     }
-    CHECK(vmi_slow_zero(NULL, NULL, 1, 2, 0, 3) == 1 && vmi_slow_zero(NULL, NULL, 1, 2, 3, 0) == 2); /* at an end */
+    CHECK(vmi_find_zero(NULL, NULL, 1, 2, 0, 3) == 1 && vmi_find_zero(NULL, NULL, 1, 2, 3, 0) == 2); /* at an end */
     radius = 1;
-    CHECK(isnan((double)vm_laval_amplitude(&r, 1, 1, R(0.5))));
+    CHECK(isnan((double)vm_jeffcott_amplitude(&r, 1, 1, R(0.5))));
     radius = VM_MAX;
     for (k = -8; k < 9; k++) { /* the first point looked at, e^(1/16), is the amplitude, but for some eps */
         const vm_real mass = (vm_real)exp(-0.25) * (1 + (vm_real)k * VM_EPSILON / 2);
-        const double A = (double)vm_laval_amplitude(&r, 1, 1, mass);
+        const double A = (double)vm_jeffcott_amplitude(&r, 1, 1, mass);
         check_error("Laval", "first point", "eps", fabs(A - pow((double)mass, -0.25)) / (double)VM_EPSILON, 4, k,
                     0);
     }
@@ -1653,7 +1653,7 @@ static void test_slow_limits(void)
 static void test_forced_limits(void)
 {
     vm_forced f = prepared();
-    vm_steady curve[3];
+    vm_steady_state curve[3];
     vm_real motion[3] = {R(0.001), 0, 0}, y[3] = {7, 7, 7}, w;
     const vm_real A = (vm_real)ldexp(1, 40);
     int k, j, found;
@@ -1665,10 +1665,10 @@ static void test_forced_limits(void)
     check_error("backbone", "", "eps", ERROR_EPS(curve[0].nu, (double)w, 0, (double)w), 8, (double)A, 0);
     f = prepared();
     f.now.force = 1000;
-    CHECK(vm_forced_split(&f, 0, motion, y) == VM_DOMAIN && y[0] == 7);
+    CHECK(vm_forced_to_averaged(&f, 0, motion, y) == VM_DOMAIN && y[0] == 7);
     motion[0] = VM_MAX;
     motion[1] = VM_MAX / 2;
-    CHECK(vm_forced_split(&f, 0, motion, y) < 0 ? y[0] == 7 : VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]));
+    CHECK(vm_forced_to_averaged(&f, 0, motion, y) < 0 ? y[0] == 7 : VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]));
     for (k = 0; k < 40; k++) {
         f = prepared();
         f.alpha = 1 + R(0.002) * (vm_real)(k - 20);
@@ -1677,7 +1677,7 @@ static void test_forced_limits(void)
         CHECK(vm_forced_init(&f) == VM_OK);
         for (j = 0; j < 3; j++) {
             f.now.nu = j == 0 ? R(1.25) + R(0.02) * (vm_real)(k % 5) : j == 1 ? R(0.2) : R(3);
-            found = vm_forced_steady(&f, 0, curve);
+            found = vm_forced_steady_states(&f, 0, curve);
             CHECK(found >= 0 && found <= 3);
             while (found-- > 0) CHECK(curve[found].A > 0 && VM_IS_FINITE(curve[found].A));
         }
@@ -1759,20 +1759,20 @@ static void test_points_found(void)
 {
     const vm_real y0[2] = {1, 0};
     vm_real known[2] = {-9, 9}, work[RK87_WORK(2)], buffer[2];
-    vm_point points[4];
+    vm_sample points[4];
     rk87 s;
-    CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == 1);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == 1);
     CHECK(points[0].t == 1 && points[0].x == 0 && points[0].v == 1);
-    CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 1, 2, R(0.25), 4, points) ==
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 1, 2, R(0.25), 4, points) ==
           0); /* where it begins: none */
-    CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 1, 1, R(0.25), 4, points) == 0);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 1, 1, R(0.25), 4, points) == 0);
     known[1] = R(0.75);
-    CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == VM_NOT_FINITE);
-    CHECK(vm_find_points(line, known, VM_ZERO_CROSSINGS, 2, 2, R(0.25), 4, points) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 2, 2, R(0.25), 4, points) == VM_NOT_FINITE);
     countdown = 1000;
     CHECK(rk87_init(&s, breaks, NULL, 2, 0, y0, NULL, work) == ODE_OK && rk87_step(&s) == ODE_OK);
     countdown = 0;
-    CHECK(vm_find_points_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_NOT_FINITE);
+    CHECK(vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_NOT_FINITE);
 }
 
 static void test_integrators(void)
@@ -1841,9 +1841,9 @@ static void test_scenes(void)
         memset(&s, 0, sizeof s);
         part.mass = 1;
         part.q.w = 1;
-        bodies[0] = vm_scene_point(2, vmi_vec3(0, 0, 0), vmi_vec3(1, 0, 0));
-        bodies[1] = vm_scene_absent(vm_scene_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
-        bodies[2] = vm_scene_free(&part);
+        bodies[0] = vm_scene_body_point(2, vmi_vec3(0, 0, 0), vmi_vec3(1, 0, 0));
+        bodies[1] = vm_scene_body_absent(vm_scene_body_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
+        bodies[2] = vm_scene_body_free(&part);
         effects[0] = vm_effect_gravity(0, 1, R(-9.81));
         events[0] = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
         s.bodies = bodies;
@@ -1890,7 +1890,7 @@ static void test_scenes(void)
         CHECK((vm_scene_check(&s, NULL) == VM_OK) == (k < 0));
     }
     for (k = -1; k < 2; k++) { /* an effect that is switched */
-        vm_scene_body body = vm_scene_line(1, 0, 0);
+        vm_scene_body body = vm_scene_body_line(1, 0, 0);
         vm_effect effect = vm_effect_gravity(0, 0, 1);
         vm_event event = vm_then_switch(vm_event_at(1), k, 1);
         ode_event located;
@@ -1906,7 +1906,7 @@ static void test_scenes(void)
         CHECK(vm_scene_check(&s, NULL) == (k == 0 ? VM_OK : VM_NO_SUCH_EFFECT));
     }
     CHECK(vm_scene_check(NULL, NULL) == VM_BAD_ARGUMENT &&
-          vm_scene_balance(NULL, 0, NULL, NULL) == VM_BAD_ARGUMENT);
+          vm_scene_budget_at(NULL, 0, NULL, NULL) == VM_BAD_ARGUMENT);
 }
 
 /* A run's output at given times, events of a mass, jumps between absent and present bodies, refused runs */
@@ -1929,7 +1929,7 @@ static void test_runs(void)
     ode_event located[1];
     rk45_options options = rk45_defaults(NULL);
     vm_scene s;
-    vm_book book;
+    vm_budget book;
     vm_body part;
     int i, k;
     memset(&s, 0, sizeof s);
@@ -1944,7 +1944,7 @@ static void test_runs(void)
     s.output_ctx = seen;
     s.times = times;
     s.n_times = 5;
-    bodies[0] = vm_scene_with_mass_state(vm_scene_line(2, 0, 1));
+    bodies[0] = vm_scene_body_with_mass_state(vm_scene_body_line(2, 0, 1));
     effects[0] = vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1);
     s.effects = effects;
     s.n_effects = 1;
@@ -1966,8 +1966,8 @@ static void test_runs(void)
     s.output = NULL;
     s.times = NULL;
     for (i = 0; i < 2; i++) { /* the mass passes 1.25, as a state and by a law */
-        bodies[0] = vm_scene_line(2, 0, 1);
-        if (i == 0) bodies[0] = vm_scene_with_mass_state(bodies[0]);
+        bodies[0] = vm_scene_body_line(2, 0, 1);
+        if (i == 0) bodies[0] = vm_scene_body_with_mass_state(bodies[0]);
         effects[0] = i == 0 ? vm_effect_stream(0, -1, vmi_vec3(0, 0, 0), 1)
                             : vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1);
         events[0] = vm_then_stop(vm_event_mass(0, R(1.25), -1));
@@ -1981,7 +1981,7 @@ static void test_runs(void)
     }
     for (k = 0; k < 9; k++) { /* jumps: what comes of them, with and without a book */
         const int bad = k > 3;
-        vm_scene_body (*make)(vm_real, vm_real, vm_real) = k % 2 ? vm_scene_axle : vm_scene_line;
+        vm_scene_body (*make)(vm_real, vm_real, vm_real) = k % 2 ? vm_scene_body_axle : vm_scene_body_line;
         memset(&s, 0, sizeof s);
         t = 0;
         s.bodies = bodies;
@@ -1990,15 +1990,15 @@ static void test_runs(void)
         s.located = located;
         s.n_events = 1;
         bodies[0] = make(2, R(0.1), 3);
-        bodies[1] = vm_scene_absent(make(R(0.5), 0, 0));
+        bodies[1] = vm_scene_body_absent(make(R(0.5), 0, 0));
         part.mass = R(0.5);
         part.v.x = 1;
         part.omega.z = 1;
         part.inertia.zz = R(0.01);
         events[0] = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
         if (k == 2) {
-            bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
-            bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
+            bodies[0] = vm_scene_body_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
+            bodies[1] = vm_scene_body_absent(vm_scene_body_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
         }
         if (k == 3) {
             bodies[1].absent = 0;
@@ -2008,27 +2008,27 @@ static void test_runs(void)
         if (k == 6) bodies[1].absent = 0;                             /* into what is there already */
         if (k == 7) events[0] = vm_then_attach(vm_event_at(1), 0, 1); /* what is not there */
         if (k == 8) {                                                 /* a plane's rest that is a point */
-            bodies[0] = vm_scene_plane(2, R(0.01), vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
-            bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
+            bodies[0] = vm_scene_body_plane(2, R(0.01), vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2);
+            bodies[1] = vm_scene_body_absent(vm_scene_body_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 2));
             part.r.x = part.v.y = 0;
             part.v.x = 1;
             part.omega.z = 2;
             events[0].part = part;
             events[0].part.r.x = 1; /* where the whole is by then */
         }
-        vm_scene_keep_book(&s, k == 0 ? &book : NULL);
+        vm_scene_keep_budget(&s, k == 0 ? &book : NULL);
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
         i = vm_scene_run(&s, &t, 2, y, work, NULL);
         CHECK((i < 0) == bad && t == (bad ? 1 : 2));
         if (k == 0) { /* 2 * 3 - 0.5 * 1 over 1.5 */
             check_error("jump on a line", "", "eps", fabs((double)y[1] - 11. / 3) / (double)VM_EPSILON, 8, 0, 0);
-            CHECK(vm_scene_balance(&s, t, NULL, &book) == VM_BAD_ARGUMENT &&
-                  vm_scene_balance(&s, t, y, NULL) == VM_BAD_ARGUMENT);
+            CHECK(vm_scene_budget_at(&s, t, NULL, &book) == VM_BAD_ARGUMENT &&
+                  vm_scene_budget_at(&s, t, y, NULL) == VM_BAD_ARGUMENT);
         }
     }
     memset(&s, 0, sizeof s);
     t = 0; /* a law's mass runs out */
-    bodies[0] = vm_scene_line(2, 0, 1);
+    bodies[0] = vm_scene_body_line(2, 0, 1);
     s.bodies = bodies;
     s.n_bodies = 1;
     effects[0] = vm_effect_mass_law(0, NULL, NULL, vmi_vec3(0, 0, 0), 0);
@@ -2066,9 +2066,9 @@ static void test_scene_refusals(void)
         band.width = R(0.1);
         band.density = 7;
         part.mass = 1;
-        bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0);
-        bodies[1] = vm_scene_absent(vm_scene_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
-        bodies[2] = vm_scene_axle(1, 0, 0);
+        bodies[0] = vm_scene_body_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0);
+        bodies[1] = vm_scene_body_absent(vm_scene_body_point(1, vmi_vec3(0, 0, 0), vmi_vec3(0, 0, 0)));
+        bodies[2] = vm_scene_body_axle(1, 0, 0);
         effects[0] = vm_effect_link(0, VM_GROUND, fixed_point, NULL, 1, 0, 10);
         effects[1] = vm_effect_band(2, &band);
         event = vm_then_separate(vm_event_at(1), 0, 1, &part, 0);
@@ -2082,7 +2082,7 @@ static void test_scene_refusals(void)
         switch (k) {
         case 0: effects[0] = vm_effect_link(0, 0, NULL, NULL, 1, 0, 10); break;
         case 1:
-            bodies[1] = vm_scene_growing_plane(bodies[0]);
+            bodies[1] = vm_scene_body_growing_plane(bodies[0]);
             s.n_events = 0;
             effects[0] = vm_effect_link(0, 1, NULL, NULL, 1, 0, 10);
             break;
@@ -2095,11 +2095,11 @@ static void test_scene_refusals(void)
             effects[1] = vm_effect_band(2, &band);
             break;
         case 4:
-            bodies[0] = vm_scene_growing_free(bodies[0]);
+            bodies[0] = vm_scene_body_growing_free(bodies[0]);
             s.n_effects = 0;
             break;
         case 5:
-            bodies[0] = vm_scene_line(2, 0, 0);
+            bodies[0] = vm_scene_body_line(2, 0, 0);
             s.n_effects = 0;
             break; /* a point from a line */
         case 6: event = vm_then_switch(vm_event_at(1), 2, 1); break;
@@ -2114,7 +2114,7 @@ static void test_scene_refusals(void)
 static void test_run_times(void)
 {
     const vm_real times[2] = {R(-1.5), R(-0.5)};
-    vm_scene_body body = vm_scene_line(2, 0, 1);
+    vm_scene_body body = vm_scene_body_line(2, 0, 1);
     vm_real seen[4], y[8], work[VM_SCENE_WORK(8)], t = -2;
     vm_scene s;
     memset(&s, 0, sizeof s);
@@ -2142,7 +2142,7 @@ static void test_scene_jumps(void)
         vm_event event;
         ode_event located;
         vm_real y[64], work[VM_SCENE_WORK(64)], t = 0;
-        vm_book book;
+        vm_budget book;
         vm_scene s;
         vm_body part, now;
         int status;
@@ -2151,8 +2151,8 @@ static void test_scene_jumps(void)
         part.mass = R(0.5);
         part.inertia.zz = R(0.02);
         part.r.x = R(0.25);
-        bodies[0] = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 1);
-        bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0));
+        bodies[0] = vm_scene_body_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 1);
+        bodies[1] = vm_scene_body_absent(vm_scene_body_plane(1, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(0, 0, 0), 0));
         s.bodies = bodies;
         s.n_bodies = 2;
         s.events = &event;
@@ -2167,8 +2167,8 @@ static void test_scene_jumps(void)
             bodies[1].start.r.x = VM_MAX / 4;
             event = vm_then_attach(vm_event_at(1), 0, 1);
         }
-        if (k == 4) bodies[1] = vm_scene_growing_plane(bodies[1]);
-        vm_scene_keep_book(&s, k == 4 ? &book : NULL);
+        if (k == 4) bodies[1] = vm_scene_body_growing_plane(bodies[1]);
+        vm_scene_keep_budget(&s, k == 4 ? &book : NULL);
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
         status = vm_scene_run(&s, &t, 2, y, work, NULL);
         CHECK(status == (k == 1 ? VM_BAD_MASS : k == 2 ? VM_IS_AWAY : k == 3 ? VM_NOT_FINITE : VM_OK));
@@ -2200,7 +2200,7 @@ static void test_scene_losses(void)
     memset(&s, 0, sizeof s);
     memset(&stream, 0, sizeof stream);
     memset(&body, 0, sizeof body);
-    bodies[0] = bodies[1] = vm_scene_line(2, 0, 1);
+    bodies[0] = bodies[1] = vm_scene_body_line(2, 0, 1);
     effects[0] = vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1);
     effects[1] = vm_effect_mass(1, VM_MASS_OF_T, -1, 0, 1);
     s.bodies = bodies;
@@ -2217,8 +2217,8 @@ static void test_scene_losses(void)
     stream.at.x = 2;
     stream.motion = VM_RELATIVE; /* from outside of it: the inertia ends first */
     for (free = 0; free < 2; free++) {
-        vm_scene_body made = vm_scene_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 1);
-        bodies[0] = free ? vm_scene_growing_free(vm_scene_free(&body)) : vm_scene_growing_plane(made);
+        vm_scene_body made = vm_scene_body_plane(2, 1, vmi_vec3(0, 0, 0), 0, vmi_vec3(1, 0, 0), 1);
+        bodies[0] = free ? vm_scene_body_growing_free(vm_scene_body_free(&body)) : vm_scene_body_growing_plane(made);
         effects[0] = vm_effect_stream_mass(0, &stream);
         s.n_bodies = s.n_effects = 1;
         t = 0;
@@ -2227,7 +2227,7 @@ static void test_scene_losses(void)
     }
     body.inertia.xx = body.inertia.yy = body.inertia.zz = 0;
     body.omega.z = 0;
-    bodies[0] = vm_scene_free(&body);
+    bodies[0] = vm_scene_body_free(&body);
     effects[0] = vm_effect_gravity(0, 2, -2);
     t = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK && vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK);
@@ -2235,7 +2235,7 @@ static void test_scene_losses(void)
     check_error("point as free body", "r", "eps",
                 hypot((double)body.r.x - 3, (double)body.r.z + 9) / (double)VM_EPSILON, 2000, 0,
                 0); /* of 9, the roundings of all steps */
-    bodies[0] = vm_scene_growing_free(bodies[0]);
+    bodies[0] = vm_scene_body_growing_free(bodies[0]);
     t = 0;
     CHECK(vm_scene_start(&s, t, y, NULL) != VM_OK || vm_scene_run(&s, &t, 3, y, work, NULL) == VM_BAD_INERTIA);
 }
@@ -2277,7 +2277,7 @@ static int bounce(vm_real t, vm_real *y, void *ctx)
 
 static void test_too_many_events(void)
 {
-    vm_scene_body body = vm_scene_line(1, 1, 0);
+    vm_scene_body body = vm_scene_body_line(1, 1, 0);
     vm_effect effect = vm_effect_gravity(0, 0, R(-9.81));
     vm_event event = vm_then_user(vm_event_at(1), wake, &event);
     ode_event located;
@@ -2325,14 +2325,14 @@ static void test_events_that_break(void)
     s.located = located;
     for (k = 0; k < 2; k++) {
         int status = statuses[k];
-        body = vm_scene_line(1, 1, 0);
+        body = vm_scene_body_line(1, 1, 0);
         s.n_events = 1;
         t = 0;
         events[0] = vm_then_user(vm_event_at(1), break_state, &status);
         CHECK(vm_scene_start(&s, t, y, NULL) == VM_OK);
         CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == (k ? -77 : VM_NOT_FINITE) && t == 1);
     }
-    body = vm_scene_line(1, 1, 0);
+    body = vm_scene_body_line(1, 1, 0);
     s.n_events = 2;
     t = 0;
     happenings = 0; /* two at the same instants, twice */
@@ -2379,7 +2379,7 @@ static void test_ends_of_runs(void)
 {
     const vm_vec3 zero = {0, 0, 0};
     vm_real y[8], work[VM_SCENE_WORK(8)], t, none = VM_NAN, endless = VM_INFINITY, nothing_left = 0;
-    vm_scene_body body = vm_scene_line(1, 0, 1);
+    vm_scene_body body = vm_scene_body_line(1, 0, 1);
     vm_effect effect;
     vm_event event = vm_event_user(no_event, NULL, 0);
     ode_event located;
@@ -2400,9 +2400,9 @@ static void test_ends_of_runs(void)
         o = rk45_defaults(NULL);
         t = 0;
         s.n_events = k == 5;
-        effect = vm_effect_drive(0, 0, 1, 0);
-        if (k == 0) effect = vm_effect_user(0, 0, blows_up, NULL); /* v = 1/(1 - t) */
-        if (k == 1) effect = vm_effect_user(0, 0, no_force, NULL);
+        effect = vm_effect_motor(0, 0, 1, 0);
+        if (k == 0) effect = vm_effect_force(0, 0, blows_up, NULL); /* v = 1/(1 - t) */
+        if (k == 1) effect = vm_effect_force(0, 0, no_force, NULL);
         if (k >= 2 && k <= 4)
             effect = vm_effect_mass_law(0, no_law, k == 2 ? &none : k == 3 ? &endless : &nothing_left, zero, 1);
         if (k == 6) {
@@ -2429,12 +2429,12 @@ static void test_sizes_of_scenes(void)
 {
     vm_scene_body bodies[2];
     vm_real y[5], work[VM_SCENE_WORK(5)], t = 0;
-    vm_book book;
+    vm_budget book;
     vm_scene s;
     int i;
     memset(&s, 0, sizeof s);
-    bodies[0] = vm_scene_line(1, 0, 1);
-    bodies[1] = vm_scene_with_mass_state(bodies[0]);
+    bodies[0] = vm_scene_body_line(1, 0, 1);
+    bodies[1] = vm_scene_body_with_mass_state(bodies[0]);
     s.bodies = bodies;
     s.n_bodies = 2;
     for (i = -1; i < 5; i++) { /* less than 5 numbers */
@@ -2453,37 +2453,37 @@ static void test_sizes_of_scenes(void)
     s.y_size--;
     CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_SHORT_ARRAY && t == 1 && work[0] == 7);
     s.y_size++;
-    vm_scene_keep_book(&s, &book); /* needs VM_BOOK numbers more */
+    vm_scene_keep_budget(&s, &book); /* needs VM_BUDGET numbers more */
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_SHORT_ARRAY);
     s.y_size = s.work_size = 0;
-    vm_scene_keep_book(&s, NULL); /* not checked */
+    vm_scene_keep_budget(&s, NULL); /* not checked */
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK && vm_scene_run(&s, &t, 3, y, work, NULL) == VM_OK && t == 3);
 }
 
 static void test_sizes_of_flows(void)
 {
     const vm_body body = a_body(3);
-    vm_real y[VM_RHS_BALANCED + 1], d[VM_RHS_BALANCED];
+    vm_real y[VM_FLOW_BALANCED_STATES + 1], d[VM_FLOW_BALANCED_STATES];
     vm_flow flow;
     vm_body now;
     int i, k, known;
-    for (i = 1; i <= VM_RHS_BALANCED; i++) {
+    for (i = 1; i <= VM_FLOW_BALANCED_STATES; i++) {
         memset(&flow, 0, sizeof flow);
         flow.y_size = i;
-        for (k = 0; k <= VM_RHS_BALANCED; k++) y[k] = 7;
-        CHECK(vm_flow_start(&flow, &body, y) == (i < VM_RHS_GIVEN ? VM_SHORT_ARRAY : VM_OK));
+        for (k = 0; k <= VM_FLOW_BALANCED_STATES; k++) y[k] = 7;
+        CHECK(vm_flow_start(&flow, &body, y) == (i < VM_FLOW_GIVEN_STATES ? VM_SHORT_ARRAY : VM_OK));
         for (known = 0; y[known] != 7; known++) continue; /* of the numbers that are written none is 7 */
-        CHECK(known == (i < VM_RHS_GIVEN ? 0 : i < VM_RHS ? VM_RHS_GIVEN : i < VM_RHS_BALANCED ? VM_RHS : i));
-        if (i < VM_RHS_GIVEN) continue;
-        CHECK(vm_rhs_given(0, y, d, &flow) == 0 && vm_rhs_carried(0, y, d, &flow) == 0);
-        CHECK(vm_rhs(0, y, d, &flow) == (i < VM_RHS ? VM_SHORT_ARRAY : VM_OK));
-        CHECK(vm_rhs_balanced(0, y, d, &flow) == (i < VM_RHS_BALANCED ? VM_SHORT_ARRAY : VM_OK));
-        CHECK(vm_flow_body(&flow, VM_RHS_GIVEN, y, &now) == VM_OK);
-        CHECK(vm_flow_body(&flow, VM_RHS, y, &now) == (i < VM_RHS ? VM_SHORT_ARRAY : VM_OK));
+        CHECK(known == (i < VM_FLOW_GIVEN_STATES ? 0 : i < VM_FLOW_STATES ? VM_FLOW_GIVEN_STATES : i < VM_FLOW_BALANCED_STATES ? VM_FLOW_STATES : i));
+        if (i < VM_FLOW_GIVEN_STATES) continue;
+        CHECK(vm_flow_given_rhs(0, y, d, &flow) == 0 && vm_flow_carried_rhs(0, y, d, &flow) == 0);
+        CHECK(vm_flow_rhs(0, y, d, &flow) == (i < VM_FLOW_STATES ? VM_SHORT_ARRAY : VM_OK));
+        CHECK(vm_flow_balanced_rhs(0, y, d, &flow) == (i < VM_FLOW_BALANCED_STATES ? VM_SHORT_ARRAY : VM_OK));
+        CHECK(vm_flow_body(&flow, VM_FLOW_GIVEN_STATES, y, &now) == VM_OK);
+        CHECK(vm_flow_body(&flow, VM_FLOW_STATES, y, &now) == (i < VM_FLOW_STATES ? VM_SHORT_ARRAY : VM_OK));
     }
-    flow.y_size = VM_RHS_TRANSLATION - 1;
-    CHECK(vm_rhs_translation(0, y, d, &flow) == VM_SHORT_ARRAY && flow.status == VM_SHORT_ARRAY);
-    CHECK(vm_rhs_carried(0, y, d, &flow) == VM_SHORT_ARRAY);
+    flow.y_size = VM_TRANSLATION_STATES - 1;
+    CHECK(vm_translation_rhs(0, y, d, &flow) == VM_SHORT_ARRAY && flow.status == VM_SHORT_ARRAY);
+    CHECK(vm_flow_carried_rhs(0, y, d, &flow) == VM_SHORT_ARRAY);
 }
 
 /* A scene that was never started, whose start was refused, or that has got other bodies, effects or events since, or
@@ -2496,14 +2496,14 @@ static void test_not_started(void)
     ode_event located[2];
     vm_real y[64], work[VM_SCENE_WORK(64)], t = 0;
     vm_scene s, copy;
-    vm_book book;
+    vm_budget book;
     vm_body now;
     int k;
     for (k = 0; k < 6; k++) {
         memset(&s, 0, sizeof s);
         memset(y, 0, sizeof y);
-        bodies[0] = bodies[1] = vm_scene_line(1, 0, 1);
-        effects[0] = effects[1] = vm_effect_drive(0, 0, 1, 0);
+        bodies[0] = bodies[1] = vm_scene_body_line(1, 0, 1);
+        effects[0] = effects[1] = vm_effect_motor(0, 0, 1, 0);
         events[0] = events[1] = vm_then_stop(vm_event_at(1));
         s.bodies = bodies;
         s.n_bodies = 1;
@@ -2512,7 +2512,7 @@ static void test_not_started(void)
         s.events = events;
         s.located = located;
         s.n_events = 1;
-        vm_scene_keep_book(&s, &book);
+        vm_scene_keep_budget(&s, &book);
         if (k == 1) effects[0].p[0] = VM_NAN;
         if (k > 0) CHECK(vm_scene_start(&s, 0, y, NULL) == (k == 1 ? VM_NOT_FINITE : VM_OK));
         if (k == 2) s.n_bodies++;
@@ -2520,7 +2520,7 @@ static void test_not_started(void)
         if (k == 4) events[0] = vm_then_stop(vm_event_at(2));
         if (k == 5) copy = s;
         CHECK(vm_scene_run(k == 5 ? &copy : &s, &t, 2, y, work, NULL) == VM_NOT_STARTED && t == 0);
-        CHECK(vm_scene_balance(k == 5 ? &copy : &s, 0, y, &book) == VM_NOT_STARTED);
+        CHECK(vm_scene_budget_at(k == 5 ? &copy : &s, 0, y, &book) == VM_NOT_STARTED);
         vm_scene_body_at(&s, k < 2 ? 0 : 7, y, &now);
         CHECK(now.mass != now.mass && now.omega.z != now.omega.z);
     }

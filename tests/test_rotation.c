@@ -305,16 +305,16 @@ static void test_published(void)
 {
     int i, j;
     for (i = 0; i < (int)(sizeof published / sizeof *published); i++) {
-        vm_free_motion m;
+        vm_torque_free m;
         vm_quat q;
         vm_vec3 omega;
         int exact = 1;
         for (j = 0; j < 3; j++)
             exact = exact && representable(published[i].moments[j]) && representable(published[i].omega[j]);
         if (!exact) continue;
-        CHECK(vm_free_init_principal(&m, vector(published[i].moments), quaternion(published[i].q),
+        CHECK(vm_torque_free_init_principal(&m, vector(published[i].moments), quaternion(published[i].q),
                                      vector(published[i].omega), 0) == VM_OK);
-        CHECK(vm_free_attitude(&m, R(published[i].t), &q, &omega) == VM_OK);
+        CHECK(vm_torque_free_attitude(&m, R(published[i].t), &q, &omega) == VM_OK);
         check_error("published", "attitude", "eps", attitude_error(q, published[i].end_q) / eps, 12, published[i].t,
                     published[i].name);
         check_error("published", "omega", "eps", omega_error(omega, published[i].end_omega) / eps, 8,
@@ -336,7 +336,7 @@ static void test_table(const row *r, int rows, const char *region)
 {
     int i, k;
     for (i = 0; i < rows; i++, r++) {
-        vm_free_motion m;
+        vm_torque_free m;
         vm_body b;
         int exact = representable(r->t);
         for (k = 0; k < 6; k++) exact = exact && representable(r->inertia[k]);
@@ -354,9 +354,9 @@ static void test_table(const row *r, int rows, const char *region)
         b.q = quaternion(r->q);
         b.omega = vector(r->omega);
         if (r->inertia[3] == 0) {
-            CHECK(vm_free_init_principal(&m, vector(r->inertia), b.q, b.omega, 0) == VM_OK);
-            CHECK(vm_free_attitude(&m, R(r->t), &b.q, &b.omega) == VM_OK);
-        } else CHECK(vm_free_rotation(&b, R(r->t), &b) == VM_OK);
+            CHECK(vm_torque_free_init_principal(&m, vector(r->inertia), b.q, b.omega, 0) == VM_OK);
+            CHECK(vm_torque_free_attitude(&m, R(r->t), &b.q, &b.omega) == VM_OK);
+        } else CHECK(vm_torque_free_rotation(&b, R(r->t), &b) == VM_OK);
         check_error("attitude", region, "eps", attitude_error(b.q, r->end_q) / eps, 12, r->t, r->m1);
         check_error("omega", region, "eps", omega_error(b.omega, r->end_omega) / eps, 8, r->t, r->m1);
     }
@@ -404,9 +404,9 @@ static void test_conserved(void)
         const vm_real t0 = R(uniform(-5, 5)), t = R(uniform(-10, 10)), h = R(is_float ? 1. / 32 : 1. / 1024);
         const vm_vec3 L = vmi_spin_momentum(&b);
         const double energy = (double)vmi_dot(b.omega, L);
-        vm_free_motion m;
-        CHECK(vm_free_init(&m, &b, t0) == VM_OK);
-        CHECK(vm_free_at(&m, t, &at) == VM_OK);
+        vm_torque_free m;
+        CHECK(vm_torque_free_init(&m, &b, t0) == VM_OK);
+        CHECK(vm_torque_free_at(&m, t, &at) == VM_OK);
         check_error("J omega", "kept", "eps", size_of(vmi_sub(vmi_spin_momentum(&at), L)) / size_of(L) / eps, 20, i,
                     0);
         check_error("energy", "kept", "eps",
@@ -415,10 +415,10 @@ static void test_conserved(void)
         CHECK(size_of(vmi_sub(at.r, vmi_add(b.r, vmi_scale(t - t0, b.v)))) <= 2 * eps * size_of(at.r) + 1e-30);
         CHECK(at.mass == b.mass && size_of(vmi_sub(at.v, b.v)) == 0);
         CHECK(memcmp(&at.inertia, &b.inertia, sizeof b.inertia) == 0);
-        CHECK(vm_free_at(&m, t + h, &after) == VM_OK);
+        CHECK(vm_torque_free_at(&m, t + h, &after) == VM_OK);
         check_error("2 q'/q", "is omega", "h^2", kinematic_defect(&at, &after, (t + h) - t), is_float ? 8 : 1, i,
                     0);
-        CHECK(vm_free_at(&m, t0, &after) == VM_OK);
+        CHECK(vm_torque_free_at(&m, t0, &after) == VM_OK);
         check_error("attitude", "at t0", "eps", difference(after.q, b.q) / eps, 12, i, 0);
         check_error("omega", "at t0", "eps", size_of(vmi_sub(after.omega, b.omega)) / size_of(b.omega) / eps, 12, i,
                     0);
@@ -435,19 +435,19 @@ static void test_composition(void)
         const vm_real first = R(uniform(-3, 3)), second = R(uniform(-3, 3)), unit = R(i % 2 ? 1024. : 1. / 1024);
         const double scale = eps * (1 + size_of(b.omega) * (fabs((double)first) + fabs((double)second)));
         vm_body midway, end, all, other = b;
-        CHECK(vm_free_rotation(&b, first, &midway) == VM_OK);
-        CHECK(vm_free_rotation(&midway, second, &end) == VM_OK);
-        CHECK(vm_free_rotation(&b, first + second, &all) == VM_OK);
+        CHECK(vm_torque_free_rotation(&b, first, &midway) == VM_OK);
+        CHECK(vm_torque_free_rotation(&midway, second, &end) == VM_OK);
+        CHECK(vm_torque_free_rotation(&b, first + second, &all) == VM_OK);
         check_error("t1 + t2", "attitude", "eps*", difference(end.q, all.q) / scale, 15, i, 0);
         check_error("t1 + t2", "omega", "eps*", size_of(vmi_sub(end.omega, all.omega)) / size_of(b.omega) / scale,
                     12, i, 0);
-        CHECK(vm_free_rotation(&midway, -first, &midway) == VM_OK); /* outputs may be the inputs */
+        CHECK(vm_torque_free_rotation(&midway, -first, &midway) == VM_OK); /* outputs may be the inputs */
         check_error("back", "attitude", "eps*", difference(midway.q, b.q) / scale, 15, i, 0);
 
         /* omega and time reversed, the attitude goes the same way */
         other.omega = vmi_scale(-1, b.omega);
-        CHECK(vm_free_rotation(&b, first, &midway) == VM_OK);
-        CHECK(vm_free_rotation(&other, -first, &other) == VM_OK);
+        CHECK(vm_torque_free_rotation(&b, first, &midway) == VM_OK);
+        CHECK(vm_torque_free_rotation(&other, -first, &other) == VM_OK);
         check_error("reversed", "attitude", "eps", difference(midway.q, other.q) / eps, 12, i, 0);
         check_error("reversed", "omega", "eps",
                     size_of(vmi_add(midway.omega, other.omega)) / size_of(b.omega) / eps, 12, i, 0);
@@ -461,7 +461,7 @@ static void test_composition(void)
         other.inertia.xz = b.inertia.xy;
         other.q.w = other.q.x = other.q.y = other.q.z = R(0.5);
         other.q = vmi_quat_times(b.q, other.q);
-        CHECK(vm_free_rotation(&other, first, &other) == VM_OK);
+        CHECK(vm_torque_free_rotation(&other, first, &other) == VM_OK);
         check_error("renamed", "omega", "eps*",
                     size_of(vmi_sub(midway.omega, other.omega)) / size_of(b.omega) / scale, 60, i, 0);
 
@@ -469,7 +469,7 @@ static void test_composition(void)
         memset(&other.inertia, 0, sizeof other.inertia);
         other.inertia = vmi_inertia_plus(other.inertia, unit * unit, b.inertia);
         other.omega = vmi_scale(unit, b.omega);
-        CHECK(vm_free_rotation(&other, first / unit, &other) == VM_OK);
+        CHECK(vm_torque_free_rotation(&other, first / unit, &other) == VM_OK);
         CHECK(difference(midway.q, other.q) == 0);
         CHECK(size_of(vmi_sub(vmi_scale(unit, midway.omega), other.omega)) == 0);
     }
@@ -487,11 +487,11 @@ static void check_elementary(const char *name, vm_vec3 J, vm_vec3 omega, vm_quat
                              vm_vec3 spin)
 {
     const double scale = eps * (2 + size_of(omega) * fabs((double)t)); /* the elementary solution's own */
-    vm_free_motion m;
+    vm_torque_free m;
     vm_quat q = q0;
     vm_vec3 w = omega;
-    CHECK(vm_free_init_principal(&m, J, q0, omega, 1) == VM_OK);
-    CHECK(vm_free_attitude(&m, 1 + t, &q, &w) == VM_OK);
+    CHECK(vm_torque_free_init_principal(&m, J, q0, omega, 1) == VM_OK);
+    CHECK(vm_torque_free_attitude(&m, 1 + t, &q, &w) == VM_OK);
     check_error(name, "attitude", "eps*", difference(q, end) / scale, 8, (double)t, (double)omega.z);
     check_error(name, "omega", "eps*", size_of(vmi_sub(w, spin)) / (size_of(omega) + 1e-30) / scale, 8, (double)t,
                 (double)omega.z);
@@ -549,7 +549,7 @@ static void test_tilted_rod(void)
         b.inertia = vmi_inertia_of_point(axis);
         side = vmi_sub(side, vmi_scale(vmi_dot(side, axis) / vmi_dot(axis, axis), axis)); /* across */
         b.omega = side;
-        CHECK(vm_free_rotation(&b, R(uniform(0, 3)), &c) == VM_OK);
+        CHECK(vm_torque_free_rotation(&b, R(uniform(0, 3)), &c) == VM_OK);
         check_error("tilted rod", "omega", "eps", size_of(vmi_sub(c.omega, side)) / size_of(side) / eps,
                     50 * (1 + size_of(axis)), i, size_of(side));
     }
@@ -562,39 +562,39 @@ static void test_limits(void)
     for (k = 4; k < (is_float ? 22 : 50); k++) {
         const double e = ldexp(1, -k), T = 2;
         const vm_vec3 w = vmi_vec3(R(0.75), R(0.5), R(-1));
-        vm_free_motion near, at;
+        vm_torque_free near, at;
         vm_quat p, q;
         vm_vec3 v, u;
         vm_quat unit;
         unit.w = 1;
         unit.x = unit.y = unit.z = 0;
-        vm_free_init_principal(&near, vmi_vec3(R(1 + e), R(1), R(1.5)), unit, w, 0);
-        vm_free_init_principal(&at, vmi_vec3(1, 1, R(1.5)), unit, w, 0);
-        vm_free_attitude(&near, R(T), &p, &v);
-        vm_free_attitude(&at, R(T), &q, &u);
+        vm_torque_free_init_principal(&near, vmi_vec3(R(1 + e), R(1), R(1.5)), unit, w, 0);
+        vm_torque_free_init_principal(&at, vmi_vec3(1, 1, R(1.5)), unit, w, 0);
+        vm_torque_free_attitude(&near, R(T), &p, &v);
+        vm_torque_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "symmetric", "e", difference(p, q) / (e + 8 * eps), 3, k, 0);
-        vm_free_init_principal(&near, vmi_vec3(R(1 + e), R(1), R(1 - e)), unit, w, 0);
-        vm_free_init_principal(&at, vmi_vec3(1, 1, 1), unit, w, 0);
-        vm_free_attitude(&near, R(T), &p, &v);
-        vm_free_attitude(&at, R(T), &q, &u);
+        vm_torque_free_init_principal(&near, vmi_vec3(R(1 + e), R(1), R(1 - e)), unit, w, 0);
+        vm_torque_free_init_principal(&at, vmi_vec3(1, 1, 1), unit, w, 0);
+        vm_torque_free_attitude(&near, R(T), &p, &v);
+        vm_torque_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "sphere", "e", difference(p, q) / (e + 8 * eps), 3, k, 0);
-        vm_free_init_principal(&near, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), R(2 * (1 + e))), 0); /* F */
-        vm_free_init_principal(&at, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), 2), 0);
-        vm_free_attitude(&near, R(T), &p, &v);
-        vm_free_attitude(&at, R(T), &q, &u);
+        vm_torque_free_init_principal(&near, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), R(2 * (1 + e))), 0); /* F */
+        vm_torque_free_init_principal(&at, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), 2), 0);
+        vm_torque_free_attitude(&near, R(T), &p, &v);
+        vm_torque_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "separatrix", "e", difference(p, q) / (e + 8 * eps), 8, k, 0);
-        vm_free_init_principal(&near, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), R(2 * (1 - e))), 0);
-        vm_free_attitude(&near, R(T), &p, &v);
+        vm_torque_free_init_principal(&near, vmi_vec3(6, 4, 3), unit, vmi_vec3(1, R(0.5), R(2 * (1 - e))), 0);
+        vm_torque_free_attitude(&near, R(T), &p, &v);
         check_error("limit", "separatrix", "e", difference(p, q) / (e + 8 * eps), 8, k, 1);
-        vm_free_init_principal(&near, vmi_vec3(3, 2, 1), unit, vmi_vec3(R(e), 1, R(e)), 0);
-        vm_free_init_principal(&at, vmi_vec3(3, 2, 1), unit, vmi_vec3(0, 1, 0), 0);
-        vm_free_attitude(&near, R(T), &p, &v);
-        vm_free_attitude(&at, R(T), &q, &u);
+        vm_torque_free_init_principal(&near, vmi_vec3(3, 2, 1), unit, vmi_vec3(R(e), 1, R(e)), 0);
+        vm_torque_free_init_principal(&at, vmi_vec3(3, 2, 1), unit, vmi_vec3(0, 1, 0), 0);
+        vm_torque_free_attitude(&near, R(T), &p, &v);
+        vm_torque_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "middle axis", "e", difference(p, q) / (e + 8 * eps), 12, k, 0);
-        vm_free_init_principal(&near, vmi_vec3(3, 2, 1), unit, vmi_vec3(R(e), R(-e), 1), 0);
-        vm_free_init_principal(&at, vmi_vec3(3, 2, 1), unit, vmi_vec3(0, 0, 1), 0);
-        vm_free_attitude(&near, R(T), &p, &v);
-        vm_free_attitude(&at, R(T), &q, &u);
+        vm_torque_free_init_principal(&near, vmi_vec3(3, 2, 1), unit, vmi_vec3(R(e), R(-e), 1), 0);
+        vm_torque_free_init_principal(&at, vmi_vec3(3, 2, 1), unit, vmi_vec3(0, 0, 1), 0);
+        vm_torque_free_attitude(&near, R(T), &p, &v);
+        vm_torque_free_attitude(&at, R(T), &q, &u);
         check_error("limit", "stable axis", "e", difference(p, q) / (e + 8 * eps), 12, k, 0);
     }
 }
@@ -604,23 +604,23 @@ static void test_limits(void)
 static void test_far_on_separatrix(void)
 {
     const double w = sqrt(45 / 32.), last = is_float ? 75 : 690;
-    vm_free_motion m;
+    vm_torque_free m;
     vm_quat q;
     vm_vec3 omega;
     double x;
     q.w = 1;
     q.x = q.y = q.z = 0;
-    CHECK(vm_free_init_principal(&m, vmi_vec3(1, 2, R(2.25)), q, vmi_vec3(R(0.75), 0, 1), 0) == VM_OK);
+    CHECK(vm_torque_free_init_principal(&m, vmi_vec3(1, 2, R(2.25)), q, vmi_vec3(R(0.75), 0, 1), 0) == VM_OK);
     for (x = -last; x <= last; x += last / 30) {
         const double t = (double)R(3 * x / w), sech = 1 / cosh(w * t / 3);
-        CHECK(vm_free_attitude(&m, R(t), &q, &omega) == VM_OK);
+        CHECK(vm_torque_free_attitude(&m, R(t), &q, &omega) == VM_OK);
         check_error("separatrix", "sech", "eps", /* of exp(x) an error of x eps is that of x */
                     fmax(fabs((double)omega.x / sech - 0.75), fabs((double)omega.z / sech - 1)) / eps /
                         (1 + fabs(x)),
                     1.5, x, 0);
         check_error("separatrix", "tanh", "eps", fabs((double)omega.y - w * tanh(w * t / 3)) / eps, 4, x, 0);
     }
-    CHECK(vm_free_attitude(&m, R(1e6), &q, &omega) == VM_OK);
+    CHECK(vm_torque_free_attitude(&m, R(1e6), &q, &omega) == VM_OK);
     CHECK(omega.x >= 0 && omega.x < R(1e4) * VM_MIN && omega.z >= 0 && omega.z < R(1e4) * VM_MIN);
 }
 
@@ -642,17 +642,17 @@ static void test_extreme(void)
                                           vmi_vec3(R(1 + J), 1, 1)};
                 const vm_vec3 w = vmi_vec3(R(sizes[i]), 1, R(sizes[j])), J3 = bodies[k];
                 const double energy = (double)(J3.x * w.x * w.x + J3.y + J3.z * w.z * w.z);
-                vm_free_motion m;
+                vm_torque_free m;
                 vm_quat q, unit;
                 vm_vec3 v = w;
                 int n;
                 unit.w = 1;
                 unit.x = unit.y = unit.z = 0;
                 q = unit;
-                CHECK(vm_free_init_principal(&m, J3, unit, w, 0) == VM_OK);
+                CHECK(vm_torque_free_init_principal(&m, J3, unit, w, 0) == VM_OK);
                 for (n = -12; n <= 12; n++) { /* and once beyond any phase */
                     const double t = pow(10, n < 12 ? (n < 0 ? -n : n) : is_float ? 28 : 250);
-                    CHECK(vm_free_attitude(&m, R(n < 0 ? -t : t), &q, &v) == VM_OK);
+                    CHECK(vm_torque_free_attitude(&m, R(n < 0 ? -t : t), &q, &v) == VM_OK);
                     check_error(
                         "extreme", "energy", "eps",
                         fabs((double)(J3.x * v.x * v.x + J3.y * v.y * v.y + J3.z * v.z * v.z) / energy - 1) / eps,
@@ -706,9 +706,9 @@ static void test_tiny_components(void)
                 (&b.omega.x)[k] = 1;
                 (&b.omega.x)[(k + 1) % 3] = (vm_real)pow(tiny[i], power);
                 (&b.omega.x)[(k + 2) % 3] = (vm_real)pow(tiny[j], power);
-                CHECK(vm_free_rotation(&b, 50, &later) == VM_OK);
+                CHECK(vm_torque_free_rotation(&b, 50, &later) == VM_OK);
                 h = vmi_sub(vm_angular_momentum(&later, later.r), vm_angular_momentum(&b, b.r));
-                check_error("tiny omega", "L", "eps", (double)(vmi_length(h) / VM_EPSILON / 2), 5, i, j);
+                check_error("tiny omega", "L", "eps", (double)(vmi_norm2(h) / VM_EPSILON / 2), 5, i, j);
             }
 }
 
@@ -722,7 +722,7 @@ static void test_runge_kutta(void)
         const vm_quat q0 = quaternion(start);
         rk87_options options;
         rk87 s;
-        vm_free_motion m;
+        vm_torque_free m;
         vm_quat q;
         vm_vec3 omega;
         J[0] = R(uniform(1, 1.5));
@@ -739,8 +739,8 @@ static void test_runge_kutta(void)
         options.rtol = options.atol = R(is_float ? 1e-4 : 1e-13);
         CHECK(rk87_init(&s, free_rhs, J, 7, 0, y, &options, work) == ODE_OK);
         CHECK(rk87_solve(&s, 20) == ODE_OK);
-        CHECK(vm_free_init_principal(&m, vmi_vec3(J[0], J[1], J[2]), q0, w, 0) == VM_OK);
-        CHECK(vm_free_attitude(&m, 20, &q, &omega) == VM_OK);
+        CHECK(vm_torque_free_init_principal(&m, vmi_vec3(J[0], J[1], J[2]), q0, w, 0) == VM_OK);
+        CHECK(vm_torque_free_attitude(&m, 20, &q, &omega) == VM_OK);
         {
             const double end[4] = {(double)s.y[3], (double)s.y[4], (double)s.y[5], (double)s.y[6]};
             check_error("rk87", "attitude", "tol", attitude_error(q, end) / (double)options.rtol, 5, i, 0);
@@ -754,46 +754,46 @@ static void test_refusals(void)
 {
     const vm_real bad[] = {VM_NAN, VM_INFINITY, -VM_INFINITY};
     const vm_body good = random_body(1);
-    vm_free_motion m, before;
+    vm_torque_free m, before;
     vm_body b, kept;
     vm_quat q = {1, 0, 0, 0}, q_kept = q;
     vm_vec3 w = vmi_vec3(1, 2, 3), w_kept = w;
     int i, k;
-    CHECK(vm_free_init(&m, &good, 0) == VM_OK);
+    CHECK(vm_torque_free_init(&m, &good, 0) == VM_OK);
     memcpy(&before, &m, sizeof m);
-    CHECK(vm_free_init(NULL, &good, 0) == VM_BAD_ARGUMENT && vm_free_init(&m, NULL, 0) == VM_BAD_ARGUMENT);
-    CHECK(vm_free_init_principal(NULL, w, q, w, 0) == VM_BAD_ARGUMENT);
-    CHECK(vm_free_at(NULL, 0, &b) == VM_BAD_ARGUMENT && vm_free_at(&m, 0, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_free_attitude(NULL, 0, &q, &w) == VM_BAD_ARGUMENT &&
-          vm_free_attitude(&m, 0, NULL, &w) == VM_BAD_ARGUMENT);
-    CHECK(vm_free_attitude(&m, 0, &q, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_free_rotation(NULL, 1, &b) == VM_BAD_ARGUMENT && vm_free_rotation(&good, 1, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_torque_free_init(NULL, &good, 0) == VM_BAD_ARGUMENT && vm_torque_free_init(&m, NULL, 0) == VM_BAD_ARGUMENT);
+    CHECK(vm_torque_free_init_principal(NULL, w, q, w, 0) == VM_BAD_ARGUMENT);
+    CHECK(vm_torque_free_at(NULL, 0, &b) == VM_BAD_ARGUMENT && vm_torque_free_at(&m, 0, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_torque_free_attitude(NULL, 0, &q, &w) == VM_BAD_ARGUMENT &&
+          vm_torque_free_attitude(&m, 0, NULL, &w) == VM_BAD_ARGUMENT);
+    CHECK(vm_torque_free_attitude(&m, 0, &q, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_torque_free_rotation(NULL, 1, &b) == VM_BAD_ARGUMENT && vm_torque_free_rotation(&good, 1, NULL) == VM_BAD_ARGUMENT);
     b = kept = good;
     for (i = 0; i < 3; i++) {
         vm_real *const member[] = {&b.mass, &b.inertia.xx, &b.inertia.yz, &b.q.w,
                                    &b.q.z,  &b.r.y,        &b.v.z,        &b.omega.x};
-        CHECK(vm_free_init(&m, &good, bad[i]) == VM_NOT_FINITE);
-        CHECK(vm_free_at(&m, bad[i], &b) == VM_NOT_FINITE && memcmp(&b, &kept, sizeof b) == 0);
-        CHECK(vm_free_attitude(&m, bad[i], &q, &w) == VM_NOT_FINITE);
-        CHECK(vm_free_rotation(&good, bad[i], &b) == VM_NOT_FINITE && memcmp(&b, &kept, sizeof b) == 0);
+        CHECK(vm_torque_free_init(&m, &good, bad[i]) == VM_NOT_FINITE);
+        CHECK(vm_torque_free_at(&m, bad[i], &b) == VM_NOT_FINITE && memcmp(&b, &kept, sizeof b) == 0);
+        CHECK(vm_torque_free_attitude(&m, bad[i], &q, &w) == VM_NOT_FINITE);
+        CHECK(vm_torque_free_rotation(&good, bad[i], &b) == VM_NOT_FINITE && memcmp(&b, &kept, sizeof b) == 0);
         for (k = 0; k < (int)(sizeof member / sizeof *member); k++) {
             const vm_real was = *member[k];
             *member[k] = bad[i];
-            CHECK(vm_free_init(&m, &b, 0) == VM_NOT_FINITE);
+            CHECK(vm_torque_free_init(&m, &b, 0) == VM_NOT_FINITE);
             *member[k] = was;
         }
     }
-    CHECK(vm_free_at(&m, VM_MAX, &b) == VM_NOT_FINITE && memcmp(&b, &kept, sizeof b) == 0); /* r overflows */
-    CHECK(vm_free_init_principal(&m, vmi_vec3(3, 1, 1), q, w, 0) == VM_BAD_INERTIA);        /* no triangle */
-    CHECK(vm_free_init_principal(&m, vmi_vec3(1, R(0.9), 0), q, w, 0) == VM_BAD_INERTIA);
-    CHECK(vm_free_init_principal(&m, vmi_vec3(1, 1, R(-0.1)), q, w, 0) == VM_BAD_INERTIA);
+    CHECK(vm_torque_free_at(&m, VM_MAX, &b) == VM_NOT_FINITE && memcmp(&b, &kept, sizeof b) == 0); /* r overflows */
+    CHECK(vm_torque_free_init_principal(&m, vmi_vec3(3, 1, 1), q, w, 0) == VM_BAD_INERTIA);        /* no triangle */
+    CHECK(vm_torque_free_init_principal(&m, vmi_vec3(1, R(0.9), 0), q, w, 0) == VM_BAD_INERTIA);
+    CHECK(vm_torque_free_init_principal(&m, vmi_vec3(1, 1, R(-0.1)), q, w, 0) == VM_BAD_INERTIA);
     b.mass = 0;
-    CHECK(vm_free_init(&m, &b, 0) == VM_BAD_MASS);
+    CHECK(vm_torque_free_init(&m, &b, 0) == VM_BAD_MASS);
     CHECK(memcmp(&before, &m, sizeof m) == 0);
     CHECK(memcmp(&q, &q_kept, sizeof q) == 0 && memcmp(&w, &w_kept, sizeof w) == 0);
     b = good;
     memset(&b.q, 0, sizeof b.q); /* reads as the identity */
-    CHECK(vm_free_rotation(&b, 0, &b) == VM_OK && fabs((double)b.q.w - 1) <= 4 * eps);
+    CHECK(vm_torque_free_rotation(&b, 0, &b) == VM_OK && fabs((double)b.q.w - 1) <= 4 * eps);
 }
 
 int main(void)

@@ -8,9 +8,9 @@ static const double eps = (double)VM_EPSILON;
 static const int is_float = PRECISION[0] == 'f';
 
 /* as in (67), with unit mass */
-static vm_rotor rotor_of(double omega2, double s, double p2, double k, double torque)
+static vm_broken_rotor rotor_of(double omega2, double s, double p2, double k, double torque)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     r.mass = 1;
     r.inertia = R(1 / p2);
     r.stiffness = R(omega2);
@@ -31,7 +31,7 @@ static void set(vm_real *y, double a, double b, double c, double d, double e, do
 }
 
 /* omega^2, s, p^2, k*, M*, one after the other (the order of function arguments is the compiler's) */
-static void random_rotor(double *p, vm_rotor *r)
+static void random_rotor(double *p, vm_broken_rotor *r)
 {
     p[0] = uniform(0, 4);
     p[1] = uniform(-1, 1);
@@ -96,11 +96,11 @@ static double speed_from_orbit(const vm_real *abcd, double w, double t, int prin
 static void test_case_C1(void)
 {
     const double w = 1.7, t = 0.8;
-    vm_rotor r = rotor_of(w * w, 0, 1, 0, 0);
+    vm_broken_rotor r = rotor_of(w * w, 0, 1, 0, 0);
     vm_real start[6], y[6], abcd[4];
     double A, B, C, D, speed;
     set(start, 0.3, -0.2, 0, 0.5, 0.4, 0);
-    CHECK(vm_rotor_orbit(&r, start, abcd) == VM_OK && vm_rotor_free(R(t), &r, start, y) == VM_OK);
+    CHECK(vm_broken_rotor_orbit(&r, start, abcd) == VM_OK && vm_broken_rotor_free_motion(R(t), &r, start, y) == VM_OK);
     check_case("A0 (51)", "C1", abcd[0], 0.2676470588235294117647, 1, 1);
     check_case("B0 (51)", "C1", abcd[1], -0.2470588235294117647059, 1, 1);
     check_case("C0 (51)", "C1", abcd[2], 0.03235294117647058823529, 1, 1);
@@ -126,7 +126,7 @@ static void test_free_motion(void)
 {
     int i;
     for (i = 0; i < 60; i++) {
-        vm_rotor r;
+        vm_broken_rotor r;
         vm_real start[6], y[6], z[6];
         double t = uniform(-2, 8), p[5];
         random_rotor(p, &r);
@@ -136,10 +136,10 @@ static void test_free_motion(void)
         if (i % 5 == 3) r.torque = 0;
         random_state(start, 1, 1);
         memcpy(z, start, sizeof z);
-        CHECK(vm_rotor_free(R(t), &r, start, y) == VM_OK && integrate(vm_rotor_rhs, &r, z, t) >= 0);
+        CHECK(vm_broken_rotor_free_motion(R(t), &r, start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, t) >= 0);
         check_error("(46)", "against rk87", "tol", apart(y, z), 10, i, t);
         if (!(r.damping > R(0.3) * r.inertia) || r.torque == 0) continue;
-        CHECK(vm_rotor_free(400 * r.inertia / r.damping, &r, start, y) == VM_OK);
+        CHECK(vm_broken_rotor_free_motion(400 * r.inertia / r.damping, &r, start, y) == VM_OK);
         check_case("Omega_b (47)", "free", y[5], (double)(r.torque / r.damping),
                    fabs((double)(r.torque / r.damping)), 4);
     }
@@ -150,10 +150,10 @@ static void test_free_motion(void)
 static const double C3[8] = {1, 0.6, 2, 0.9, 5, 0.8, 1.3, 0.12}; /* R, SS2, Omega_b, v_Sb, M, m, I_S1, I_S2 */
 
 /* Case C3 with I_S1, I_S2 and alpha of one's own; v_Sb along SA, which is the x axis */
-static int break_C3(double I1, double I2, double alpha, vm_rotor_break *b)
+static int break_C3(double I1, double I2, double alpha, vm_broken_rotor_break *b)
 {
-    vm_rotor whole = {5, 0, 7, R(0.4), R(0.8), 0};
-    vm_rotor_piece piece;
+    vm_broken_rotor whole = {5, 0, 7, R(0.4), R(0.8), 0};
+    vm_broken_rotor_piece piece;
     vm_real before[6];
     double M = C3[4], m = C3[5], d = C3[1];
     memset(&piece, 0, sizeof piece);
@@ -164,12 +164,12 @@ static int break_C3(double I1, double I2, double alpha, vm_rotor_break *b)
     piece.radius = 1;
     piece.alpha = R(alpha);
     set(before, 0, 0, 0, C3[3], 0, C3[2]);
-    return vm_rotor_break_off(&whole, before, &piece, b);
+    return vm_broken_rotor_break_off(&whole, before, &piece, b);
 }
 
 static void test_case_C3(void)
 {
-    vm_rotor_break b;
+    vm_broken_rotor_break b;
     const double share = C3[5] / (C3[4] - C3[5]), I_S = 1.762857142857142857143;
     double omega, printed, vr, kept, least;
     CHECK(break_C3(C3[6], C3[7], 0, &b) == VM_OK);
@@ -231,7 +231,7 @@ static void rest_spin(double alpha, double *relative, double *relative_printed, 
 
 static void test_break_angles(void)
 {
-    vm_rotor_break b;
+    vm_broken_rotor_break b;
     double relative, relative_printed, printed, alpha;
     for (alpha = -3; alpha < 3.1; alpha += 0.25) {
         double ux = 0.9 + 1.2 * sin(alpha), v = sqrt(0.81 + 1.44 + 2 * 0.9 * 1.2 * sin(alpha)); /* (52) */
@@ -287,9 +287,9 @@ static void test_break_vector_form(void)
 {
     int i, impossible = 0;
     for (i = 0; i < 500; i++) {
-        vm_rotor whole = {0, 0, 3, R(0.4), R(0.8), 0};
-        vm_rotor_piece p;
-        vm_rotor_break b;
+        vm_broken_rotor whole = {0, 0, 3, R(0.4), R(0.8), 0};
+        vm_broken_rotor_piece p;
+        vm_broken_rotor_break b;
         vm_real before[6];
         vm_body body, part, rest = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
         vm_vec3 a, v;
@@ -305,7 +305,7 @@ static void test_break_vector_form(void)
         p.contact = R(uniform(-3, 3));
         random_state(before, 1, 3);
         before[5] *= 3;
-        CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK);
+        CHECK(vm_broken_rotor_break_off(&whole, before, &p, &b) == VM_OK);
         body = disc(before, (double)whole.mass, (double)whole.inertia);
         part = disc(b.piece, (double)p.mass, (double)p.inertia);
         body.inertia.xx = body.inertia.yy = 4 * whole.inertia; /* thick, so that the rest is possible in space */
@@ -343,19 +343,19 @@ static void test_break_vector_form(void)
 static void test_break_limits(void)
 {
     const double least = is_float ? 1e-30 : 1e-300;
-    vm_rotor whole = {5, 2, 7, R(0.4), R(0.8), 0};
-    vm_rotor_piece p = {1, R(0.1), R(0.5), R(0.3), 1, R(0.2)};
-    vm_rotor_break b, light, kept;
+    vm_broken_rotor whole = {5, 2, 7, R(0.4), R(0.8), 0};
+    vm_broken_rotor_piece p = {1, R(0.1), R(0.5), R(0.3), 1, R(0.2)};
+    vm_broken_rotor_break b, light, kept;
     vm_real before[6];
     double m;
     set(before, 0.1, 0.2, 0.3, 0.9, -0.4, 2);
     p.inertia = 0;
     p.mass = R(1e-6);
-    CHECK(vm_rotor_break_off(&whole, before, &p, &light) == VM_OK);
+    CHECK(vm_broken_rotor_break_off(&whole, before, &p, &light) == VM_OK);
     for (m = 1e-6; m > least; m /= 10) { /* the changes go with m M/(M - m), to a few eps of themselves */
         double moment = (double)(light.spin_rest * light.rest.inertia / R(1e-6) * light.rest.mass);
         p.mass = R(m);
-        CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK);
+        CHECK(vm_broken_rotor_break_off(&whole, before, &p, &b) == VM_OK);
         check_error("Omega_r1/m", "m -> 0", "eps",
                     fabs((double)(b.spin_rest * b.rest.inertia / p.mass * b.rest.mass) / moment - 1) / eps, 8, m,
                     0);
@@ -367,7 +367,7 @@ static void test_break_limits(void)
     p.inertia = 0; /* m -> M from the middle: the rest is a ring that keeps its inertia */
     for (m = 1e-1; m > 4 * eps; m /= 8) {
         p.mass = whole.mass - R(m);
-        CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_OK && b.rest.inertia == whole.inertia);
+        CHECK(vm_broken_rotor_break_off(&whole, before, &p, &b) == VM_OK && b.rest.inertia == whole.inertia);
         check_error("momentum", "m -> M", "eps",
                     fabs((double)(p.mass * b.piece[3] + b.rest.mass * b.state[3] - whole.mass * before[3])) / eps /
                         (double)whole.mass,
@@ -375,15 +375,15 @@ static void test_break_limits(void)
     }
     kept = b;
     p.mass = whole.mass;
-    CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_BAD_MASS);
+    CHECK(vm_broken_rotor_break_off(&whole, before, &p, &b) == VM_BAD_MASS);
     p.mass = 1;
     p.inertia = whole.inertia * (1 - 4 * VM_EPSILON); /* I_S1 is lost in rounding errors */
-    CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_BAD_INERTIA);
+    CHECK(vm_broken_rotor_break_off(&whole, before, &p, &b) == VM_BAD_INERTIA);
     p.inertia = 0;
     p.distance = 1; /* S2 at A */
     p.alpha = 0;
     p.radius = 1;
-    CHECK(vm_rotor_break_off(&whole, before, &p, &b) == VM_DOMAIN);
+    CHECK(vm_broken_rotor_break_off(&whole, before, &p, &b) == VM_DOMAIN);
     CHECK(memcmp(&kept, &b, sizeof b) == 0);
 }
 
@@ -427,11 +427,11 @@ static void test_remainder(void)
                                         0.7016215230240906640867, 1.134037454742628731321}};
     int i;
     for (i = 0; i < 2; i++) { /* C5: Fig. 18 at t = 10 */
-        vm_rotor r = rotor_of(1, 0.5, 4, 1, cases[i][0]);
+        vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, cases[i][0]);
         vm_real y[6];
         double unit = is_float ? 1e-5 : 1e-13;
         set(y, 0, 0, 0.5, 0, 0, 0);
-        CHECK(integrate(vm_rotor_rhs, &r, y, 10) >= 0);
+        CHECK(integrate(vm_broken_rotor_rhs, &r, y, 10) >= 0);
         check_error("x (68)", "C5", "tol", fabs((double)y[0] - cases[i][1]) / unit, 2, cases[i][0], 0);
         if (i == 0) check_error("y (68)", "C5", "tol", fabs((double)y[1] - cases[i][2]) / unit, 2, cases[i][0], 0);
         if (i == 1)
@@ -444,7 +444,7 @@ static void test_remainder(void)
     /* (65), (66) are (68); torque = (shaft - S1) x F; energy goes with torque and damping */
     for (i = 0; i < 200; i++) {
         double p[5], power, force[2], c, s, m, k, e;
-        vm_rotor r;
+        vm_broken_rotor r;
         vm_real y[6], a[6], b[6];
         int j;
         random_rotor(p, &r);
@@ -452,7 +452,7 @@ static void test_remainder(void)
         m = (double)r.mass;
         k = (double)r.stiffness;
         e = (double)r.s;
-        vm_rotor_rhs(0, y, a, &r);
+        vm_broken_rotor_rhs(0, y, a, &r);
         rhs_68(0, y, b, p);
         for (j = 0; j < 6; j++) check_case("(65)-(68)", "rhs", a[j], (double)b[j], 10, 4);
         c = cos((double)y[2]);
@@ -478,9 +478,9 @@ static const struct {
 #include "data/rotor_linear.h"
 };
 
-static vm_rotor rotor_from(const double *p)
+static vm_broken_rotor rotor_from(const double *p)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     r.mass = R(p[0]);
     r.inertia = R(p[1]);
     r.stiffness = R(p[2]);
@@ -497,13 +497,13 @@ static void test_linear_reference(void)
     size_t i;
     int j;
     for (i = 0; i < sizeof linear_cases / sizeof *linear_cases; i++) {
-        vm_rotor r = rotor_from(linear_cases[i].rotor);
+        vm_broken_rotor r = rotor_from(linear_cases[i].rotor);
         const double *p = linear_cases[i].start;
         vm_real y[6];
         int huge = 0, status;
         set(y, p[0], p[1], p[2], p[3], p[4], p[5]);
         for (j = 0; j < 6; j++) huge = huge || linear_cases[i].condition[j] > 0.01 * (double)VM_MAX;
-        status = (linear_cases[i].coupled ? vm_rotor_linear : vm_rotor_linear_uncoupled)(R(linear_cases[i].t), &r,
+        status = (linear_cases[i].coupled ? vm_broken_rotor_linear : vm_broken_rotor_linear_uncoupled)(R(linear_cases[i].t), &r,
                                                                                          y, y);
         if (huge) continue;
         CHECK(status == VM_OK);
@@ -525,11 +525,11 @@ static void test_through_zero(void)
     for (which = 0; which < 4; which++) {
         for (side = which ? -1 : 1; side < 2; side += 2) {
             for (coupled = 0; coupled < 2; coupled++) {
-                int (*linear)(vm_real, const vm_rotor *, const vm_real *,
-                              vm_real *) = coupled ? vm_rotor_linear : vm_rotor_linear_uncoupled;
+                int (*linear)(vm_real, const vm_broken_rotor *, const vm_real *,
+                              vm_real *) = coupled ? vm_broken_rotor_linear : vm_broken_rotor_linear_uncoupled;
                 double small;
                 for (small = 1e-3; small > eps * eps; small /= 10) {
-                    vm_rotor r = rotor_of(1.7, 0.3, 1, 0.6, 0.5), zero = r;
+                    vm_broken_rotor r = rotor_of(1.7, 0.3, 1, 0.6, 0.5), zero = r;
                     vm_real *p = which == 0   ? &r.stiffness
                                  : which == 1 ? &r.damping
                                  : which == 2 ? &r.torque
@@ -566,12 +566,12 @@ static void printed_linear(const double *p, const double *y0, double Omega, doub
 static void test_linear_printed(void)
 {
     const double p[6] = {1.69, 0.2, 1, 0.35, 0.35 * 0.9, 1}, y0[6] = {0.1, -0.05, 0.15, 0.07, 0.11, 0.4};
-    vm_rotor r = rotor_of(p[0], p[1], p[2], p[3], p[4]);
+    vm_broken_rotor r = rotor_of(p[0], p[1], p[2], p[3], p[4]);
     vm_real start[6], y[6], z[6];
     double q[6], x1, y1, rate1, t;
     int i, k;
     set(start, y0[0], y0[1], y0[2], y0[3], y0[4], y0[5]);
-    CHECK(vm_rotor_linear_uncoupled(2, &r, start, y) == VM_OK);
+    CHECK(vm_broken_rotor_linear_uncoupled(2, &r, start, y) == VM_OK);
     check_case("x (70)", "C4", y[0], -0.4293088598356822497793, 1, 2);
     check_case("y (71)", "C4", y[1], -0.1248708354566459698133, 1, 2);
     check_case("psi' (72)", "C4", y[5], 0.6517073481042952426476, 1, 2);
@@ -579,7 +579,7 @@ static void test_linear_printed(void)
         for (k = 0; k < 6; k++) q[k] = uniform(0.2, 2);
         r = rotor_of(q[0], q[1], q[2], q[3], q[3] * q[4]);
         t = uniform(0.1, 5);
-        CHECK(vm_rotor_linear_uncoupled(R(t), &r, start, y) == VM_OK);
+        CHECK(vm_broken_rotor_linear_uncoupled(R(t), &r, start, y) == VM_OK);
         printed_linear(q, y0, q[4], t, &x1, &y1, &rate1);
         check_case("x (70)", "printed", y[0], x1, 1 + q[1], 4);
         check_case("y (71)", "printed", y[1], y1, 10 / q[3], 4);
@@ -589,7 +589,7 @@ static void test_linear_printed(void)
             q[5] = k;
             memcpy(z, start, sizeof z);
             CHECK(integrate(rhs_69, q, z, t) >= 0);
-            CHECK((k ? vm_rotor_linear : vm_rotor_linear_uncoupled)(R(t), &r, start, y) == VM_OK);
+            CHECK((k ? vm_broken_rotor_linear : vm_broken_rotor_linear_uncoupled)(R(t), &r, start, y) == VM_OK);
             check_error("(69)", k ? "coupled" : "uncoupled", "tol", apart(y, z) / (1 + fabs((double)z[1])), 4, t,
                         i);
         }
@@ -597,13 +597,13 @@ static void test_linear_printed(void)
     /* Fig. 18's rotor at t = 3: what (71), (72) lack against all of (69), and (69) against (68) */
     r = rotor_of(1, 0.5, 4, 1, 0.625);
     set(start, 0, 0, 0.5, 0, 0, 0);
-    CHECK(vm_rotor_linear_uncoupled(3, &r, start, y) == VM_OK && vm_rotor_linear(3, &r, start, z) == VM_OK);
+    CHECK(vm_broken_rotor_linear_uncoupled(3, &r, start, y) == VM_OK && vm_broken_rotor_linear(3, &r, start, z) == VM_OK);
     ERRATUM("(71),(72)",
             fabs((double)(y[1] - z[1]) - 0.14764) < 1e-4 && fabs((double)(y[5] - z[5]) + 1.20598) < 1e-4,
             check_holds("(69)"));
     for (t = 0.5; t < 4; t += 2.5) {
         memcpy(z, start, sizeof z);
-        CHECK(vm_rotor_linear(R(t), &r, start, y) == VM_OK && integrate(vm_rotor_rhs, &r, z, t) >= 0);
+        CHECK(vm_broken_rotor_linear(R(t), &r, start, y) == VM_OK && integrate(vm_broken_rotor_rhs, &r, z, t) >= 0);
         x1 = fabs((double)(y[0] - z[0]));
         CHECK(t < 1 ? x1 < 0.01 && x1 > 0.001 : x1 > 0.1); /* x of (70), for short times only */
     }
@@ -640,21 +640,21 @@ static void test_polar(void)
 {
     int i;
     for (i = 0; i < 100; i++) {
-        vm_rotor r;
+        vm_broken_rotor r;
         vm_real y[6], polar[6] = {0}, back[6] = {0}, a[6], b[6] = {0};
         double dx, dy, c, s, q[6], p[5];
         int k;
         random_rotor(p, &r);
         random_state(y, 2, 9);
         if (hypot((double)y[0], (double)y[1]) < 0.3) continue;
-        CHECK(vm_rotor_to_polar(y, polar) == VM_OK && vm_rotor_from_polar(polar, back) == VM_OK);
+        CHECK(vm_broken_rotor_to_polar(y, polar) == VM_OK && vm_broken_rotor_from_polar(polar, back) == VM_OK);
         for (k = 0; k < 6; k++) {
             check_case("to and from", "polar", back[k], (double)y[k], 3, 4);
             q[k] = (double)polar[k];
         }
         check_case("phi", "polar", R(q[1]), atan2((double)y[1], (double)y[0]), 1, 6);
-        vm_rotor_rhs(0, y, a, &r);
-        CHECK(vm_rotor_polar_rhs(0, polar, b, &r) == 0);
+        vm_broken_rotor_rhs(0, y, a, &r);
+        CHECK(vm_broken_rotor_polar_rhs(0, polar, b, &r) == 0);
         c = cos(q[1]);
         s = sin(q[1]);
         dx = ((double)b[3] - q[0] * q[4] * q[4]) * c - (q[0] * (double)b[4] + 2 * q[3] * q[4]) * s;
@@ -663,20 +663,20 @@ static void test_polar(void)
         check_case("r'', phi'' (75)", "polar", R(dy), (double)a[4], 20, 2);
         check_case("psi'' (75)", "polar", b[5], (double)a[5], 20, 6);
         memcpy(back, polar, sizeof back);
-        CHECK(vm_rotor_to_polar(y, y) == VM_OK && memcmp(y, polar, sizeof y) == 0);
-        CHECK(vm_rotor_from_polar(polar, polar) == VM_OK);
+        CHECK(vm_broken_rotor_to_polar(y, y) == VM_OK && memcmp(y, polar, sizeof y) == 0);
+        CHECK(vm_broken_rotor_from_polar(polar, polar) == VM_OK);
     }
     {
-        vm_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
+        vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
         vm_real y[6], polar[6];
         set(y, 0.4, 0.3, 0.5, 0, 0.2, 0.3);
-        CHECK(vm_rotor_to_polar(y, polar) == VM_OK && integrate(vm_rotor_polar_rhs, &r, polar, 5) >= 0);
-        CHECK(vm_rotor_from_polar(polar, polar) == VM_OK && integrate(vm_rotor_rhs, &r, y, 5) >= 0);
+        CHECK(vm_broken_rotor_to_polar(y, polar) == VM_OK && integrate(vm_broken_rotor_polar_rhs, &r, polar, 5) >= 0);
+        CHECK(vm_broken_rotor_from_polar(polar, polar) == VM_OK && integrate(vm_broken_rotor_rhs, &r, y, 5) >= 0);
         check_error("(75)", "rk87", "tol", apart(y, polar), 4, 0, 0);
         polar[0] = 0;
-        CHECK(vm_rotor_polar_rhs(0, polar, y, &r) == VM_DOMAIN && vm_rotor_from_polar(polar, y) == VM_DOMAIN);
+        CHECK(vm_broken_rotor_polar_rhs(0, polar, y, &r) == VM_DOMAIN && vm_broken_rotor_from_polar(polar, y) == VM_DOMAIN);
         y[0] = y[1] = 0;
-        CHECK(vm_rotor_to_polar(y, polar) == VM_DOMAIN);
+        CHECK(vm_broken_rotor_to_polar(y, polar) == VM_DOMAIN);
     }
 }
 
@@ -687,19 +687,19 @@ static void test_steady(void)
 {
     int i;
     double step;
-    vm_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
-    check_case("r_SS (77)", "C6", vm_rotor_steady(&r, R(0.625)), 0.8205128205128205128205, 1, 0.5);
+    vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
+    check_case("r_SS (77)", "C6", vm_broken_rotor_steady_radius(&r, R(0.625)), 0.8205128205128205128205, 1, 0.5);
     for (i = 0; i < 200; i++) {
         double p[5], Omega = uniform(-3, 3), radius, phi = uniform(-3, 3), far;
         vm_real y[6], a[6];
         random_rotor(p, &r);
         r.torque = r.damping * R(Omega);
-        radius = (double)vm_rotor_steady(&r, R(Omega)); /* psi = phi - pi (77), phi as radius turns negative (76) */
+        radius = (double)vm_broken_rotor_steady_radius(&r, R(Omega)); /* psi = phi - pi (77), phi as radius turns negative (76) */
         if (fabs(radius) > 50) continue;
         CHECK((radius * (double)r.s > 0) == (Omega * Omega < p[0]));
         set(y, -radius * cos(phi), -radius * sin(phi), phi, Omega * radius * sin(phi), -Omega * radius * cos(phi),
             Omega);
-        vm_rotor_rhs(0, y, a, &r);
+        vm_broken_rotor_rhs(0, y, a, &r);
         far = 10 * (1 + fabs(radius));
         check_case("(76), (77)", "steady", a[3], Omega * Omega * radius * cos(phi), far, 2);
         check_case("(76), (77)", "steady", a[4], Omega * Omega * radius * sin(phi), far, 2);
@@ -708,17 +708,17 @@ static void test_steady(void)
     r = rotor_of(1, 0.5, 4, 1, 1);
     for (step = 0.25; step > eps; step /= 2) { /* towards resonance from below and above */
         check_error("r_SS", "near resonance", "eps",
-                    fabs((double)vm_rotor_steady(&r, R(1 - step)) / (0.5 / (step * (2 - step))) - 1) / eps, 3, step,
+                    fabs((double)vm_broken_rotor_steady_radius(&r, R(1 - step)) / (0.5 / (step * (2 - step))) - 1) / eps, 3, step,
                     0);
         check_error("r_SS", "near resonance", "eps",
-                    fabs((double)vm_rotor_steady(&r, R(1 + step)) / (-0.5 / (step * (2 + step))) - 1) / eps, 3,
+                    fabs((double)vm_broken_rotor_steady_radius(&r, R(1 + step)) / (-0.5 / (step * (2 + step))) - 1) / eps, 3,
                     step, 0);
-        CHECK(vm_rotor_stable(&r, R(1 - step)) && !vm_rotor_stable(&r, R(1 + step)));
+        CHECK(vm_broken_rotor_is_stable(&r, R(1 - step)) && !vm_broken_rotor_is_stable(&r, R(1 + step)));
     }
-    CHECK((double)vm_rotor_steady(&r, 1) > (double)VM_MAX);
+    CHECK((double)vm_broken_rotor_steady_radius(&r, 1) > (double)VM_MAX);
     r.s = 0;
-    CHECK(vm_rotor_steady(&r, R(0.5)) == 0 && vm_rotor_steady(&r, 1) != vm_rotor_steady(&r, 1));
-    CHECK(vm_rotor_steady(NULL, 1) != vm_rotor_steady(NULL, 1));
+    CHECK(vm_broken_rotor_steady_radius(&r, R(0.5)) == 0 && vm_broken_rotor_steady_radius(&r, 1) != vm_broken_rotor_steady_radius(&r, 1));
+    CHECK(vm_broken_rotor_steady_radius(NULL, 1) != vm_broken_rotor_steady_radius(NULL, 1));
 }
 
 /* Whole numbers make mass Omega^2 exact, so that one ulp of the stiffness decides */
@@ -727,7 +727,7 @@ static void test_exact_criterion(void)
     const int bits = VM_MANT_DIG / 3;
     int i;
     for (i = 0; i < 2000; i++) {
-        vm_rotor r = rotor_of(1, 0.5, 4, 1, 1);
+        vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 1);
         double most = ldexp(1, bits), Omega = floor(uniform(1, most)), mass = floor(uniform(1, most)), scale;
         vm_real at, below, above;
         r.mass = R(mass);
@@ -735,15 +735,15 @@ static void test_exact_criterion(void)
         below = at * (1 - VM_EPSILON);
         above = at * (1 + VM_EPSILON);
         r.stiffness = at;
-        CHECK((double)at == mass * Omega * Omega && !vm_rotor_stable(&r, R(Omega)));
+        CHECK((double)at == mass * Omega * Omega && !vm_broken_rotor_is_stable(&r, R(Omega)));
         r.stiffness = below;
-        CHECK(!vm_rotor_stable(&r, R(Omega)) && vm_rotor_steady(&r, R(Omega)) < 0);
+        CHECK(!vm_broken_rotor_is_stable(&r, R(Omega)) && vm_broken_rotor_steady_radius(&r, R(Omega)) < 0);
         scale = 0.5 * (double)below / (double)(below - at);
-        check_error("r_SS", "an ulp away", "eps", fabs((double)vm_rotor_steady(&r, R(Omega)) / scale - 1) / eps, 3,
+        check_error("r_SS", "an ulp away", "eps", fabs((double)vm_broken_rotor_steady_radius(&r, R(Omega)) / scale - 1) / eps, 3,
                     Omega, mass);
         r.stiffness = above;
-        CHECK(vm_rotor_stable(&r, R(Omega)) && vm_rotor_stable(&r, R(-Omega)) && vm_rotor_steady(&r, R(Omega)) > 0);
-        CHECK(vm_rotor_growth(1, &r, R(Omega)) != vm_rotor_growth(1, &r, R(Omega)));
+        CHECK(vm_broken_rotor_is_stable(&r, R(Omega)) && vm_broken_rotor_is_stable(&r, R(-Omega)) && vm_broken_rotor_steady_radius(&r, R(Omega)) > 0);
+        CHECK(vm_broken_rotor_resonance_radius(1, &r, R(Omega)) != vm_broken_rotor_resonance_radius(1, &r, R(Omega)));
     }
 }
 
@@ -754,7 +754,7 @@ static void test_linearisation(void)
     int i, row, column;
     for (i = 0; i < 50; i++) {
         double p[5], Omega = uniform(0.3, 3), D, r0, w2, s, row79[3][6] = {{0}};
-        vm_rotor r;
+        vm_broken_rotor r;
         vm_real y[6] = {0}, low[6] = {0}, high[6] = {0};
         random_rotor(p, &r);
         w2 = p[0];
@@ -780,7 +780,7 @@ static void test_linearisation(void)
             memcpy(to, y, sizeof y);
             from[column] -= R(h);
             to[column] += R(h);
-            CHECK(vm_rotor_polar_rhs(0, from, low, &r) == 0 && vm_rotor_polar_rhs(0, to, high, &r) == 0);
+            CHECK(vm_broken_rotor_polar_rhs(0, from, low, &r) == 0 && vm_broken_rotor_polar_rhs(0, to, high, &r) == 0);
             for (row = 0; row < 3; row++)
                 check_error("(79) from (75)", "differences", "h^2",
                             fabs((double)(high[row + 3] - low[row + 3]) / (2 * h) - row79[row][column]) / (h * h),
@@ -838,14 +838,14 @@ static void test_char_poly(void)
     for (i = 0; i < 200; i++) {
         double p[4], Omega = uniform(0.1, 3), size;
         complex_number l, det, f, zero = {0, 0}, q;
-        vm_rotor r;
+        vm_broken_rotor r;
         vm_real c[6] = {0}, column[6] = {0};
         l.re = uniform(-2, 2);
         l.im = uniform(-2, 2);
         for (k = 0; k < 4; k++) p[k] = uniform(0.2, 3);
         if (fabs(p[0] - Omega * Omega) < 0.2) continue;
         r = rotor_of(p[0], p[1], p[2], p[3], p[3] * Omega);
-        CHECK(vm_rotor_char_poly(&r, R(Omega), c) == VM_OK && vm_rotor_routh(&r, R(Omega), column) == VM_OK);
+        CHECK(vm_broken_rotor_characteristic(&r, R(Omega), c) == VM_OK && vm_broken_rotor_routh(&r, R(Omega), column) == VM_OK);
         for (q = zero, k = 0; k < 6; k++) {
             q = times(q, l);
             q.re += (double)c[k];
@@ -899,14 +899,14 @@ static void test_eigenvalues(void)
                         im[5] = {0, 1.061194386164185775948, -1.061194386164185775948, 1.714269675318576012624,
                                  -1.714269675318576012624},
                         condition[5] = {0.2278, 3.905, 3.905, 5.292, 5.292};
-    vm_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
+    vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
     vm_real x[6], y[6], c[6];
     double printed[7], most = -9;
     size_t i;
     int k;
-    CHECK(vm_rotor_eigenvalues(&r, R(0.625), x, y) == VM_OK && vm_rotor_stable(&r, R(0.625)));
+    CHECK(vm_broken_rotor_eigenvalues(&r, R(0.625), x, y) == VM_OK && vm_broken_rotor_is_stable(&r, R(0.625)));
     check_roots("C6", x, y, re, im, condition, 0);
-    CHECK(vm_rotor_routh(&r, R(0.625), c) == VM_OK && c[0] == 1 && c[1] == 1);
+    CHECK(vm_broken_rotor_routh(&r, R(0.625), c) == VM_OK && c[0] == 1 && c[1] == 1);
     check_case("b1 = G", "C6", c[2], 1.641025641025641025641, 1, 1);
     check_case("c1 = k D", "C6", c[3], 0.609375, 1, 1);
     check_case("d1 = 4 G Omega^2", "C6", c[4], 2.564102564102564102564, 1, 6);
@@ -927,11 +927,11 @@ static void test_eigenvalues(void)
         vmi_poly_roots(6, q, x, y);
         for (k = 0; k < 6; k++) most = fmax(most, (double)x[k]);
         ERRATUM("(81)", fabs(most - 0.60) < 0.005, /* "unstable", where the motion is stable */
-                check_holds("det (79) = (81)") && vm_rotor_stable(&r, R(0.625)));
+                check_holds("det (79) = (81)") && vm_broken_rotor_is_stable(&r, R(0.625)));
     }
     for (i = 0; i < sizeof eigenvalue_cases / sizeof *eigenvalue_cases; i++) {
         r = rotor_from(eigenvalue_cases[i].rotor);
-        CHECK(vm_rotor_eigenvalues(&r, R(eigenvalue_cases[i].Omega), x, y) == VM_OK);
+        CHECK(vm_broken_rotor_eigenvalues(&r, R(eigenvalue_cases[i].Omega), x, y) == VM_OK);
         check_roots("table", x, y, eigenvalue_cases[i].re, eigenvalue_cases[i].im, eigenvalue_cases[i].condition,
                     (double)i);
     }
@@ -943,11 +943,11 @@ static void test_near_resonance(void)
 {
     double step;
     for (step = 1. / 32; step > (is_float ? 1e-6 : 1e-14); step /= 2) {
-        vm_rotor r = rotor_of(1, 0.5, 4, 1, 1 - step);
+        vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 1 - step);
         double D = step * (2 - step), G = 1 / D, Omega = 1 - step;
         vm_real re[5] = {0}, im[5] = {0};
         int k;
-        CHECK(vm_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK && vm_rotor_stable(&r, R(Omega)));
+        CHECK(vm_broken_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK && vm_broken_rotor_is_stable(&r, R(Omega)));
         for (k = 0; k < 5; k++) /* real parts of pairs are as good as their sizes */
             CHECK((double)re[k] < (k == 0 ? 0 : 4 * eps * fabs((double)im[k])));
         check_error("smallest root", "D -> 0", "D^2",
@@ -963,7 +963,7 @@ static void test_stability(void)
     int i, k, mismatches = 0, doubtful = 0, printed_off = 0;
     for (i = 0; i < 4000; i++) {
         double w2 = uniform(0.1, 4), Omega = uniform(0.05, 3), c = uniform(0.1, 20), most = -HUGE_VAL, largest = 0;
-        vm_rotor r;
+        vm_broken_rotor r;
         vm_real column[6] = {0}, re[5] = {0}, im[5] = {0};
         int positive = 1, stable;
         r.mass = R(c / w2);
@@ -972,8 +972,8 @@ static void test_stability(void)
         r.inertia = R(uniform(0.05, 2)) * r.mass;
         r.damping = R(uniform(0.05, 2)) * r.inertia;
         r.torque = 0;
-        stable = vm_rotor_stable(&r, R(Omega));
-        CHECK(vm_rotor_routh(&r, R(Omega), column) == VM_OK && vm_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK);
+        stable = vm_broken_rotor_is_stable(&r, R(Omega));
+        CHECK(vm_broken_rotor_routh(&r, R(Omega), column) == VM_OK && vm_broken_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK);
         for (k = 0; k < 6; k++) positive = positive && column[k] > 0;
         for (k = 0; k < 5; k++) most = fmax(most, (double)re[k]);
         for (k = 0; k < 5; k++) largest = fmax(largest, hypot((double)re[k], (double)im[k]));
@@ -985,28 +985,28 @@ static void test_stability(void)
     CHECK(doubtful < (is_float ? 100 : 4));
     ERRATUM("(82) i.e.", printed_off > 400, mismatches == 0);
     {
-        vm_rotor r = rotor_of(1, 0.5, 4, 1, 1);
+        vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 1);
         vm_real at[6] = {9, 9, 9, 9, 9, 9}, im[6];
-        CHECK(vm_rotor_char_poly(&r, 1, at) == VM_DOMAIN && vm_rotor_routh(&r, -1, at) == VM_DOMAIN && at[0] == 9);
-        CHECK(vm_rotor_eigenvalues(&r, 1, at, im) == VM_DOMAIN && at[1] == 9 && !vm_rotor_stable(&r, 1));
-        CHECK(vm_rotor_stable(&r, R(-0.5)) && !vm_rotor_stable(&r, 0));
+        CHECK(vm_broken_rotor_characteristic(&r, 1, at) == VM_DOMAIN && vm_broken_rotor_routh(&r, -1, at) == VM_DOMAIN && at[0] == 9);
+        CHECK(vm_broken_rotor_eigenvalues(&r, 1, at, im) == VM_DOMAIN && at[1] == 9 && !vm_broken_rotor_is_stable(&r, 1));
+        CHECK(vm_broken_rotor_is_stable(&r, R(-0.5)) && !vm_broken_rotor_is_stable(&r, 0));
         r.damping = 0;
-        CHECK(!vm_rotor_stable(&r, R(0.5)));
+        CHECK(!vm_broken_rotor_is_stable(&r, R(0.5)));
     }
 }
 
 /* The eigenvalues are those of the motion: an orbit near the steady one comes to it as its slowest pair says */
 static void test_decay(void)
 {
-    vm_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
+    vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 0.625);
     vm_real y[6];
     double d1, d2;
     const double slow = -0.09005052614007390462734;
     const double turn = 2 * 3.141592653589793 / 1.714269675318576012624;
     set(y, 0, 0, 0.5, 0, 0, 0);
-    CHECK(integrate(vm_rotor_rhs, &r, y, 60) >= 0);
+    CHECK(integrate(vm_broken_rotor_rhs, &r, y, 60) >= 0);
     d1 = hypot((double)y[0], (double)y[1]) - 0.8205128205128205;
-    CHECK(integrate(vm_rotor_rhs, &r, y, 4 * turn) >= 0); /* four turns of the slowest pair later */
+    CHECK(integrate(vm_broken_rotor_rhs, &r, y, 4 * turn) >= 0); /* four turns of the slowest pair later */
     d2 = hypot((double)y[0], (double)y[1]) - 0.8205128205128205;
     if (!is_float) CHECK(fabs(log(d2 / d1) / (4 * turn) / slow - 1) < 0.1);
     CHECK(fabs(d2) < 1e-3);
@@ -1016,10 +1016,10 @@ static void test_decay(void)
 
 static double radius_at(double Omega, double k, double t)
 {
-    vm_rotor r = rotor_of(1, 0.5, 4, k, k * Omega);
+    vm_broken_rotor r = rotor_of(1, 0.5, 4, k, k * Omega);
     vm_real y[6];
     set(y, 0, 0, 0.5, 0, 0, 0);
-    CHECK(integrate(vm_rotor_rhs, &r, y, t) >= 0);
+    CHECK(integrate(vm_broken_rotor_rhs, &r, y, t) >= 0);
     return hypot((double)y[0], (double)y[1]);
 }
 
@@ -1034,8 +1034,8 @@ static void test_fig18(void)
     CHECK(fabs(radius_at(1, 1, 400) - 3.473205) < slack && fabs(cube_law(1, 400) - 3.347165) < 1e-6);
     CHECK(fabs(radius_at(2.5, 1, 400) - 12.437359) < slack && fabs(sqrt(1.5 * 400 / 4) - 12.247449) < 1e-6);
     for (i = 0; i < 3; i++) { /* on resonance and a little above: with the next order, to s^2/r^2 */
-        vm_rotor r = rotor_of(1, 0.5, 4, 1, at[i]);
-        double growth = (double)vm_rotor_growth(400, &r, R(at[i])), r400 = radius_at(at[i], 1, 400);
+        vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, at[i]);
+        double growth = (double)vm_broken_rotor_resonance_radius(400, &r, R(at[i])), r400 = radius_at(at[i], 1, 400);
         CHECK(fabs(growth - r400) < 2e-3);
         CHECK(fabs(cube_law(1, 400) - r400) > 0.1); /* where the law at resonance alone is off by s/4 and more */
     }
@@ -1045,26 +1045,26 @@ static void test_fig18(void)
 static void test_growth(void)
 {
     double Omega, t;
-    vm_rotor r = rotor_of(1, 0.5, 4, 1, 1);
+    vm_broken_rotor r = rotor_of(1, 0.5, 4, 1, 1);
     for (Omega = 1; Omega < 1e3; Omega = 1 + (Omega - 1 + eps) * 3) {
         for (t = 0.01; t < 1e9; t *= 10) {
             double A = (double)(R(Omega) - 1) / 8, B = 0.5 / 16, h = is_float ? 0.02 : 1e-4;
-            double low = (double)vm_rotor_growth(R(t * (1 - h)), &r, R(Omega)) - 0.125;
-            double high = (double)vm_rotor_growth(R(t * (1 + h)), &r, R(Omega)) - 0.125;
-            double at = (double)vm_rotor_growth(R(t), &r, R(Omega)) - 0.125, slope = (high - low) / (2 * h * t);
+            double low = (double)vm_broken_rotor_resonance_radius(R(t * (1 - h)), &r, R(Omega)) - 0.125;
+            double high = (double)vm_broken_rotor_resonance_radius(R(t * (1 + h)), &r, R(Omega)) - 0.125;
+            double at = (double)vm_broken_rotor_resonance_radius(R(t), &r, R(Omega)) - 0.125, slope = (high - low) / (2 * h * t);
             check_error("R R' = A + B/R", "growth", "h^2", fabs(at * slope / (A + B / at) - 1) / (h * h), 1, Omega,
                         t);
         }
     }
-    CHECK(fabs((double)vm_rotor_growth(400, &r, 1) - 0.125 - cube_law(1, 400)) < 8 * eps * 4);
-    CHECK(fabs(((double)vm_rotor_growth(R(1e8), &r, R(2.5)) - 0.125) / sqrt(1.5 * 1e8 / 4) - 1) < 1e-4);
-    CHECK((double)vm_rotor_growth(0, &r, R(2.5)) == 0.125);
+    CHECK(fabs((double)vm_broken_rotor_resonance_radius(400, &r, 1) - 0.125 - cube_law(1, 400)) < 8 * eps * 4);
+    CHECK(fabs(((double)vm_broken_rotor_resonance_radius(R(1e8), &r, R(2.5)) - 0.125) / sqrt(1.5 * 1e8 / 4) - 1) < 1e-4);
+    CHECK((double)vm_broken_rotor_resonance_radius(0, &r, R(2.5)) == 0.125);
     r.s = 0;
-    CHECK(fabs((double)vm_rotor_growth(400, &r, R(2.5)) / sqrt(1.5 * 400 / 4) - 1) < 4 * eps);
-    CHECK(vm_rotor_growth(400, &r, R(0.5)) != vm_rotor_growth(400, &r, R(0.5)));
-    CHECK(vm_rotor_growth(-1, &r, 2) != vm_rotor_growth(-1, &r, 2));
+    CHECK(fabs((double)vm_broken_rotor_resonance_radius(400, &r, R(2.5)) / sqrt(1.5 * 400 / 4) - 1) < 4 * eps);
+    CHECK(vm_broken_rotor_resonance_radius(400, &r, R(0.5)) != vm_broken_rotor_resonance_radius(400, &r, R(0.5)));
+    CHECK(vm_broken_rotor_resonance_radius(-1, &r, 2) != vm_broken_rotor_resonance_radius(-1, &r, 2));
     r.damping = 0;
-    CHECK(vm_rotor_growth(400, &r, R(2.5)) == 0);
+    CHECK(vm_broken_rotor_resonance_radius(400, &r, R(2.5)) == 0);
 }
 
 /* ---- Bad input ---- */
@@ -1095,9 +1095,9 @@ static void test_hostile(void)
     long i, good = 0;
     int k, status;
     for (i = 0; i < 20000; i++) {
-        vm_rotor r;
-        vm_rotor_piece p;
-        vm_rotor_break b, unbroken;
+        vm_broken_rotor r;
+        vm_broken_rotor_piece p;
+        vm_broken_rotor_break b, unbroken;
         r.mass = hostile();
         r.inertia = hostile();
         r.stiffness = hostile();
@@ -1115,18 +1115,18 @@ static void test_hostile(void)
         for (k = 0; k < 6; k++) start[k] = hostile();
 #define OUTCOME(call, n) \
     memcpy(y, kept, sizeof y), status = (call), check_outcome(status, y, kept, n), good += !status
-        OUTCOME(vm_rotor_free(t, &r, start, y), 6);
-        OUTCOME(vm_rotor_linear(t, &r, start, y), 6);
-        OUTCOME(vm_rotor_linear_uncoupled(t, &r, start, y), 6);
-        OUTCOME(vm_rotor_orbit(&r, start, y), 4);
-        OUTCOME(vm_rotor_to_polar(start, y), 6);
-        OUTCOME(vm_rotor_from_polar(start, y), 6);
-        OUTCOME(vm_rotor_char_poly(&r, Omega, y), 6);
-        OUTCOME(vm_rotor_routh(&r, Omega, y), 6);
-        OUTCOME(vm_rotor_eigenvalues(&r, Omega, y, y + 5), 10);
+        OUTCOME(vm_broken_rotor_free_motion(t, &r, start, y), 6);
+        OUTCOME(vm_broken_rotor_linear(t, &r, start, y), 6);
+        OUTCOME(vm_broken_rotor_linear_uncoupled(t, &r, start, y), 6);
+        OUTCOME(vm_broken_rotor_orbit(&r, start, y), 4);
+        OUTCOME(vm_broken_rotor_to_polar(start, y), 6);
+        OUTCOME(vm_broken_rotor_from_polar(start, y), 6);
+        OUTCOME(vm_broken_rotor_characteristic(&r, Omega, y), 6);
+        OUTCOME(vm_broken_rotor_routh(&r, Omega, y), 6);
+        OUTCOME(vm_broken_rotor_eigenvalues(&r, Omega, y, y + 5), 10);
         memset(&b, 1, sizeof b);
         memset(&unbroken, 1, sizeof unbroken);
-        status = vm_rotor_break_off(&r, start, &p, &b);
+        status = vm_broken_rotor_break_off(&r, start, &p, &b);
         if (status) {
             CHECK(memcmp(&b, &unbroken, sizeof b) == 0);
         } else {
@@ -1134,23 +1134,23 @@ static void test_hostile(void)
             check_outcome(0, b.piece, kept, 6);
             good++;
         }
-        CHECK(!(vm_rotor_growth(t, &r, Omega) < 0));
+        CHECK(!(vm_broken_rotor_resonance_radius(t, &r, Omega) < 0));
     }
     CHECK(good > 1000);
 }
 
 static void test_bad_input(void)
 {
-    const vm_rotor good = {5, 2, 7, R(0.4), R(0.8), 0};
-    const vm_rotor_piece whole_piece = {1, R(0.1), R(0.5), R(0.3), 1, R(0.2)};
+    const vm_broken_rotor good = {5, 2, 7, R(0.4), R(0.8), 0};
+    const vm_broken_rotor_piece whole_piece = {1, R(0.1), R(0.5), R(0.3), 1, R(0.2)};
     vm_real start[6], y[6] = {7, 7, 7, 7, 7, 7}, kept[6] = {7, 7, 7, 7, 7, 7};
-    vm_rotor_break b, b_kept;
+    vm_broken_rotor_break b, b_kept;
     int i;
     memset(&b, 1, sizeof b);
     b_kept = b;
     set(start, 0.1, 0.2, 0.3, 0.9, -0.4, 2);
     for (i = 0; i < 9; i++) {
-        vm_rotor r = good;
+        vm_broken_rotor r = good;
         int status = VM_NOT_FINITE;
         if (i == 0) r.mass = VM_NAN;
         if (i == 1) r.inertia = VM_INFINITY;
@@ -1170,16 +1170,16 @@ static void test_bad_input(void)
             r.stiffness = -1;
             status = VM_DOMAIN;
         }
-        CHECK(vm_rotor_free(1, &r, start, y) == status && vm_rotor_linear(1, &r, start, y) == status);
-        CHECK(vm_rotor_linear_uncoupled(1, &r, start, y) == status && vm_rotor_orbit(&r, start, y) == status);
-        CHECK(vm_rotor_char_poly(&r, 1, y) == status && vm_rotor_routh(&r, 1, y) == status);
-        CHECK(vm_rotor_eigenvalues(&r, 1, y, y) == status && vm_rotor_stable(&r, 0) == 0);
-        CHECK(vm_rotor_steady(&r, 1) != vm_rotor_steady(&r, 1) &&
-              vm_rotor_growth(1, &r, 9) != vm_rotor_growth(1, &r, 9));
-        CHECK(vm_rotor_break_off(&r, start, &whole_piece, &b) == status);
+        CHECK(vm_broken_rotor_free_motion(1, &r, start, y) == status && vm_broken_rotor_linear(1, &r, start, y) == status);
+        CHECK(vm_broken_rotor_linear_uncoupled(1, &r, start, y) == status && vm_broken_rotor_orbit(&r, start, y) == status);
+        CHECK(vm_broken_rotor_characteristic(&r, 1, y) == status && vm_broken_rotor_routh(&r, 1, y) == status);
+        CHECK(vm_broken_rotor_eigenvalues(&r, 1, y, y) == status && vm_broken_rotor_is_stable(&r, 0) == 0);
+        CHECK(vm_broken_rotor_steady_radius(&r, 1) != vm_broken_rotor_steady_radius(&r, 1) &&
+              vm_broken_rotor_resonance_radius(1, &r, 9) != vm_broken_rotor_resonance_radius(1, &r, 9));
+        CHECK(vm_broken_rotor_break_off(&r, start, &whole_piece, &b) == status);
     }
     for (i = 0; i < 10; i++) {
-        vm_rotor_piece p = whole_piece;
+        vm_broken_rotor_piece p = whole_piece;
         int status = VM_NOT_FINITE;
         if (i == 0) p.mass = VM_NAN;
         if (i == 1) p.inertia = VM_NAN;
@@ -1203,40 +1203,40 @@ static void test_bad_input(void)
             p.inertia = 2;
             status = VM_BAD_INERTIA;
         }
-        CHECK(vm_rotor_break_off(&good, start, &p, &b) == status);
+        CHECK(vm_broken_rotor_break_off(&good, start, &p, &b) == status);
     }
     {
-        vm_rotor off = good;
+        vm_broken_rotor off = good;
         off.s = 1;
-        CHECK(vm_rotor_break_off(&off, start, &whole_piece, &b) == VM_DOMAIN &&
-              vm_rotor_free(1, &off, start, y) == VM_DOMAIN);
+        CHECK(vm_broken_rotor_break_off(&off, start, &whole_piece, &b) == VM_DOMAIN &&
+              vm_broken_rotor_free_motion(1, &off, start, y) == VM_DOMAIN);
         off.s = VM_INFINITY;
-        CHECK(vm_rotor_free(1, &off, start, y) == VM_NOT_FINITE);
+        CHECK(vm_broken_rotor_free_motion(1, &off, start, y) == VM_NOT_FINITE);
         off.s = 0;
         off.stiffness = 0;
-        CHECK(vm_rotor_orbit(&off, start, y) == VM_DOMAIN);
+        CHECK(vm_broken_rotor_orbit(&off, start, y) == VM_DOMAIN);
         off.s = 1;
         off.stiffness = 1;
         off.inertia = R(1e-3); /* grows as exp(21 t) */
-        CHECK(vm_rotor_linear(1000, &off, start, y) == VM_NOT_FINITE);
+        CHECK(vm_broken_rotor_linear(1000, &off, start, y) == VM_NOT_FINITE);
     }
-    CHECK(vm_rotor_free(VM_NAN, &good, start, y) == VM_NOT_FINITE &&
-          vm_rotor_free(1, NULL, start, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_free(1, &good, NULL, y) == VM_BAD_ARGUMENT &&
-          vm_rotor_free(1, &good, start, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_orbit(NULL, start, y) == VM_BAD_ARGUMENT && vm_rotor_orbit(&good, NULL, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_break_off(NULL, start, &whole_piece, &b) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_break_off(&good, start, NULL, &b) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_break_off(&good, start, &whole_piece, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_char_poly(&good, VM_NAN, y) == VM_NOT_FINITE &&
-          vm_rotor_char_poly(NULL, 1, y) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_routh(&good, 1, NULL) == VM_BAD_ARGUMENT &&
-          vm_rotor_eigenvalues(&good, 1, y, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_rotor_to_polar(NULL, y) == VM_BAD_ARGUMENT && vm_rotor_from_polar(y, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_free_motion(VM_NAN, &good, start, y) == VM_NOT_FINITE &&
+          vm_broken_rotor_free_motion(1, NULL, start, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_free_motion(1, &good, NULL, y) == VM_BAD_ARGUMENT &&
+          vm_broken_rotor_free_motion(1, &good, start, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_orbit(NULL, start, y) == VM_BAD_ARGUMENT && vm_broken_rotor_orbit(&good, NULL, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_break_off(NULL, start, &whole_piece, &b) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_break_off(&good, start, NULL, &b) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_break_off(&good, start, &whole_piece, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_characteristic(&good, VM_NAN, y) == VM_NOT_FINITE &&
+          vm_broken_rotor_characteristic(NULL, 1, y) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_routh(&good, 1, NULL) == VM_BAD_ARGUMENT &&
+          vm_broken_rotor_eigenvalues(&good, 1, y, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_broken_rotor_to_polar(NULL, y) == VM_BAD_ARGUMENT && vm_broken_rotor_from_polar(y, NULL) == VM_BAD_ARGUMENT);
     start[3] = VM_NAN;
-    CHECK(vm_rotor_free(1, &good, start, y) == VM_NOT_FINITE && vm_rotor_orbit(&good, start, y) == VM_NOT_FINITE);
-    CHECK(vm_rotor_to_polar(start, y) == VM_NOT_FINITE && vm_rotor_from_polar(start, y) == VM_NOT_FINITE);
-    CHECK(vm_rotor_break_off(&good, start, &whole_piece, &b) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_free_motion(1, &good, start, y) == VM_NOT_FINITE && vm_broken_rotor_orbit(&good, start, y) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_to_polar(start, y) == VM_NOT_FINITE && vm_broken_rotor_from_polar(start, y) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_break_off(&good, start, &whole_piece, &b) == VM_NOT_FINITE);
     CHECK(memcmp(y, kept, sizeof y) == 0 && memcmp(&b, &b_kept, sizeof b) == 0);
     CHECK(strcmp(vm_strerror(VM_DOMAIN), vm_strerror(-99)) != 0);
 }

@@ -217,7 +217,7 @@ static void waveform_errors(vm_osc_problem *o, double psi, double T, double erro
         follow(&c, R(T * (0.9 + 0.1 * i / 399)));
         ateb_plan_saca(&c.ateb, c.s.y[1], &sa, &ca);
         for (k = 0; k < 2; k++) {
-            CHECK(vm_osc_plan_by(&p, k ? VM_ROUTE_SECOND : VM_ROUTE_ATEB, c.s.t, 0, &motion) == VM_OK);
+            CHECK(vm_osc_plan_by_route(&p, k ? VM_ROUTE_SECOND : VM_ROUTE_ATEB, c.s.t, 0, &motion) == VM_OK);
             error[k] = fmax(error[k], fabs((double)motion.x - exp((double)c.s.y[0]) * (double)ca));
         }
     }
@@ -369,14 +369,14 @@ static void test_estimates(void)
             int status;
             if (route <= VM_ROUTE_SECOND && i % TOLERANCES) continue; /* the laws take none */
             if (is_float && route == VM_ROUTE_RK87) continue;
-            status = route == ROUTES ? vm_osc_plan_at(&plan, R(c->T), R(tolerance), &m)
-                                     : vm_osc_plan_by(&plan, route, R(c->T), R(tolerance), &m);
+            status = route == ROUTES ? vm_osc_plan_within(&plan, R(c->T), R(tolerance), &m)
+                                     : vm_osc_plan_by_route(&plan, route, R(c->T), R(tolerance), &m);
             CHECK(status == VM_OK || status == VM_TOLERANCE_MISSED);
             k = estimate_ratio(c, &o, &m, &ratio[route][count[route]]);
             count[route] += k;
             if (route == ROUTES && status == VM_OK) {
                 CHECK((double)m.error <= tolerance);
-                check_error("vm_osc_at", "true/tolerance", "",
+                check_error("vm_osc_within", "true/tolerance", "",
                             k ? case_error(c, &o, m.x, m.v) / tolerance : 0, 3, c->alpha, tolerance);
             }
         }
@@ -390,11 +390,11 @@ static void test_estimates(void)
     /* errors at x = 0, where f is not smooth, do not go as the tolerance of the pair of order 8; no use in float. At
        loose tolerances, a third of these, the longest step makes the errors much smaller than what is estimated. */
     if (!is_float) judge(vm_osc_route_name(VM_ROUTE_RK87), ratio[VM_ROUTE_RK87], count[VM_ROUTE_RK87], 4, 30, 25);
-    judge("vm_osc_at", ratio[ROUTES], count[ROUTES], 1, 10, 10);
+    judge("vm_osc_within", ratio[ROUTES], count[ROUTES], 1, 10, 10);
 }
 
 /* Laws that change in a small part of the run, or within a period, tables with a step, vibrations that are slower than
-   the law: vm_osc_at is as good as it says, by laws or, where they are not slow, by integration; the laws themselves,
+   the law: vm_osc_within is as good as it says, by laws or, where they are not slow, by integration; the laws themselves,
    asked for by name, know how bad they are */
 static void test_localised(void)
 {
@@ -406,14 +406,14 @@ static void test_localised(void)
         vm_osc_motion m = {0, 0, 0, 0, 0, 0};
         double ratio;
         for (k = 0; k < (is_float ? 1 : 3); k++) {
-            const int status = vm_osc_at(&o, R(c->T), R(tolerances[k]), &m);
+            const int status = vm_osc_within(&o, R(c->T), R(tolerances[k]), &m);
             CHECK(status == VM_OK || (is_float && status == VM_TOLERANCE_MISSED));
             CHECK((status == VM_OK) == ((double)m.error <= tolerances[k]));
             if (estimate_ratio(c, &o, &m, &ratio))
-                check_error("localised", "vm_osc_at, true/est", "", 1 / ratio, 10, i, tolerances[k]);
+                check_error("localised", "vm_osc_within, true/est", "", 1 / ratio, 10, i, tolerances[k]);
         }
         for (route = 0; route <= VM_ROUTE_SECOND; route++) {
-            const int status = vm_osc_by(&o, route, R(c->T), 0, &m);
+            const int status = vm_osc_by_route(&o, route, R(c->T), 0, &m);
             CHECK(status == VM_OK || (status == VM_NOT_FINITE && route == VM_ROUTE_SECOND)); /* far from slow */
             if (status == VM_OK && estimate_ratio(c, &o, &m, &ratio))
                 check_error("localised", "laws, true/est", "", 1 / ratio, 10, i, route);
@@ -432,10 +432,10 @@ static void test_forced(void)
         const vm_osc_problem o = problem_of(c);
         vm_osc_motion m;
         double one;
-        CHECK(vm_osc_at(&o, R(c->T), is_float ? R(1e-2) : R(1e-6), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
+        CHECK(vm_osc_within(&o, R(c->T), is_float ? R(1e-2) : R(1e-6), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
         if (estimate_ratio(c, &o, &m, &one)) check_error("forced", "exact, true/est", "", 1 / one, 10, i, c->force);
         for (route = 0; route <= VM_ROUTE_ATEB; route++) {
-            CHECK(vm_osc_by(&o, route, R(c->T), is_float ? R(1e-2) : 0, &m) >= 0);
+            CHECK(vm_osc_by_route(&o, route, R(c->T), is_float ? R(1e-2) : 0, &m) >= 0);
             if (estimate_ratio(c, &o, &m, &one)) {
                 check_error("forced", "averaged, true/est", "", 1 / one, 10, i, route);
                 ratio[count++] = one;
@@ -485,31 +485,27 @@ static void test_choice(void)
     double tolerance;
     int last = -1, route;
     for (tolerance = 0.5; tolerance > (is_float ? 1e-4 : 1e-10); tolerance /= 2) { /* up the ladder, each met */
-        CHECK(vm_osc_at(&o, 20, R(tolerance), &m) == VM_OK && (double)m.error <= tolerance && m.route >= last);
+        CHECK(vm_osc_within(&o, 20, R(tolerance), &m) == VM_OK && (double)m.error <= tolerance && m.route >= last);
         last = m.route;
         if (tolerance == 0.5) CHECK(m.route == VM_ROUTE_TRIG);
     }
     CHECK(is_float || last == VM_ROUTE_VARIATION);
     /* alpha = 3: cn is exact; alpha = 1: cos is */
     o.alpha = 3;
-    CHECK(vm_osc_at(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_JACOBI);
+    CHECK(vm_osc_within(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_JACOBI);
     o.alpha = 1;
-    CHECK(vm_osc_at(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_TRIG);
+    CHECK(vm_osc_within(&o, 20, R(1e-2), &m) == VM_OK && m.route == VM_ROUTE_TRIG);
     o.alpha = R(2.3);
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
-    for (route = 0; route <= VM_ROUTE_RK87; route++) { /* a plan, one common call, one call each: the same */
-        static int (*const by_law[])(const vm_osc_problem *, vm_real, vm_osc_motion *) = {
-            vm_osc_by_trig, vm_osc_by_jacobi, vm_osc_by_ateb, vm_osc_by_second};
-        static int (*const by_integration[])(const vm_osc_problem *, vm_real, vm_real, vm_osc_motion *) = {
-            vm_osc_by_variation, vm_osc_by_rk45, vm_osc_by_rk87};
-        CHECK(vm_osc_plan_by(&p, route, 33, 0, &m) >= 0 && m.route == route);
-        CHECK((route < 4 ? by_law[route](&o, 33, &n) : by_integration[route - 4](&o, 33, 0, &n)) >= 0);
+    for (route = 0; route <= VM_ROUTE_RK87; route++) { /* with a plan and without: the same motion */
+        CHECK(vm_osc_plan_by_route(&p, route, 33, 0, &m) >= 0 && m.route == route);
+        CHECK(vm_osc_by_route(&o, route, 33, 0, &n) >= 0);
         check_error("plan, call", "", "eps", fabs((double)(m.x - n.x)) / (double)VM_EPSILON, route < 4 ? 400 : 1,
                     route, 0);
         CHECK(n.evals == m.evals && (route < 4) == (m.evals == 0));
     }
-    CHECK(vm_osc_at(&o, -15, R(1e-3), &m) == VM_OK &&
-          vm_osc_by_rk45(&o, -15, R(1e-3), &n) >= 0); /* backward in time */
+    CHECK(vm_osc_within(&o, -15, R(1e-3), &m) == VM_OK &&
+          vm_osc_by_route(&o, VM_ROUTE_RK45, -15, R(1e-3), &n) >= 0); /* backward in time */
     check_error("t < 0", "", "1e-3", 1e3 * fabs((double)(m.x - n.x)), 4, m.route, 0);
 }
 
@@ -540,7 +536,7 @@ static void test_speed(void)
     if (is_float) return;
     start(&c, &o, 0, 1e-14);
     follow(&c, 1000);
-    for (from = clock(), i = 0; i < 2000; i++) CHECK(vm_osc_at(&o, 1000, R(1e-4), &m) == VM_OK);
+    for (from = clock(), i = 0; i < 2000; i++) CHECK(vm_osc_within(&o, 1000, R(1e-4), &m) == VM_OK);
     law_time = seconds(from) / 2000;
     wanted = error_of(&c, &m);
     CHECK(m.route == VM_ROUTE_SECOND);
@@ -557,9 +553,9 @@ static void test_speed(void)
         direct.v = s.y[1];
         error = error_of(&c, &direct);
     }
-    check_error("vm_osc_at", "1000 x by rk45", "", 1000 * law_time / seconds(from), 1, seconds(from) / law_time,
+    check_error("vm_osc_within", "1000 x by rk45", "", 1000 * law_time / seconds(from), 1, seconds(from) / law_time,
                 wanted);
-    printf("eps = 1e-3, t = 1000, error %.1e: vm_osc_at %.2g us, rk45 %.0f times as long (%ld evaluations)\n",
+    printf("eps = 1e-3, t = 1000, error %.1e: vm_osc_within %.2g us, rk45 %.0f times as long (%ld evaluations)\n",
            wanted, 1e6 * law_time, seconds(from) / law_time, s.evals);
 }
 
@@ -570,8 +566,8 @@ static void test_variation_saves(void)
     for (i = 0; i < 3 && !is_float; i++) {
         vm_osc_problem o = problem(alphas[i], vm_law_linear(1, R(0.003)), 1, 0);
         vm_osc_motion a, b;
-        CHECK(vm_osc_by_variation(&o, 1000, R(1e-6), &a) == VM_OK &&
-              vm_osc_by_rk45(&o, 1000, R(1e-6), &b) == VM_OK);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 1000, R(1e-6), &a) == VM_OK &&
+              vm_osc_by_route(&o, VM_ROUTE_RK45, 1000, R(1e-6), &b) == VM_OK);
         check_error("variation", "evals by direct", "", (double)a.evals / (double)b.evals, 0.7, alphas[i],
                     (double)b.evals);
     }
@@ -588,8 +584,8 @@ static void test_longest_step(void)
         o.stiffness = vm_law_linear(2, 0);
         o.x = R(0.5);
         o.v = 0;
-        CHECK(vm_osc_by_variation(&o, 1000, R(1e-9), &strict) >= 0);
-        CHECK(vm_osc_by_variation(&o, 1000, R(1e-4), &m) == VM_OK && m.error <= R(1e-4));
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 1000, R(1e-9), &strict) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_VARIATION, 1000, R(1e-4), &m) == VM_OK && m.error <= R(1e-4));
         check_error("longest step", "|x - strict|/A", "tol", fabs((double)((m.x - strict.x) / strict.amplitude)) / 1e-4,
                     1, alphas[i], 0);
     }
@@ -602,7 +598,7 @@ static void test_endless(void)
     vm_osc_motion m;
     o.x = VM_MIN;
     o.v = 0;
-    CHECK(vm_osc_at(&o, 1, R(1e-2), &m) == VM_NOT_INTEGRATED);
+    CHECK(vm_osc_within(&o, 1, R(1e-2), &m) == VM_NOT_INTEGRATED);
 }
 
 /* ---- With a force ---- */
@@ -619,8 +615,8 @@ static void test_loose(void)
     vm_osc_motion m;
     o.x = R(0.8844884352443234);
     o.v = R(-0.4404405424790142);
-    CHECK(vm_osc_by_rk45(&o, R(2437.5), R(0.1), &m) >= 0 && (is_float || m.error <= R(0.1)));
-    CHECK(vm_osc_at(&o, R(2437.5), is_float ? R(1e-2) : R(1e-7), &m) >= 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, R(2437.5), R(0.1), &m) >= 0 && (is_float || m.error <= R(0.1)));
+    CHECK(vm_osc_within(&o, R(2437.5), is_float ? R(1e-2) : R(1e-7), &m) >= 0);
 }
 
 static void test_force(void)
@@ -634,13 +630,13 @@ static void test_force(void)
         o.x = R(0.7);
         o.force = van_der_pol;
         o.ctx = &strength;
-        CHECK(vm_osc_by_rk45(&o, 100, is_float ? R(1e-2) : R(1e-7), &direct) >= 0);
-        CHECK(vm_osc_by_second(&o, 100, &m) == VM_NO_LAW);
-        CHECK(vm_osc_at(&o, 100, is_float ? R(1e-2) : R(1e-7), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 100, is_float ? R(1e-2) : R(1e-7), &direct) >= 0);
+        CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 100, 0, &m) == VM_NO_LAW);
+        CHECK(vm_osc_within(&o, 100, is_float ? R(1e-2) : R(1e-7), &m) >= 0 && m.route == VM_ROUTE_VARIATION);
         check_error("force", "exact routes", "", fabs((double)(m.x - direct.x)) / (is_float ? 3e-2 : 1e-6), 1,
                     alphas[i], 0);
         for (route = 0; route <= VM_ROUTE_ATEB; route++) { /* the amplitude to first order */
-            CHECK(vm_osc_by(&o, route, 100, R(1e-3), &m) >= 0 && m.route == route);
+            CHECK(vm_osc_by_route(&o, route, 100, R(1e-3), &m) >= 0 && m.route == route);
             check_error("force", "averaged, A", "", fabs((double)(m.amplitude / direct.amplitude) - 1),
                         route == VM_ROUTE_ATEB ? 0.01 : 0.03, alphas[i], route);
         }

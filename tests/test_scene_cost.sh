@@ -22,7 +22,7 @@ int main(int argc, char **argv)
     vm_scene scene;
     vm_real y[2] = {0, 0}, d[2] = {0, 0};
     memset(&scene, 0, sizeof scene);
-    bodies[0] = vm_scene_line(1, 1, 0);
+    bodies[0] = vm_scene_body_line(1, 1, 0);
     scene.bodies = bodies, scene.n_bodies = 1, scene.effects = effects;
     while (scene.n_effects < 8 && effects[scene.n_effects].apply) scene.n_effects++;
     if (vm_scene_start(&scene, 0, y, NULL)) return 1;
@@ -36,7 +36,7 @@ END
 zero="{0}"
 spring="vm_effect_linear_spring(0, 0, VM_GROUND, 0, 2, 0)"
 damper="vm_effect_damper(0, 0, VM_GROUND, 0, 1)"
-drive="vm_effect_drive(0, 0, 1, 1)"
+drive="vm_effect_motor(0, 0, 1, 1)"
 unlisted="vm_effect_unbalance(0, 1, 1, 0), vm_effect_van_der_pol(0, 0, 1, 1)"
 
 has_only() { # has_only PROGRAM WORD... : of the functions that belong to effects and motions, those with one of the words
@@ -70,7 +70,7 @@ int main(int argc, char **argv)
     vm_scene scene;
     int i;
     memset(&scene, 0, sizeof scene);
-    for (i = 0; i < n; i++) bodies[i] = vm_scene_line(1, 0, i == 0);
+    for (i = 0; i < n; i++) bodies[i] = vm_scene_body_line(1, 0, i == 0);
     for (i = 0; i < n; i++) effects[i] = vm_effect_linear_spring(i, 0, i - 1, 0, 1, 0);
     scene.bodies = bodies, scene.n_bodies = n, scene.effects = effects, scene.n_effects = n;
     for (i = atoi(argv[2]); i > 0; i--) if (vm_scene_start(&scene, 0, y, NULL)) return 1;

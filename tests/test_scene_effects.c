@@ -64,17 +64,17 @@ static void check_single(double alpha)
     for (k = 0; k < 8; k++) p[k] = (vm_real)uniform(0.5, 2);
     stage_clear(&s, 1);
     s.scene.book = NULL;
-    stage_body(&s, vm_scene_line(p[0], 0, 0));
-    stage_body(&s, vm_scene_plane(1, 1, stage_vec(0, 0, 0), 0, stage_vec(0, 0, 0), 0));
-    stage_body(&s, vm_scene_point(p[1], stage_vec(0, 0, 0), stage_vec(0, 0, 0)));
+    stage_body(&s, vm_scene_body_line(p[0], 0, 0));
+    stage_body(&s, vm_scene_body_plane(1, 1, stage_vec(0, 0, 0), 0, stage_vec(0, 0, 0), 0));
+    stage_body(&s, vm_scene_body_point(p[1], stage_vec(0, 0, 0), stage_vec(0, 0, 0)));
     stage_effect(&s, vm_effect_gravity(0, 0, -p[2]));
     stage_effect(&s, vm_effect_spring(0, 0, 2, 2, p[3], (vm_real)alpha, (vm_real)0.25));
     stage_effect(&s, vm_effect_damper(0, 0, 2, 1, p[4]));
     stage_effect(&s, vm_effect_van_der_pol(0, 0, p[5], p[6]));
-    stage_effect(&s, vm_effect_drive(2, 0, p[7], p[2]));
+    stage_effect(&s, vm_effect_motor(2, 0, p[7], p[2]));
     stage_effect(&s, vm_effect_harmonic(2, 0, p[3], p[4], p[5]));
-    stage_effect(&s, vm_effect_user(2, 1, stokes, p));
-    stage_effect(&s, vm_effect_callback(0, VM_GROUND, two_springs, p + 6));
+    stage_effect(&s, vm_effect_force(2, 1, stokes, p));
+    stage_effect(&s, vm_effect_custom(0, VM_GROUND, two_springs, p + 6));
     begin(&s);
     draw_state(&s, &line, plane, point);
     t = (vm_real)uniform(0, 2);
@@ -110,9 +110,9 @@ static void check_flat(double alpha)
     for (k = 0; k < 8; k++) p[k] = (vm_real)uniform(0.5, 2);
     stage_clear(&s, 1);
     s.scene.book = NULL;
-    stage_body(&s, vm_scene_line(1, 0, 0));
-    stage_body(&s, vm_scene_plane(p[0], p[1], stage_vec(0, 0, 0), 0, stage_vec(0, 0, 0), 0));
-    stage_body(&s, vm_scene_with_mass_state(vm_scene_point(1, stage_vec(0, 0, 0), stage_vec(0, 0, 0))));
+    stage_body(&s, vm_scene_body_line(1, 0, 0));
+    stage_body(&s, vm_scene_body_plane(p[0], p[1], stage_vec(0, 0, 0), 0, stage_vec(0, 0, 0), 0));
+    stage_body(&s, vm_scene_body_with_mass_state(vm_scene_body_point(1, stage_vec(0, 0, 0), stage_vec(0, 0, 0))));
     stage_effect(&s, vm_effect_mass(1, VM_MASS_OF_T, p[2], p[3], (vm_real)0.5));
     stage_effect(&s, vm_effect_shaft(1, p[4], (vm_real)alpha));
     stage_effect(&s, vm_effect_unbalance(1, p[5], p[6], p[7]));
@@ -210,7 +210,7 @@ static void both(stage *s, const char *name, ode_rhs hand, void *ctx, int n, con
 {
     vm_real y[6], work[RK4_WORK(6)], t = 0;
     int k;
-    vm_scene_keep_book(&s->scene, NULL);
+    vm_scene_keep_budget(&s->scene, NULL);
     begin(s);
     for (k = 0; k < n; k++) y[k] = s->y[where[k]];
     CHECK(rk4_solve(hand, ctx, n, &t, REAL(t_end), (long)(100 * t_end), y, work) >= 0);
@@ -292,7 +292,7 @@ static void check_pendulum(double theta, double up, int in_plane)
     const double m = sin(theta / 2) * sin(theta / 2);
     stage s;
     stage_clear(&s, 10);
-    stage_body(&s, in_plane ? vm_scene_plane(2, 1, r, 0, v, 0) : vm_scene_point(2, r, v));
+    stage_body(&s, in_plane ? vm_scene_body_plane(2, 1, r, 0, v, 0) : vm_scene_body_point(2, r, v));
     stage_effect(&s, vm_effect_gravity(0, 1, REAL(-gravity)));
     stage_effect(&s, vm_effect_link(0, VM_GROUND, hoist, &up, REAL(1.5), 0, 1));
     stage_event(&s, vm_then_stop(vm_event_user(below_hoist, NULL, -1)));
@@ -331,7 +331,7 @@ static void check_cord(double rate, double bound)
     vm_real most = 0;
     stage s;
     stage_clear(&s, 5);
-    stage_body(&s, vm_scene_point(1, stage_vec(0, -1, 0), stage_vec(sqrt(3.5 * gravity), 0, 0)));
+    stage_body(&s, vm_scene_body_point(1, stage_vec(0, -1, 0), stage_vec(sqrt(3.5 * gravity), 0, 0)));
     stage_effect(&s, vm_effect_gravity(0, 1, REAL(-gravity)));
     stage_effect(&s, vm_effect_link(0, VM_GROUND, nail, NULL, 1, 1, REAL(rate)));
     stage_event(&s, vm_then_stop(vm_event_velocity(0, 1, 0, -1)));
@@ -392,7 +392,7 @@ static void check_same_instant(void)
     two.number = 2;
     three.number = 3;
     stage_clear(&s, 2);
-    stage_body(&s, vm_scene_line(1, -1, 1));
+    stage_body(&s, vm_scene_body_line(1, -1, 1));
     stage_event(&s, vm_then_user(vm_event_at(1), take_down_and_stop, &one));
     stage_event(&s, vm_then_user(vm_event_position(0, 0, 0, 1), take_down, &two));
     stage_event(&s, vm_then_user(vm_event_at(1), take_down, &three));
@@ -411,9 +411,9 @@ static void check_presence(void)
     stage s;
     int k, again;
     stage_clear(&s, 4);
-    stage_body(&s, vm_scene_line(3, 0, 2));
-    stage_body(&s, vm_scene_absent(vm_scene_line(7, 5, 9)));
-    stage_effect(&s, vm_effect_drive(1, 0, 1, 0));
+    stage_body(&s, vm_scene_body_line(3, 0, 2));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_line(7, 5, 9)));
+    stage_effect(&s, vm_effect_motor(1, 0, 1, 0));
     stage_effect(&s, vm_effect_spring(0, 0, 1, 0, 1, 1, 0));
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
     stage_event(&s, vm_then_switch(vm_event_at(2), 1, 1));
@@ -452,8 +452,8 @@ static void check_law_and_jump(void)
     stage s;
     part.v.x = 1;
     stage_clear(&s, 5);
-    stage_body(&s, vm_scene_line(4, 0, 2));
-    stage_body(&s, vm_scene_absent(vm_scene_line(1, 0, 0)));
+    stage_body(&s, vm_scene_body_line(4, 0, 2));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, (vm_real)-0.25, 0, 1));
     stage_event(&s, vm_then_separate(vm_event_at(4), 0, 1, &part, 1));
     begin(&s);
@@ -495,10 +495,10 @@ static void check_switched_law(int kind, double share)
     vm_body held, then, now;
     stage s;
     stage_clear(&s, 8);
-    stage_body(&s, vm_scene_line(1, 0, 1));
+    stage_body(&s, vm_scene_body_line(1, 0, 1));
     stage_effect(&s, vm_effect_mass(0, kind, REAL(0.5), 0, REAL(share)));
     if (kind > VM_MASS_OF_V2) s.effects[0] = vm_effect_mass_law(0, doubling, NULL, zero, REAL(share));
-    stage_effect(&s, vm_effect_drive(0, 0, kind == VM_MASS_OF_V2 ? REAL(0.25) : 0, 0));
+    stage_effect(&s, vm_effect_motor(0, 0, kind == VM_MASS_OF_V2 ? REAL(0.25) : 0, 0));
     stage_event(&s, vm_then_switch(vm_event_at(4), 0, 1));
     stage_event(&s, vm_then_switch(vm_event_at(6), 0, 0));
     begin(&s);
@@ -529,7 +529,7 @@ static void check_switched_others(void)
     vm_body part = part_of(0.5, 0);
     stage s;
     stage_clear(&s, 8);
-    stage_body(&s, vm_scene_line(1, 0, 1));
+    stage_body(&s, vm_scene_body_line(1, 0, 1));
     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, REAL(0.5), 0, 0));
     s.effects[0].off = 1;
     stage_event(&s, vm_then_switch(vm_event_at(4), 0, 0));
@@ -538,15 +538,15 @@ static void check_switched_others(void)
     agrees("switched on late", "mass", mass_at(&s, 8), 1 + 0.5 * 4, 1, 1e-14);
     agrees("switched on late", "v", s.y[1], 1 / 3., 1, 1e-10);
     balanced(&s, "switched on late", 10, 10);
-    s.effects[0] = vm_effect_callback(0, VM_GROUND, loaded, NULL);
+    s.effects[0] = vm_effect_custom(0, VM_GROUND, loaded, NULL);
     s.events[0] = vm_then_switch(vm_event_at(4), 0, 1);
     begin(&s);
     agrees("switched callback", "mass", mass_at(&s, 3), 3, 1, 0);
     agrees("switched callback", "mass", mass_at(&s, 5), 3, 1, 0);
     balanced(&s, "switched callback", 10, 10);
     stage_clear(&s, 8);
-    stage_body(&s, vm_scene_line(1, 0, 1));
-    stage_body(&s, vm_scene_absent(vm_scene_line(1, 0, 0)));
+    stage_body(&s, vm_scene_body_line(1, 0, 1));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, REAL(0.5), 0, 1));
     stage_event(&s, vm_then_switch(vm_event_at(4), 0, 1));
     stage_event(&s, vm_then_switch(vm_event_at(6), 0, 0));
@@ -557,7 +557,7 @@ static void check_switched_others(void)
     agrees("jump while off", "mass", mass_at(&s, 8), 3 - 0.5 + 1, 1, 1e-14);
     balanced(&s, "jump while off", 10, 10);
     stage_clear(&s, 8);
-    stage_body(&s, vm_scene_axle(REAL(0.8), 0, 9));
+    stage_body(&s, vm_scene_body_axle(REAL(0.8), 0, 9));
     stage_effect(&s, vm_effect_band(0, &band));
     stage_event(&s, vm_then_switch(vm_event_at(4), 0, 1));
     stage_event(&s, vm_then_switch(vm_event_at(6), 0, 0));
@@ -592,7 +592,7 @@ static void check_link_in_space(void)
     vm_real dx, dy, dz, dydt[STAGE_STATE];
     stage s;
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_plane(2, 1, stage_vec(4, 0, 0), 0, stage_vec(0, 2, 0), 0));
+    stage_body(&s, vm_scene_body_plane(2, 1, stage_vec(4, 0, 0), 0, stage_vec(0, 2, 0), 0));
     stage_effect(&s, vm_effect_link(0, VM_GROUND, above, NULL, 5, 0, 10));
     begin(&s);
     run(&s, 3, VM_OK);
@@ -605,8 +605,8 @@ static void check_link_in_space(void)
     run(&s, 3, VM_SINGULAR);
     CHECK(s.t == 0);
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_plane(2, 1, stage_vec(4, 0, 0), 0, stage_vec(0, 2, 0), 0));
-    stage_body(&s, vm_scene_point(1, stage_vec(0, 0, 3), zero));
+    stage_body(&s, vm_scene_body_plane(2, 1, stage_vec(4, 0, 0), 0, stage_vec(0, 2, 0), 0));
+    stage_body(&s, vm_scene_body_point(1, stage_vec(0, 0, 3), zero));
     stage_effect(&s, vm_effect_link(0, 1, NULL, NULL, 5, 0, 10));
     begin(&s);
     run(&s, 2, VM_OK);
@@ -627,8 +627,8 @@ static void check_plane(void)
     stage s;
     part.r.x = 1;
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_plane(2, 1, zero, REAL(0.5), stage_vec(1, 2, 0), 3));
-    stage_body(&s, vm_scene_absent(vm_scene_point(1, zero, zero)));
+    stage_body(&s, vm_scene_body_plane(2, 1, zero, REAL(0.5), stage_vec(1, 2, 0), 3));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
     stage_event(&s, vm_then_attach(vm_event_at(2), 0, 1));
     s.events[1].external.linear = stage_vec(1, -1, 0);
@@ -643,7 +643,7 @@ static void check_plane(void)
     balanced(&s, "plane, blow", 100, 100);
     CHECK(s.y[2] > REAL(6.3)); /* more than a turn */
     part.inertia.zz = REAL(0.1);
-    s.bodies[1] = vm_scene_absent(vm_scene_plane(1, 1, zero, REAL(0.25), zero, 0)); /* a part with an angle */
+    s.bodies[1] = vm_scene_body_absent(vm_scene_body_plane(1, 1, zero, REAL(0.25), zero, 0)); /* a part with an angle */
     s.events[0] = vm_then_separate(vm_event_at(0), 0, 1, &part, 1);
     s.events[1].most = 1;
     s.events[1].count = 0;
@@ -670,8 +670,8 @@ static void check_satellite(void)
     panel.r = stage_vec(1.5, 0, 0);
     panel.v = stage_vec(0.4, 0, 0); /* pushed off along the craft's x */
     stage_clear(&s, 100);
-    stage_body(&s, vm_scene_free(&craft));
-    stage_body(&s, vm_scene_absent(vm_scene_free(&panel)));
+    stage_body(&s, vm_scene_body_free(&craft));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_free(&panel)));
     stage_event(&s, vm_then_separate(vm_event_at(0), 0, 1, &panel, 1));
     begin(&s);
     run(&s, 0, VM_OK);
@@ -709,8 +709,8 @@ static void check_rod(void)
     ball.r.x = REAL(2. / 3);
     ball.v.z = REAL(0.7);
     stage_clear(&s, 10);
-    stage_body(&s, vm_scene_free(&whole));
-    stage_body(&s, vm_scene_absent(vm_scene_point(1, zero, zero)));
+    stage_body(&s, vm_scene_body_free(&whole));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &ball, 1));
     begin(&s);
     run(&s, 10, VM_OK);
@@ -734,10 +734,10 @@ static void check_bound_jumps(void)
     for (bound = 0; bound < 2; bound++) {
         stage s;
         stage_clear(&s, 3);
-        stage_body(&s, vm_scene_plane(2, 1, zero, REAL(0.5), stage_vec(1, 2, 0), 3));
-        stage_body(&s, vm_scene_absent(vm_scene_point(1, zero, zero)));
-        stage_body(&s, vm_scene_line(3, 1, 2));
-        stage_body(&s, vm_scene_absent(vm_scene_line(1, 0, 0)));
+        stage_body(&s, vm_scene_body_plane(2, 1, zero, REAL(0.5), stage_vec(1, 2, 0), 3));
+        stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
+        stage_body(&s, vm_scene_body_line(3, 1, 2));
+        stage_body(&s, vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
         stage_event(&s, bound ? vm_then_separate_in_plane(vm_event_at(1), 0, 1, &part, 1)
                               : vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
         stage_event(&s,
@@ -767,8 +767,8 @@ static void check_axle_jump(void)
     stage s;
     part.omega.z = 1;
     stage_clear(&s, 2);
-    stage_body(&s, vm_scene_axle(2, REAL(0.5), 3));
-    stage_body(&s, vm_scene_absent(vm_scene_axle(1, 0, 0)));
+    stage_body(&s, vm_scene_body_axle(2, REAL(0.5), 3));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_axle(1, 0, 0)));
     stage_event(&s, vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1));
     s.events[0].external.couple.z = REAL(0.25);
     begin(&s);
@@ -784,7 +784,7 @@ static void check_axle_jump(void)
 
 static void refused(stage *s, int status, const char *kind, int index)
 {
-    vm_culprit found = {NULL, -2};
+    vm_scene_fault found = {NULL, -2};
     CHECK(vm_scene_check(&s->scene, &found) == status && found.index == index && !strcmp(found.kind, kind));
 }
 
@@ -799,7 +799,7 @@ static void check_orders(void)
     int i;
     stage_clear(&s, 1);
     for (i = 0; i < 3; i++) {
-        stage_body(&s, vm_scene_point(1, stage_vec(i, 0, 0), zero));
+        stage_body(&s, vm_scene_body_point(1, stage_vec(i, 0, 0), zero));
         law[i] = vm_effect_mass(i, VM_MASS_OF_T, 1, 0, 0);
         spring[i] = vm_effect_linear_spring(i, 0, i < 2 ? 2 : 0, 0, 1, 0);
         link[i] = vm_effect_link(i, i < 2 ? 2 : 0, NULL, NULL, 1, 0, 1);
@@ -836,13 +836,13 @@ static void check_orders(void)
     ORDER(link[1], law[2]);
     refused(&s, VM_BAD_ORDER, "effect", 1);
     stage_clear(&s, 1);
-    stage_body(&s, vm_scene_plane(1, 1, zero, 0, zero, 0));
-    stage_body(&s, vm_scene_absent(s.bodies[0]));
+    stage_body(&s, vm_scene_body_plane(1, 1, zero, 0, zero, 0));
+    stage_body(&s, vm_scene_body_absent(s.bodies[0]));
     stage_event(&s, vm_then_attach_on_line(vm_event_at(1), 0, 1));
     refused(&s, VM_BAD_MOTION, "event", 0);
     s.events[0] = vm_then_attach_in_plane(vm_event_at(1), 0, 1);
     begin(&s);
-    s.bodies[0] = s.bodies[1] = vm_scene_line(1, 0, 0);
+    s.bodies[0] = s.bodies[1] = vm_scene_body_line(1, 0, 0);
     refused(&s, VM_BAD_MOTION, "event", 0);
 }
 
@@ -852,13 +852,13 @@ static void check_refusals(void)
     static const vm_real times[] = {1, 2, 2};
     vm_body part = part_of(1, 0);
     vm_event break_up;
-    vm_book b;
+    vm_budget b;
     rk45_options o = stage_options();
     stage s;
     stage_clear(&s, 1);
-    stage_body(&s, vm_scene_plane(2, 1, zero, 0, zero, 0));
-    stage_body(&s, vm_scene_axle(1, 0, 0));
-    stage_body(&s, vm_scene_absent(vm_scene_point(1, zero, zero)));
+    stage_body(&s, vm_scene_body_plane(2, 1, zero, 0, zero, 0));
+    stage_body(&s, vm_scene_body_axle(1, 0, 0));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
     stage_effect(&s, vm_effect_link(0, 1, NULL, NULL, 1, 0, 1));
     refused(&s, VM_BAD_MOTION, "effect", 0);
     s.effects[0] = vm_effect_link(0, VM_GROUND, NULL, NULL, 1, 0, 1);
@@ -869,9 +869,9 @@ static void check_refusals(void)
     refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_link(0, 2, NULL, NULL, 1, 1, 1);
     begin(&s);
-    s.bodies[0] = vm_scene_growing_plane(s.bodies[0]);
+    s.bodies[0] = vm_scene_body_growing_plane(s.bodies[0]);
     refused(&s, VM_BAD_MOTION, "effect", 0);
-    s.bodies[0] = vm_scene_plane(2, 1, zero, 0, zero, 0);
+    s.bodies[0] = vm_scene_body_plane(2, 1, zero, 0, zero, 0);
     s.effects[0] = vm_effect_spring(0, 0, VM_GROUND, 0, 1, -1, 0);
     refused(&s, VM_DOMAIN, "effect", 0);
     s.effects[0] = vm_effect_shaft(0, 1, -1);
@@ -899,9 +899,9 @@ static void check_refusals(void)
     refused(&s, VM_SAME_BODY, "effect", 0);
     s.effects[0] = vm_effect_mass(1, 7, 1, 0, 0);
     refused(&s, VM_BAD_ARGUMENT, "effect", 0);
-    s.effects[0] = vm_effect_callback(1, VM_GROUND, NULL, NULL);
+    s.effects[0] = vm_effect_custom(1, VM_GROUND, NULL, NULL);
     refused(&s, VM_BAD_ARGUMENT, "effect", 0);
-    s.effects[0] = vm_effect_drive(0, 2, 1, 0);
+    s.effects[0] = vm_effect_motor(0, 2, 1, 0);
     break_up = vm_then_separate(vm_event_at(1), 0, 2, &part, 1);
     stage_event(&s, break_up);
     begin(&s);
@@ -925,7 +925,7 @@ static void check_refusals(void)
     refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_then_stop(vm_event_user(any_time, NULL, 0));
     begin(&s);
-    s.bodies[2] = vm_scene_free(NULL);
+    s.bodies[2] = vm_scene_body_free(NULL);
     refused(&s, VM_BAD_ARGUMENT, "body", 2);
     s.scene.n_bodies = 2;
     s.scene.times = times;
@@ -945,8 +945,8 @@ static void check_refusals(void)
     o.max_steps = 2;
     CHECK(vm_scene_run(&s.scene, &s.t, 1000, s.y, s.work, &o) == VM_MAX_STEPS);
     CHECK(s.scene.ode_status == ODE_MAX_STEPS && s.t > 0 && s.t < 1000);
-    vm_scene_keep_book(&s.scene, NULL);
-    CHECK(vm_scene_size(&s.scene) == 8 && vm_scene_balance(&s.scene, 0, s.y, &b) == VM_BAD_ARGUMENT);
+    vm_scene_keep_budget(&s.scene, NULL);
+    CHECK(vm_scene_size(&s.scene) == 8 && vm_scene_budget_at(&s.scene, 0, s.y, &b) == VM_BAD_ARGUMENT);
 }
 
 int main(void)

@@ -57,7 +57,7 @@ static void same_vec(const char *what, vm_vec3 got, vm_vec3 wanted, double scale
     agrees("stream", what, size_of(vmi_sub(got, wanted)), 0, scale, bound);
 }
 
-/* ---- In space: as vm_rhs, whose states are the momenta ---- */
+/* ---- In space: as vm_flow_rhs, whose states are the momenta ---- */
 
 static void check_space(int first, int second)
 {
@@ -66,7 +66,7 @@ static void check_space(int first, int second)
     vm_stream streams[2];
     vm_flow flow;
     vm_body wanted = body, got;
-    vm_real y[VM_RHS], work[RK45_WORK(VM_RHS)];
+    vm_real y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
     rk45 r;
     stage s;
     streams[0] = jet(-0.5, first);
@@ -77,21 +77,21 @@ static void check_space(int first, int second)
     flow.n = 2;
     flow.streams = streams;
     CHECK(vm_flow_start(&flow, &body, y) == VM_OK);
-    CHECK(rk45_init(&r, vm_rhs, &flow, VM_RHS, 0, y, &o, work) >= 0 && rk45_solve(&r, 3) >= 0);
-    CHECK(vm_flow_body(&flow, VM_RHS, r.y, &wanted) == VM_OK);
+    CHECK(rk45_init(&r, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &o, work) >= 0 && rk45_solve(&r, 3) >= 0);
+    CHECK(vm_flow_body(&flow, VM_FLOW_STATES, r.y, &wanted) == VM_OK);
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+    stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
     stage_stream(&s, 0, streams);
     stage_stream(&s, 0, streams + 1);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 13 + 10 + VM_BOOK);
+    CHECK(vm_scene_size(&s.scene) == 13 + 10 + VM_BUDGET);
     run(&s, 3, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &got);
     agrees("stream", "mass", got.mass, (double)wanted.mass, 6, 1e-12);
     same_vec("r", got.r, wanted.r, 1, 1e-9);
     same_vec("v", got.v, wanted.v, 1, 1e-9);
     same_vec("omega", got.omega, wanted.omega, 1, 1e-9);
-    same_vec("centre", vmi_load3(s.y + 14), vmi_load3(r.y + VM_Y_CENTRE), 1, 1e-9);
+    same_vec("centre", vmi_get3(s.y + 14), vmi_get3(r.y + VM_Y_CENTRE), 1, 1e-9);
     agrees("stream", "inertia", got.inertia.yz, (double)wanted.inertia.yz, 1, 1e-9);
     agrees("stream", "inertia", got.inertia.xx, (double)wanted.inertia.xx, 1, 1e-9);
     balanced(&s, "stream", 10, 10);
@@ -113,7 +113,7 @@ static void check_alone(int motion)
         stage s;
         memset(&one, 0, sizeof one);
         stage_clear(&s, 1);
-        stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+        stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
         if (part == 0) {
             stage_effect(&s, vm_effect_stream_force(0, &stream));
             one.force = all.force;
@@ -132,23 +132,23 @@ static void check_alone(int motion)
         vm_scene_body_at(&s.scene, 0, s.y, &now);
         CHECK(vm_accelerations(&body, &one, zero, zero, &a, &alpha) == VM_OK);
         vm_scene_rhs(0, s.y, dydt, &s.scene);
-        same_vec("v' of one load", vmi_load3(dydt + 7), a, 1, 1e-13);
-        got = vmi_load3(dydt + 10);
+        same_vec("v' of one load", vmi_get3(dydt + 7), a, 1, 1e-13);
+        got = vmi_get3(dydt + 10);
         got = vmi_times(&s.bodies[0].axes, got);
         same_vec("omega' of one load", got, alpha, 1, 1e-13);
         CHECK(dydt[13] == (part == 3 ? all.mass_rate : 0));
-        got = vmi_sub(vmi_load3(dydt), body.v);
+        got = vmi_sub(vmi_get3(dydt), body.v);
         same_vec("drift", got, part == 3 ? all.drift : zero, 1, 1e-14);
         CHECK(dydt[17] == (part == 3 ? all.inertia_rate.xx : 0));
     }
 }
 
-/* ---- In the plane: as vm_rhs2 ---- */
+/* ---- In the plane: as vm_flow2_rhs ---- */
 
 static void check_plane(int motion)
 {
     const rk45_options o = stage_options();
-    vm_real y[VM_RHS2] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, work[RK45_WORK(VM_RHS2)];
+    vm_real y[VM_FLOW2_STATES] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, work[RK45_WORK(VM_FLOW2_STATES)];
     vm_stream stream = jet(-0.4, motion);
     vm_stream2 flat;
     vm_flow2 flow;
@@ -174,13 +174,13 @@ static void check_plane(int motion)
     y[6] = 4;
     y[9] = 3;
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_growing_plane(
-                       vm_scene_plane(4, 3, stage_vec(0, 0, 0), REAL(0.3), stage_vec(1, -0.5, 0), REAL(0.5))));
+    stage_body(&s, vm_scene_body_growing_plane(
+                       vm_scene_body_plane(4, 3, stage_vec(0, 0, 0), REAL(0.3), stage_vec(1, -0.5, 0), REAL(0.5))));
     stage_stream(&s, 0, &stream);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 6 + 4 + VM_BOOK);
+    CHECK(vm_scene_size(&s.scene) == 6 + 4 + VM_BUDGET);
     run(&s, 3, VM_OK);
-    CHECK(rk45_init(&r, vm_rhs2, &flow, VM_RHS2, 0, y, &o, work) >= 0 && rk45_solve(&r, 3) >= 0);
+    CHECK(rk45_init(&r, vm_flow2_rhs, &flow, VM_FLOW2_STATES, 0, y, &o, work) >= 0 && rk45_solve(&r, 3) >= 0);
     agrees("plane", "x", s.y[0], (double)r.y[0], 1, 1e-9);
     agrees("plane", "y", s.y[1], (double)r.y[1], 1, 1e-9);
     agrees("plane", "angle", s.y[2], (double)r.y[2], 1, 1e-9);
@@ -217,7 +217,7 @@ static void band_now(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 static void shaft_pulls(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const vm_drum *d = (const vm_drum *)e->ctx;
-    const vm_vec3 arm = shaft_of(NULL, y), S = vmi_add(vmi_load3(y), arm);
+    const vm_vec3 arm = shaft_of(NULL, y), S = vmi_add(vmi_get3(y), arm);
     const vm_real fx = -d->stiffness * S.x, fy = -d->stiffness * S.y;
     (void)t;
     (void)scene;
@@ -252,17 +252,17 @@ static void check_drum(void)
     y[4] = REAL(0.02);
     y[5] = d.omega;
     stage_clear(&s, 2);
-    stage_body(&s, vm_scene_growing_plane(vm_scene_plane(d.mass, d.inertia, stage_vec(0.01, 0, 0), 0,
+    stage_body(&s, vm_scene_body_growing_plane(vm_scene_body_plane(d.mass, d.inertia, stage_vec(0.01, 0, 0), 0,
                                                          stage_vec(0, 0.02, 0), d.omega)));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_mass(0, &band), band_now, &d));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_force(0, &band), band_now, &d));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_moment(0, &band), band_now, &d));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_torque(0, &band), band_now, &d));
-    stage_effect(&s, vm_effect_callback(0, VM_GROUND, shaft_pulls, &d));
+    stage_effect(&s, vm_effect_custom(0, VM_GROUND, shaft_pulls, &d));
     begin(&s);
     run(&s, 2, VM_OK);
     CHECK(rk45_init(&r, vm_drum_rhs, &d, VM_DRUM_STATES, 0, y, &o, work) >= 0 && rk45_solve(&r, 2) >= 0);
-    S = vmi_add(vmi_load3(s.y), shaft_of(&s, s.y));
+    S = vmi_add(vmi_get3(s.y), shaft_of(&s, s.y));
     agrees("drum", "phi", s.y[2], (double)r.y[2], 1, 1e-9);
     agrees("drum", "phi'", s.y[5], (double)r.y[5], 1, 1e-9);
     agrees("drum", "xS", S.x, (double)r.y[0], 0.01, 1e-7);
@@ -280,14 +280,14 @@ static void check_rocket(void)
     vm_body later, got;
     stage s;
     stage_clear(&s, 2);
-    stage_body(&s, vm_scene_with_mass_state(vm_scene_free(&body)));
+    stage_body(&s, vm_scene_body_with_mass_state(vm_scene_body_free(&body)));
     stage_effect(&s, vm_effect_stream(0, REAL(-1.5), stage_vec(-2, 1, 0.5), 1));
     begin(&s);
     run(&s, 2, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &got);
     agrees("rocket", "v", got.v.x, (double)vm_tsiolkovsky(body.v.x, 6, 3, -2), 1, 1e-10);
     agrees("rocket", "v", got.v.z, (double)vm_tsiolkovsky(body.v.z, 6, 3, REAL(0.5)), 1, 1e-10);
-    CHECK(vm_free_rotation(&body, 2, &later) == VM_OK);
+    CHECK(vm_torque_free_rotation(&body, 2, &later) == VM_OK);
     same_vec("free spin", got.omega, later.omega, 1, 1e-9);
     agrees("rocket", "mass", got.mass, 3, 3, 1e-13);
     balanced(&s, "rocket", 10, 10);
@@ -354,7 +354,7 @@ static void check_winding(int by_layer)
     stage s;
     reel(&s, by_layer, phi);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 2 + VM_BOOK);
+    CHECK(vm_scene_size(&s.scene) == 2 + VM_BUDGET);
     run(&s, 100, VM_STOPPED);
     agrees(by_layer ? "layers" : "winding", "omega", s.y[1],
            (0.8 * 9 + 1.5 * line * radius_integral(phi, 2, by_layer)) /
@@ -377,7 +377,7 @@ static void check_first_layer(void)
     d.omega = 9;
     d.band = vm_drum_band(b.radius, b.thickness, b.width, b.density);
     stage_clear(&s, 1);
-    stage_body(&s, vm_scene_axle(d.inertia, 0, d.omega));
+    stage_body(&s, vm_scene_body_axle(d.inertia, 0, d.omega));
     stage_effect(&s, vm_effect_band(0, &b));
     stage_effect(&s, vm_effect_rotational_damper(0, d.damping));
     begin(&s);
@@ -394,7 +394,7 @@ static void check_unwinding(void)
     vm_band b = reel_band(0, 0, 1);
     stage s;
     stage_clear(&s, 100);
-    stage_body(&s, vm_scene_axle(REAL(0.8), REAL(start), -5));
+    stage_body(&s, vm_scene_body_axle(REAL(0.8), REAL(start), -5));
     stage_effect(&s, vm_effect_band(0, &b));
     stage_event(&s, vm_then_stop(vm_event_position(0, 0, REAL(end), -1)));
     begin(&s);
@@ -427,7 +427,7 @@ static void check_shrinking(int motion, double spin)
     vm_body body, end;
     vm_stream stream;
     vm_flow flow;
-    vm_real y[VM_RHS], work[RK45_WORK(VM_RHS)];
+    vm_real y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
     rk45 r;
     stage s;
     memset(&body, 0, sizeof body);
@@ -440,7 +440,7 @@ static void check_shrinking(int motion, double spin)
     stream.motion = motion;
     stream.at.z = 1;
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+    stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
     stage_stream(&s, 0, &stream);
     begin(&s);
     run(&s, 3, VM_BAD_INERTIA);
@@ -450,12 +450,12 @@ static void check_shrinking(int motion, double spin)
     flow.n = 1;
     flow.streams = &stream;
     CHECK(vm_flow_start(&flow, &body, y) == VM_OK);
-    CHECK(rk45_init(&r, vm_rhs, &flow, VM_RHS, 0, y, NULL, work) >= 0 && rk45_solve(&r, 3) < 0);
+    CHECK(rk45_init(&r, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, NULL, work) >= 0 && rk45_solve(&r, 3) < 0);
     CHECK(flow.status == VM_BAD_INERTIA);
     check_error("shrinking", "flow", "abs", fabs((double)r.t - 10 / 21.) / (double)slack, 1, motion, spin);
     stream.at = stage_vec(1, 0, 0);
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_growing_plane(vm_scene_plane(10, 1, zero, 0, zero, REAL(spin))));
+    stage_body(&s, vm_scene_body_growing_plane(vm_scene_body_plane(10, 1, zero, 0, zero, REAL(spin))));
     stage_stream(&s, 0, &stream);
     begin(&s);
     run(&s, 3, VM_BAD_INERTIA);
@@ -483,7 +483,7 @@ static void check_flat(void)
     streams[1].at = stage_vec(-0.2, 0.9, 0);
     streams[1].motion = VM_CARRIED;
     stage_clear(&s, 20);
-    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+    stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
     stage_stream(&s, 0, streams);
     stage_stream(&s, 0, streams + 1);
     begin(&s);
@@ -498,17 +498,17 @@ static void check_mass_runs_out(void)
     const vm_body body = probe();
     vm_scene_body bodies[5];
     int i, law;
-    bodies[0] = vm_scene_line(6, 0, 1);
-    bodies[1] = vm_scene_axle(6, 0, 1);
-    bodies[2] = vm_scene_plane(6, 1, zero, 0, stage_vec(1, 0, 0), 1);
-    bodies[3] = vm_scene_point(6, zero, zero);
-    bodies[4] = vm_scene_free(&body);
+    bodies[0] = vm_scene_body_line(6, 0, 1);
+    bodies[1] = vm_scene_body_axle(6, 0, 1);
+    bodies[2] = vm_scene_body_plane(6, 1, zero, 0, stage_vec(1, 0, 0), 1);
+    bodies[3] = vm_scene_body_point(6, zero, zero);
+    bodies[4] = vm_scene_body_free(&body);
     for (law = 0; law < 4; law++)
         for (i = 0; i < 5; i++) {
             const double share = law & 1; /* without it the velocity grows without end */
             stage s;
             stage_clear(&s, 3);
-            stage_body(&s, law < 2 ? bodies[i] : vm_scene_with_mass_state(bodies[i]));
+            stage_body(&s, law < 2 ? bodies[i] : vm_scene_body_with_mass_state(bodies[i]));
             if (law < 2) stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, -3, 0, REAL(share)));
             else stage_effect(&s, vm_effect_stream(0, -3, zero, REAL(share)));
             begin(&s);
@@ -535,9 +535,9 @@ static void check_jump(int free)
     part.omega = stage_vec(0, 0, 0);
     part.q.w = part.q.x = part.q.y = part.q.z = 0;
     stage_clear(&s, 2);
-    stage_body(&s, free ? vm_scene_growing_free(vm_scene_free(&whole))
-                        : vm_scene_growing_plane(vm_scene_plane(6, 3, whole.r, 1, whole.v, 1)));
-    stage_body(&s, vm_scene_absent(vm_scene_point(1, stage_vec(0, 0, 0), stage_vec(0, 0, 0))));
+    stage_body(&s, free ? vm_scene_body_growing_free(vm_scene_body_free(&whole))
+                        : vm_scene_body_growing_plane(vm_scene_body_plane(6, 3, whole.r, 1, whole.v, 1)));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, stage_vec(0, 0, 0), stage_vec(0, 0, 0))));
     stage_stream(&s, 0, &stream);
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
     s.events[0].time = 2;
@@ -568,16 +568,16 @@ static void check_small(void)
     vm_vec3 omega;
     stage s;
     stage_clear(&s, 1);
-    stage_body(&s, vm_scene_line(2, 3, 1));
-    stage_body(&s, vm_scene_line(4, 1, 2));
-    stage_body(&s, vm_scene_free(&body));
+    stage_body(&s, vm_scene_body_line(2, 3, 1));
+    stage_body(&s, vm_scene_body_line(4, 1, 2));
+    stage_body(&s, vm_scene_body_free(&body));
     stage_effect(&s, vm_effect_linear_spring(0, 0, 1, 0, 5, REAL(0.5)));
     begin(&s);
     s.scene.book = NULL;
     vm_scene_rhs(3, s.y, dydt, &s.scene);
     agrees("small", "linear spring", dydt[1], -5 * (2 - 0.5) / 2, 1, 1e-15);
     agrees("small", "linear spring", dydt[3], 5 * (2 - 0.5) / 4, 1, 1e-15);
-    s.effects[0] = vm_effect_user_between(0, 0, 1, 0, soft, NULL);
+    s.effects[0] = vm_effect_force_between(0, 0, 1, 0, soft, NULL);
     begin(&s);
     vm_scene_rhs(3, s.y, dydt, &s.scene);
     agrees("small", "user between", dydt[1], (-2. * 2 - 1 - 3) / 2, 1, 1e-15);
@@ -585,9 +585,9 @@ static void check_small(void)
     s.effects[0] = vm_effect_rotational_damper(2, REAL(0.25));
     begin(&s);
     vm_scene_rhs(0, s.y, dydt, &s.scene);
-    omega = vmi_load3(s.y + 14); /* I omega' + omega x I omega = -b omega */
+    omega = vmi_get3(s.y + 14); /* I omega' + omega x I omega = -b omega */
     same_vec("rotational damper",
-             vmi_add(vmi_inertia_times(&body.inertia, vmi_load3(dydt + 14)),
+             vmi_add(vmi_inertia_times(&body.inertia, vmi_get3(dydt + 14)),
                      vmi_cross(omega, vmi_inertia_times(&body.inertia, omega))),
              vmi_scale(REAL(-0.25), omega), 1, 1e-14);
 }
@@ -606,7 +606,7 @@ static void check_gone_wrong(void)
     const vm_stream stream = jet(-0.5, VM_RELATIVE);
     stage s;
     stage_clear(&s, 2);
-    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+    stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
     stage_effect(&s, vm_effect_varying(vm_effect_stream_mass(0, &stream), to_nowhere, NULL));
     begin(&s);
     run(&s, 2, VM_BAD_ARGUMENT);
@@ -615,7 +615,7 @@ static void check_gone_wrong(void)
 
 static void refused(stage *s, int status)
 {
-    vm_culprit found = {NULL, -2};
+    vm_scene_fault found = {NULL, -2};
     CHECK(vm_scene_check(&s->scene, &found) == status && found.index == 0 && !strcmp(found.kind, "effect"));
 }
 
@@ -627,9 +627,9 @@ static void check_refusals(void)
     vm_band band = reel_band(0, 0, 0);
     stage s;
     stage_clear(&s, 1);
-    stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
-    stage_body(&s, vm_scene_axle(1, 0, 0));
-    stage_body(&s, vm_scene_with_mass_state(vm_scene_free(&body)));
+    stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
+    stage_body(&s, vm_scene_body_axle(1, 0, 0));
+    stage_body(&s, vm_scene_body_with_mass_state(vm_scene_body_free(&body)));
     stage_effect(&s, vm_effect_stream_mass(0, &stream));
     begin(&s);
     s.effects[0] = vm_effect_stream_mass(0, NULL);
@@ -638,7 +638,7 @@ static void check_refusals(void)
     refused(&s, VM_BAD_MOTION);
     s.effects[0] = vm_effect_stream_mass(2, &stream);
     refused(&s, VM_DOES_NOT_GROW);
-    s.effects[0] = vm_effect_varying(vm_effect_drive(1, 0, 1, 1), band_now, NULL);
+    s.effects[0] = vm_effect_varying(vm_effect_motor(1, 0, 1, 1), band_now, NULL);
     refused(&s, VM_BAD_ARGUMENT);
     s.effects[0] = vm_effect_stream_force(0, &stream);
     stream.motion = 9;
@@ -660,7 +660,7 @@ static void check_refusals(void)
     refused(&s, VM_BAD_ARGUMENT);
     s.effects[0] = vm_effect_band(0, &band);
     refused(&s, VM_BAD_MOTION);
-    s.bodies[0] = vm_scene_growing_plane(vm_scene_free(&body));
+    s.bodies[0] = vm_scene_body_growing_plane(vm_scene_body_free(&body));
     CHECK(vm_scene_check(&s.scene, NULL) == VM_BAD_MOTION);
 }
 
@@ -674,8 +674,8 @@ static void check_without_book(void)
     for (k = 0; k < 3; k++) {
         stage s;
         stage_clear(&s, 2);
-        if (k == 1) vm_scene_keep_book(&s.scene, NULL);
-        stage_body(&s, vm_scene_growing_free(vm_scene_free(&body)));
+        if (k == 1) vm_scene_keep_budget(&s.scene, NULL);
+        stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
         stage_stream(&s, 0, &stream);
         if (k == 2) stage_stream(&s, 0, &still);
         begin(&s);

@@ -20,7 +20,7 @@ static void check_vessel(void)
     stage s;
     vessel_on_hook(&s);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 2 + VM_BOOK);
+    CHECK(vm_scene_size(&s.scene) == 2 + VM_BUDGET);
     agrees("vessel", "hook, t = 0", (vm_real)hook_force(0), 76329, 76329, 1e-13);
     agrees("vessel", "hook, t = 2", (vm_real)hook_force(2), 64930.4644962190676, 64930, 1e-13);
     agrees("vessel", "hook, t = 5-", (vm_real)hook_force(5), 48189.2267010684027, 48189, 1e-13);
@@ -76,7 +76,7 @@ static void check_wagon(void)
     stage s;
     wagon(&s);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 3 + VM_BOOK);
+    CHECK(vm_scene_size(&s.scene) == 3 + VM_BUDGET);
     run(&s, 60, VM_OK);
     agrees("wagon", "v(60)", s.y[1], 18.3141818181818182, 18, 1e-10);
     agrees("wagon", "x(60)", s.y[0], 702.264741224327747, 702, 1e-10);
@@ -262,9 +262,9 @@ static void check_laws(void)
 {
     stage s;
     stage_clear(&s, 10);
-    stage_body(&s, vm_scene_line(2, 0, 1));
+    stage_body(&s, vm_scene_body_line(2, 0, 1));
     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_X, (vm_real)0.5, 0, 0));
-    stage_effect(&s, vm_effect_drive(0, 0, 3, 0));
+    stage_effect(&s, vm_effect_motor(0, 0, 3, 0));
     stage_event(&s, vm_then_stop(vm_event_position(0, 0, 4, 1)));
     begin(&s);
     run(&s, 10, VM_STOPPED);
@@ -277,7 +277,7 @@ static void check_laws(void)
     agrees("M(x), u = v", "v", s.y[1], 3.05250162435982067, 3, 1e-10);
     agrees("M(x), u = v", "t", s.t, 1.86340930588489411, 2, 1e-10);
     balanced(&s, "M(x), u = v", 10, 10);
-    s.bodies[0] = vm_scene_line(1, 1, 0);
+    s.bodies[0] = vm_scene_body_line(1, 1, 0);
     s.effects[0] = vm_effect_mass(0, VM_MASS_OF_V2, (vm_real)0.5, 0, 0);
     s.effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 4, 1, 0);
     s.events[0] = vm_then_stop(vm_event_position(0, 0, 0, -1));
@@ -286,9 +286,9 @@ static void check_laws(void)
     agrees("M(v)", "t", s.t, 1.02853058341060403, 1, 1e-10);
     agrees("M(v)", "v", s.y[1], -1.31796592658636647, 1, 1e-10);
     balanced(&s, "M(v)", 10, 10);
-    s.bodies[0] = vm_scene_line(1, 0, 0); /* M + M'(v) v = 0 stops the run where (M0 - b v^2) v is largest */
+    s.bodies[0] = vm_scene_body_line(1, 0, 0); /* M + M'(v) v = 0 stops the run where (M0 - b v^2) v is largest */
     s.effects[0] = vm_effect_mass(0, VM_MASS_OF_V2, (vm_real)-0.5, 0, 0);
-    s.effects[1] = vm_effect_drive(0, 0, 3, 0);
+    s.effects[1] = vm_effect_motor(0, 0, 3, 0);
     begin(&s);
     run(&s, 10, VM_NO_EFFECTIVE_MASS);
     agrees("M(v) singular", "t", s.t, 0.181443684650605785, 1, 1e-9);
@@ -301,7 +301,7 @@ static void check_jumps(void)
 {
     const vm_vec3 zero = {0, 0, 0};
     vm_body body, part;
-    vm_book b;
+    vm_budget b;
     stage s;
     memset(&body, 0, sizeof body);
     body.mass = 5;
@@ -319,17 +319,17 @@ static void check_jumps(void)
     part.inertia.xx = part.inertia.yy = part.inertia.zz = (vm_real)0.1;
     part.inertia.xy = 0;
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_free(&body));
-    stage_body(&s, vm_scene_absent(vm_scene_free(&body)));
-    stage_body(&s, vm_scene_point(2, stage_vec(1, 0, 0), stage_vec(0, 1, 1)));
+    stage_body(&s, vm_scene_body_free(&body));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_free(&body)));
+    stage_body(&s, vm_scene_body_point(2, stage_vec(1, 0, 0), stage_vec(0, 1, 1)));
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
     stage_event(&s, vm_then_attach(vm_event_at(2), 1, 2));
     stage_event(&s, vm_then_attach(vm_event_at(2), 0, 1));
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 13 + 13 + 6 + VM_BOOK);
+    CHECK(vm_scene_size(&s.scene) == 13 + 13 + 6 + VM_BUDGET);
     run(&s, (double)(vm_real)1.5, VM_OK);
     CHECK(!s.bodies[1].away && s.bodies[0].mass == 4);
-    vm_scene_balance(&s.scene, s.t, s.y, &b);
+    vm_scene_budget_at(&s.scene, s.t, s.y, &b);
     balanced(&s, "separation", 10, 10);
     CHECK(VM_FABS(b.jump_energy) > (vm_real)0.1);
     run(&s, 3, VM_OK);
@@ -343,8 +343,8 @@ static void check_absent_end(void)
 {
     stage s;
     stage_clear(&s, 2);
-    stage_body(&s, vm_scene_absent(vm_scene_line(7, 5, 9)));
-    stage_body(&s, vm_scene_line(3, 0, 2));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_line(7, 5, 9)));
+    stage_body(&s, vm_scene_body_line(3, 0, 2));
     stage_effect(&s, vm_effect_spring(1, 0, 0, 0, 1, 1, 0));
     begin(&s);
     run(&s, 4, VM_OK);
@@ -369,7 +369,7 @@ static void check_quaternion_length(void)
         stage s;
         int k;
         stage_clear(&s, 4);
-        stage_body(&s, vm_scene_free(&body));
+        stage_body(&s, vm_scene_body_free(&body));
         begin(&s);
         s.y[3] = (vm_real)0.6;
         s.y[4] = (vm_real)0.3;
@@ -388,10 +388,10 @@ static void check_sticking(void)
 {
     stage s;
     stage_clear(&s, 3);
-    stage_body(&s, vm_scene_line(2, 0, 3));
-    stage_body(&s, vm_scene_line(1, 0, 0));
-    stage_body(&s, vm_scene_axle(2, 0, 3));
-    stage_body(&s, vm_scene_axle(1, 0, 0));
+    stage_body(&s, vm_scene_body_line(2, 0, 3));
+    stage_body(&s, vm_scene_body_line(1, 0, 0));
+    stage_body(&s, vm_scene_body_axle(2, 0, 3));
+    stage_body(&s, vm_scene_body_axle(1, 0, 0));
     stage_event(&s, vm_then_attach(vm_event_at(1), 0, 1));
     stage_event(&s, vm_then_attach(vm_event_at(1), 2, 3));
     begin(&s);
@@ -427,7 +427,7 @@ static void check_endless(void)
     long contacts = 0;
     stage s;
     stage_clear(&s, 10);
-    stage_body(&s, vm_scene_line(1, 1, 0));
+    stage_body(&s, vm_scene_body_line(1, 1, 0));
     stage_effect(&s, vm_effect_gravity(0, 0, REAL(-gravity)));
     stage_event(&s, vm_then_user(vm_event_position(0, 0, 0, -1), bounce, &contacts));
     begin(&s);
@@ -435,7 +435,7 @@ static void check_endless(void)
     CHECK(contacts >= (is_float ? 8 : 35) && contacts < 60 && s.y[0] == 0);
     agrees("bouncing", "comes to rest", s.t, 3 * sqrt(2 / gravity), 1, 1e-9); /* t0 (1 + 2 (1/2 + 1/4 + ...)) */
     stage_clear(&s, 10);
-    stage_body(&s, vm_scene_line(1, 1, 0));
+    stage_body(&s, vm_scene_body_line(1, 1, 0));
     stage_event(&s, vm_then_user(vm_event_at(1), wake, &s));
     begin(&s);
     run(&s, 10, VM_TOO_MANY_EVENTS);
@@ -454,7 +454,7 @@ static void check_chain(void) /* a thousand bodies between springs: the wave tra
     vm_real t = 0, energy = 0;
     int i;
     memset(&scene, 0, sizeof scene);
-    for (i = 0; i < N; i++) bodies[i] = vm_scene_line(1, 0, i == 0);
+    for (i = 0; i < N; i++) bodies[i] = vm_scene_body_line(1, 0, i == 0);
     for (i = 0; i <= N; i++)
         effects[i] = vm_effect_spring(i < N ? i : N - 1, 0, i < N ? i - 1 : VM_GROUND, 0, 1, 1, 0);
     scene.bodies = bodies;
@@ -478,7 +478,7 @@ static void check_chain(void) /* a thousand bodies between springs: the wave tra
 static void oscillator(stage *s)
 {
     stage_clear(s, 20);
-    stage_body(s, vm_scene_line(1, 0, 1));
+    stage_body(s, vm_scene_body_line(1, 0, 1));
     stage_effect(s, vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1, 0));
 }
 
@@ -494,12 +494,12 @@ static void check_observers(void)
     stage s;
     int k;
     oscillator(&s);
-    vm_scene_keep_book(&s.scene, NULL);
+    vm_scene_keep_budget(&s.scene, NULL);
     begin(&s);
     run(&s, 20, VM_OK);
     memcpy(y, s.y, sizeof y);
     oscillator(&s);
-    vm_scene_keep_book(&s.scene, NULL);
+    vm_scene_keep_budget(&s.scene, NULL);
     stage_event(&s, vm_event_position(0, 0, 0, 0));
     stage_event(&s, vm_event_position(0, 0, 0, 1));
     stage_event(&s, vm_event_user(is_far, NULL, -1));
@@ -516,7 +516,7 @@ static void check_observers(void)
     CHECK(s.events[0].count == 6 && s.events[1].count == 3);
     agrees("observer", "last", s.events[0].time, 6 * pi, 20, 1e-10);
     oscillator(&s);
-    vm_scene_keep_book(&s.scene, NULL);
+    vm_scene_keep_budget(&s.scene, NULL);
     stage_event(&s, vm_event_position(0, 0, 0, 0));
     stage_event(&s, vm_event_velocity(0, 0, 0, 0));
     begin(&s);
@@ -548,7 +548,7 @@ static void check_stop_beside_switch(void)
 {
     stage s;
     stage_clear(&s, 2);
-    stage_body(&s, vm_scene_line(1, 1, 0));
+    stage_body(&s, vm_scene_body_line(1, 1, 0));
     stage_effect(&s, vm_effect_linear_spring(0, 0, VM_GROUND, 0, 4, 0));
     stage_effect(&s, vm_effect_damper(0, 0, VM_GROUND, 0, REAL(0.1)));
     s.effects[1].off = 1;
@@ -564,7 +564,7 @@ static void check_stop_beside_switch(void)
 
 static void refused(stage *s, int status, int culprit)
 {
-    vm_culprit found = {NULL, -2};
+    vm_scene_fault found = {NULL, -2};
     vm_real y[STAGE_STATE] = {7};
     CHECK(vm_scene_check(&s->scene, &found) == status && found.index == culprit && found.kind);
     CHECK(vm_scene_start(&s->scene, 0, y, NULL) == status && y[0] == 7);
@@ -576,8 +576,8 @@ static void check_refusals(void)
     const vm_vec3 zero = {0, 0, 0};
     stage s;
 #define GOOD                                                                                                    \
-    (stage_clear(&s, 1), stage_body(&s, vm_scene_line(1, 0, 0)), stage_body(&s, vm_scene_axle(1, 0, 0)),        \
-     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 0)), stage_effect(&s, vm_effect_drive(1, 0, 1, 0)), \
+    (stage_clear(&s, 1), stage_body(&s, vm_scene_body_line(1, 0, 0)), stage_body(&s, vm_scene_body_axle(1, 0, 0)),        \
+     stage_effect(&s, vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 0)), stage_effect(&s, vm_effect_motor(1, 0, 1, 0)), \
      stage_event(&s, vm_then_stop(vm_event_position(0, 0, 1, 1))))
     GOOD;
     CHECK(vm_scene_check(&s.scene, NULL) == VM_OK);
@@ -601,7 +601,7 @@ static void check_refusals(void)
     s.bodies[1].angle = VM_NAN;
     refused(&s, VM_NOT_FINITE, 1);
     GOOD;
-    s.bodies[1] = vm_scene_plane(1, 0, zero, 0, zero, 0);
+    s.bodies[1] = vm_scene_body_plane(1, 0, zero, 0, zero, 0);
     refused(&s, VM_BAD_INERTIA, 1);
     GOOD;
     s.effects[1].body = 2;
@@ -629,7 +629,7 @@ static void check_refusals(void)
     refused(&s, VM_TWO_MASS_LAWS, 1);
     GOOD;
     s.effects[1] = s.effects[0];
-    s.effects[0] = vm_effect_drive(0, 0, 1, 0);
+    s.effects[0] = vm_effect_motor(0, 0, 1, 0);
     refused(&s, VM_BAD_ORDER, 1);
     GOOD;
     s.bodies[0].mass_is_state = 1;
@@ -638,7 +638,7 @@ static void check_refusals(void)
     s.effects[1] = vm_effect_stream(1, 1, zero, 0);
     refused(&s, VM_MASS_IS_NO_STATE, 1);
     GOOD;
-    s.effects[1] = vm_effect_user(1, 0, NULL, NULL);
+    s.effects[1] = vm_effect_force(1, 0, NULL, NULL);
     refused(&s, VM_BAD_ARGUMENT, 1);
     GOOD;
     s.events[0].body = 5;
@@ -679,18 +679,18 @@ static void check_sizes(void)
     memset(&scene, 0, sizeof scene);
     free_body.mass = 1;
     free_body.inertia = inertia;
-    for (i = 0; i < 7; i++) bodies[i] = vm_scene_line(1, 0, 0);
+    for (i = 0; i < 7; i++) bodies[i] = vm_scene_body_line(1, 0, 0);
     scene.bodies = bodies;
     scene.n_bodies = 7;
     CHECK(vm_scene_size(&scene) == 7 * 2);
-    bodies[0] = vm_scene_with_mass_state(bodies[0]);
+    bodies[0] = vm_scene_body_with_mass_state(bodies[0]);
     CHECK(vm_scene_size(&scene) == 7 * 2 + 1);
-    bodies[1] = vm_scene_axle(1, 0, 0);
+    bodies[1] = vm_scene_body_axle(1, 0, 0);
     CHECK(vm_scene_size(&scene) == 7 * 2 + 1);
-    bodies[2] = vm_scene_plane(1, 1, zero, 0, zero, 0);
-    bodies[3] = vm_scene_point(1, zero, zero);
+    bodies[2] = vm_scene_body_plane(1, 1, zero, 0, zero, 0);
+    bodies[3] = vm_scene_body_point(1, zero, zero);
     CHECK(vm_scene_size(&scene) == 5 * 2 + 1 + 2 * 6);
-    bodies[4] = vm_scene_free(&free_body);
+    bodies[4] = vm_scene_body_free(&free_body);
     CHECK(vm_scene_size(&scene) == 4 * 2 + 1 + 2 * 6 + 13 && vm_scene_check(&scene, NULL) == VM_OK);
 }
 

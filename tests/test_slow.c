@@ -54,7 +54,7 @@ static void solve(ode_rhs f, void *ctx, int n, double t0, double t1, double tole
 }
 
 #define MOST_POINTS 2000
-static vm_point points[MOST_POINTS];
+static vm_sample points[MOST_POINTS];
 
 /* All points of the kind of components x and v along y' = f from 0 to t1; y becomes y(t1) */
 static long track(ode_rhs f, void *ctx, int n, double t1, double tolerance, vm_real *y, int x, int v, int kind)
@@ -69,7 +69,7 @@ static long track(ode_rhs f, void *ctx, int n, double t1, double tolerance, vm_r
                                : rk87_init(&s, f, ctx, n, 0, y, &o, work);
     while (status >= 0 && (double)s.t < t1) {
         status = is_float || rough ? rk45_step(&s) : rk87_step(&s);
-        more = vm_find_points_of_step(&s, x, v, kind, buffer, MOST_POINTS - found, points + found);
+        more = vm_find_samples_of_step(&s, x, v, kind, buffer, MOST_POINTS - found, points + found);
         if (more < 0) status = -1;
         found += more;
         while (found > 0 && (double)points[found - 1].t > t1) found--;
@@ -154,7 +154,7 @@ static void test_vdp_equations(void)
         vm_linear_mass mass = linear(uniform(0.5, 2), uniform(-0.3, 0.3));
         vm_vdp v = vdp(uniform(0.3, 6), uniform(-1, 1), uniform(-1, 1), 1, VM_VDP_JACOBI);
         const double m = (double)mass.mass, rate = (double)mass.rate, alpha = (double)v.alpha, b = (double)v.b;
-        const vm_real k2 = vm_osc_m_jacobi(v.alpha), K = jacobi_K(k2);
+        const vm_real k2 = vm_osc_jacobi_parameter(v.alpha), K = jacobi_K(k2);
         double squares = 0, fourths = 0, bracket = 0, A, c = (double)v.c, want, p, dp, one = 0;
         vm_real y[2] = {0, 0}, d[2] = {0, 0};
         for (j = 0; j < 64; j++) {
@@ -215,32 +215,32 @@ static void test_vdp_reference(void)
         near("a2 (412)", "R6", (double)jacobi.a2, rows[i][2], 3e-15, 3e-6);
         near("a3 (413)", "R6", (double)jacobi.a3, rows[i][3], 3e-15, 6e-6);
         near("a3", "R6", (double)ateb.a3, rows[i][5], 2e-15, 1e-6);
-        near("A_S (438)", "R6, Jacobi", (double)vm_vdp_steady(&jacobi, 0, NULL), rows[i][4], 3e-15, 3e-6);
-        near("A_S (438)", "R6, Ateb", (double)vm_vdp_steady(&ateb, 0, NULL), rows[i][6], 2e-15, 1e-6);
+        near("A_S (438)", "R6, Jacobi", (double)vm_vdp_limit_cycle(&jacobi, 0, NULL), rows[i][4], 3e-15, 3e-6);
+        near("A_S (438)", "R6, Ateb", (double)vm_vdp_limit_cycle(&ateb, 0, NULL), rows[i][6], 2e-15, 1e-6);
     }
     for (i = 0; i < 3; i++) {
         const double m0 = growing[i][0];
         ateb = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_ATEB);
         jacobi = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_JACOBI);
-        near("A_S (425)", "Jacobi", (double)vm_vdp_steady(&jacobi, R(0.01 * m0), NULL), growing[i][1], 3e-15, 6e-6);
-        near("A_S (425)", "Ateb", (double)vm_vdp_steady(&ateb, R(0.01 * m0), NULL), growing[i][2], 3e-15, 6e-6);
+        near("A_S (425)", "Jacobi", (double)vm_vdp_limit_cycle(&jacobi, R(0.01 * m0), NULL), growing[i][1], 3e-15, 6e-6);
+        near("A_S (425)", "Ateb", (double)vm_vdp_limit_cycle(&ateb, R(0.01 * m0), NULL), growing[i][2], 3e-15, 6e-6);
         CHECK(growing[i][3] > 0.996 * growing[i][1] - 1e-3);
         ERRATUM("text: 1.691/1.381/.976",
                 growing[i][3] < 0.9975 * growing[i][1] && growing[i][3] < 0.9975 * growing[i][2],
                 check_holds("A_S (425)"));
     }
     ateb = vdp(1, 1, 1, 0, VM_VDP_ATEB); /* 2 sqrt 3 after (438) */
-    near("text of (438)", "alpha = 1", (double)vm_vdp_steady(&ateb, 0, NULL), 2, 1e-15, 1e-6);
+    near("text of (438)", "alpha = 1", (double)vm_vdp_limit_cycle(&ateb, 0, NULL), 2, 1e-15, 1e-6);
     ERRATUM("text: A_S=2 sqrt3 (alpha=1)",
-            printed_fails("text of (438)", 2 * sqrt(3), (double)vm_vdp_steady(&ateb, 0, NULL), 0.732),
+            printed_fails("text of (438)", 2 * sqrt(3), (double)vm_vdp_limit_cycle(&ateb, 0, NULL), 0.732),
             check_holds("text of (438)"));
     ateb = vdp(3, 1, 1, 0, VM_VDP_ATEB); /* 1.7076 */
-    near("text of (438)", "alpha = 3", (double)vm_vdp_steady(&ateb, 0, NULL), 1.909817, 3e-7, 1e-6);
+    near("text of (438)", "alpha = 3", (double)vm_vdp_limit_cycle(&ateb, 0, NULL), 1.909817, 3e-7, 1e-6);
     ERRATUM("text: A_S=1.7076 (alpha=3)",
-            printed_fails("text of (438)", 1.7076, (double)vm_vdp_steady(&ateb, 0, NULL), 0.1059),
+            printed_fails("text of (438)", 1.7076, (double)vm_vdp_limit_cycle(&ateb, 0, NULL), 0.1059),
             check_holds("text of (438)"));
     ateb = vdp(3, 1, 1, 0, VM_VDP_TRIGONOMETRIC);
-    near_eps("A_S (438)", "trigonometric", (double)vm_vdp_steady(&ateb, 0, NULL), 2, 4);
+    near_eps("A_S (438)", "trigonometric", (double)vm_vdp_limit_cycle(&ateb, 0, NULL), 2, 4);
 }
 
 /* W1-W7 of R6: (423), and (427) with (428) corrected */
@@ -311,7 +311,7 @@ static void test_vdp_closed(void)
 static const double T400 = 400;
 
 /* The last turning point up to t1 of (404) with m = m0 (1 + 0.01 t) and eps = 0.01: its time, its amplitude */
-static vm_point vdp_direct(vm_vdp v, double m0, double x0, double t1)
+static vm_sample vdp_direct(vm_vdp v, double m0, double x0, double t1)
 {
     vm_linear_mass m = linear(m0, 0.01 * m0);
     vm_real y[2];
@@ -330,7 +330,7 @@ static void test_vdp_direct(void)
     const double a2 = 2 / (5. / 3 + 3), steep = 5e-3;
     double a3, A, q, M;
     vm_vdp v = vdp(5. / 3, 0.01, 0.01, 1, VM_VDP_ATEB);
-    vm_point p;
+    vm_sample p;
     a3 = (double)v.a3;
 
     p = vdp_direct(v, 0.5, 0.5, T400);
@@ -347,7 +347,7 @@ static void test_vdp_direct(void)
     near("(421), q = 0", "direct", A, (double)p.x, 1e-5, steep);
     near("(421), q = 0", "stated", (double)p.x, 1.26827, 1e-5, 3e-3);
     ERRATUM("case a), 2b=m0", fabs(1.5 / (double)p.x - 1) > 0.18, check_holds("(421), q = 0"));
-    CHECK(vm_vdp_steady(&v, R(0.02), NULL) == 0);
+    CHECK(vm_vdp_limit_cycle(&v, R(0.02), NULL) == 0);
 
     p = vdp_direct(v, 3, 1, T400);
     M = 1 + 0.01 * (double)p.t;
@@ -359,7 +359,7 @@ static void test_vdp_direct(void)
             printed_fails("case c)", sqrt(pow(M, q) * a2 / (a2 + 2 * a3 * (1 - pow(M, -q)))), (double)p.x,
                           0.9583 / 0.84824 - 1),
             check_holds("case c)"));
-    CHECK(vm_vdp_steady(&v, R(0.03), NULL) == 0); /* (426) */
+    CHECK(vm_vdp_limit_cycle(&v, R(0.03), NULL) == 0); /* (426) */
 
     p = vdp_direct(v, 1, 2.5, T400); /* (424), Fig. 27 */
     near("(424)", "direct", (double)vm_vdp_amplitude(&v, p.t, R(2.5), linear(1, 0.01)), (double)p.x, 1e-5, steep);
@@ -430,11 +430,11 @@ static void test_vdp_cycle(void)
         long n;
         if (is_float && alphas[i] < 1) continue;
         rough = alphas[i] < 3;
-        y[0] = vm_vdp_steady(&v, 0, NULL);
+        y[0] = vm_vdp_limit_cycle(&v, 0, NULL);
         y[1] = 0;
         v.mass_ctx = &m;
         n = track(vm_vdp_rhs, &v, 2, 300, alphas[i] < 1 ? 1e-12 : 1e-10, y, 0, 1, VM_TURNING_POINTS);
-        near("(438)", "stays", fabs((double)points[n - 1].x), (double)vm_vdp_steady(&v, 0, NULL), 2e-6, 4e-3);
+        near("(438)", "stays", fabs((double)points[n - 1].x), (double)vm_vdp_limit_cycle(&v, 0, NULL), 2e-6, 4e-3);
     }
     rough = 0;
 }
@@ -446,7 +446,7 @@ static void test_vdp_no_reactive(void)
     vm_vdp v = vdp(5. / 3, 0.01, 0.01, 0, VM_VDP_ATEB);
     const double a3 = (double)v.a3;
     double A, M, printed, grown;
-    vm_point p;
+    vm_sample p;
     int i;
     for (i = 0; i < 2; i++) {
         const double m0 = cases[i][0], x0 = cases[i][1], e = 2 * a2 / m0; /* (428) as printed */
@@ -459,10 +459,10 @@ static void test_vdp_no_reactive(void)
                     printed);
         ERRATUM("(427),(429)", check_holds("(427)-(429)"), check_holds("(427), (429)"));
     }
-    near("(430)", "m0 = 1", (double)vm_vdp_steady(&v, R(0.01), NULL), sqrt(3 * a2 / (2 * a3)), 1e-14, 3e-6);
-    near("(430)", "m0 = 3, stated", (double)vm_vdp_steady(&v, R(0.03), NULL), 3.1009, 2e-5, 2e-5);
+    near("(430)", "m0 = 1", (double)vm_vdp_limit_cycle(&v, R(0.01), NULL), sqrt(3 * a2 / (2 * a3)), 1e-14, 3e-6);
+    near("(430)", "m0 = 3, stated", (double)vm_vdp_limit_cycle(&v, R(0.03), NULL), 3.1009, 2e-5, 2e-5);
     p = vdp_direct(v, 1, 2.5, 1500); /* falls towards the steady amplitude, 2.4046 -> 2.4020 */
-    near("(430)", "direct", (double)p.x, (double)vm_vdp_steady(&v, R(0.01), NULL), 2e-3, 5e-3);
+    near("(430)", "direct", (double)p.x, (double)vm_vdp_limit_cycle(&v, R(0.01), NULL), 2e-3, 5e-3);
     ERRATUM("(430)", printed_fails("(430)", sqrt(a2 / a3), (double)p.x, 1 - 1.9612 / 2.402), check_holds("(430)"));
 
     v = vdp(5. / 3, 0.01, 0, 0, VM_VDP_ATEB);
@@ -484,7 +484,7 @@ static void test_vdp_no_reactive(void)
     ERRATUM("(435)",
             printed_fails("(435)", sqrt(1 / (1 + 2 * a3 * log(M))), (double)p.x, 1 - 0.77204 / 1.23999),
             check_holds("(435)"));
-    near("(435)", "limit", (double)vm_vdp_steady(&v, R(0.01), NULL), sqrt(a2 / (2 * a3)), 1e-14, 3e-6);
+    near("(435)", "limit", (double)vm_vdp_limit_cycle(&v, R(0.01), NULL), sqrt(a2 / (2 * a3)), 1e-14, 3e-6);
 }
 
 /* m = (1 + eps t)^2, and k not 1: (416) is no longer closed; the averaged equations, and their phase by (407) */
@@ -553,13 +553,13 @@ static vm_complex load(vm_real t, vm_complex z, vm_complex v, void *ctx)
     return vmi_c_add(f, vmi_c_scale(R(l->c3) * (z.re * z.re + z.im * z.im), z));
 }
 
-static vm_laval make_rotor(vm_linear_mass *m, vm_power_force *p, loads *l)
+static vm_jeffcott make_rotor(vm_linear_mass *m, vm_power_force *p, loads *l)
 {
-    vm_laval r;
+    vm_jeffcott r;
     memset(&r, 0, sizeof r);
     r.mass = vm_slow_mass_linear;
     r.mass_ctx = m;
-    r.stiffness = vm_laval_power;
+    r.stiffness = vm_jeffcott_power;
     r.stiffness_ctx = p;
     if (l) {
         r.force = load;
@@ -578,7 +578,7 @@ static void test_rotor_equations(void)
         vm_linear_mass m = linear(uniform(0.5, 2), uniform(-0.1, 0.1));
         vm_power_force p;
         loads l;
-        vm_laval r = make_rotor(&m, &p, &l);
+        vm_jeffcott r = make_rotor(&m, &p, &l);
         const double t = uniform(0, 3), k = uniform(0.5, 2), alpha = uniform(0.5, 4);
         double mass, F, ux, uy, fx, fy, ax, ay;
         vm_real y[4], d[4] = {0}, rho, phi;
@@ -596,8 +596,8 @@ static void test_rotor_equations(void)
         ux = uniform(-1, 1);
         uy = uniform(-1, 1);
         r.u = complex(ux, uy);
-        CHECK(vm_laval_rhs(R(t), y, d, &r) == VM_OK);
-        vm_laval_polar(vmi_complex(y[0], y[1]), &rho, &phi);
+        CHECK(vm_jeffcott_rhs(R(t), y, d, &r) == VM_OK);
+        vm_jeffcott_polar(vmi_complex(y[0], y[1]), &rho, &phi);
         mass = (double)(m.mass + m.rate * R(t));
         F = k * pow((double)rho, alpha);
         f = load(R(t), vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]), &l);
@@ -622,7 +622,7 @@ static void test_rotor_modes(void)
         vm_linear_mass m = linear(uniform(0.5, 2), uniform(-0.1, 0.1));
         vm_power_force p;
         loads l;
-        vm_laval r = make_rotor(&m, &p, &l);
+        vm_jeffcott r = make_rotor(&m, &p, &l);
         const double t = uniform(0, 3), phi = uniform(0, 6);
         double A1, A2, th1, th2, w, mass, rate, s1, s2, dA1, dA2, dth1, dth2, worst = 0;
         vm_real y[5], motion[4], back[4], d[5] = {0};
@@ -634,10 +634,10 @@ static void test_rotor_modes(void)
         l.c2 = uniform(-1, 1);
         l.c3 = uniform(-1, 1);
         for (k = 0; k < 4; k++) motion[k] = R(uniform(-2, 2));
-        CHECK(vm_laval_split(&r, R(t), motion, R(phi), y) == VM_OK && vm_laval_join(&r, R(t), y, back) == VM_OK);
+        CHECK(vm_jeffcott_to_averaged(&r, R(t), motion, R(phi), y) == VM_OK && vm_jeffcott_from_averaged(&r, R(t), y, back) == VM_OK);
         for (k = 0; k < 4; k++) worst = fmax(worst, fabs((double)(back[k] - motion[k])));
         check_error("(456)-(461)", "back", "eps", worst / eps, 40, t, phi);
-        CHECK(vm_laval_exact_rhs(R(t), y, d, &r) == VM_OK);
+        CHECK(vm_jeffcott_exact_rhs(R(t), y, d, &r) == VM_OK);
         mass = (double)(m.mass + m.rate * R(t));
         rate = (double)m.rate;
         w = sqrt((double)p.k / mass);
@@ -671,18 +671,18 @@ static void test_rotor_exchange(void)
     vm_linear_mass m = linear(1, 0);
     vm_power_force p = {1, 1};
     loads l = {0.02, 0, 0, 0};
-    vm_laval r = make_rotor(&m, &p, &l);
+    vm_jeffcott r = make_rotor(&m, &p, &l);
     const double t1 = pi / 0.02; /* half a beat: |P| = cos(gamma t/2) */
     vm_real motion[4] = {1, 0, 0, 1}, y[5], direct[5];
-    CHECK(vm_laval_split(&r, 0, motion, 0, y) == VM_OK);
+    CHECK(vm_jeffcott_to_averaged(&r, 0, motion, 0, y) == VM_OK);
     near_eps("(485)", "A1", hypot((double)y[0], (double)y[1]), 1, 2);
     CHECK(hypot((double)y[2], (double)y[3]) < 4 * eps);
-    solve(vm_laval_averaged_rhs, &r, 5, 0, t1, 1e-10, y);
+    solve(vm_jeffcott_averaged_rhs, &r, 5, 0, t1, 1e-10, y);
     check_error("(474)-(477)", "A1 at half a beat", "", hypot((double)y[0], (double)y[1]), is_float ? 1e-3 : 1e-11,
                 0, 0);
     near("(474)-(477)", "A2 at half a beat", hypot((double)y[2], (double)y[3]), 1, 1e-11, 3e-3);
-    solve(vm_laval_rhs, &r, 4, 0, t1, 1e-10, motion);
-    CHECK(vm_laval_split(&r, R(t1), motion, y[4], direct) == VM_OK);
+    solve(vm_jeffcott_rhs, &r, 4, 0, t1, 1e-10, motion);
+    CHECK(vm_jeffcott_to_averaged(&r, R(t1), motion, y[4], direct) == VM_OK);
     check_error("(474)-(477)", "direct: A1", "", hypot((double)direct[0], (double)direct[1]), 1e-3, 0, 0);
     near("(474)-(477)", "direct: A2", hypot((double)direct[2], (double)direct[3]), 1, 0.01, 0.02);
     /* the means over psi1 and psi2 apart leave it at 1 */
@@ -695,7 +695,7 @@ static double rotor_error(double e)
     vm_linear_mass m = linear(1, 0.4 * e);
     vm_power_force p = {1, 1};
     loads l;
-    vm_laval r = make_rotor(&m, &p, &l);
+    vm_jeffcott r = make_rotor(&m, &p, &l);
     vm_real direct[4] = {R(0.8), R(0.1), R(-0.3), R(0.5)}, y[5], got[4];
     double t1 = 2 / e, worst = 0;
     int k;
@@ -705,10 +705,10 @@ static double rotor_error(double e)
     l.c3 = 0.4 * e;
     r.gyro = R(0.15 * e);
     r.u = complex(0.2, 0.1);
-    CHECK(vm_laval_split(&r, 0, direct, 0, y) == VM_OK);
-    solve(vm_laval_averaged_rhs, &r, 5, 0, t1, 1e-9, y);
-    solve(vm_laval_rhs, &r, 4, 0, t1, 1e-9, direct);
-    CHECK(vm_laval_join(&r, R(t1), y, got) == VM_OK);
+    CHECK(vm_jeffcott_to_averaged(&r, 0, direct, 0, y) == VM_OK);
+    solve(vm_jeffcott_averaged_rhs, &r, 5, 0, t1, 1e-9, y);
+    solve(vm_jeffcott_rhs, &r, 4, 0, t1, 1e-9, direct);
+    CHECK(vm_jeffcott_from_averaged(&r, R(t1), y, got) == VM_OK);
     for (k = 0; k < 4; k++) worst = fmax(worst, fabs((double)(got[k] - direct[k])));
     return worst;
 }
@@ -726,7 +726,7 @@ static void test_rotor_linear(void)
 {
     vm_real e = R(0.01), y[4] = {1, 0, 0, 0}, last = 0;
     vm_power_force p = {1, 1};
-    vm_laval r = make_rotor(NULL, &p, NULL);
+    vm_jeffcott r = make_rotor(NULL, &p, NULL);
     double worst = 0;
     long i, n;
     r.mass = quadratic_mass;
@@ -735,7 +735,7 @@ static void test_rotor_linear(void)
         const double t = 0.5 * (double)i, tau = 0.01 * t;
         const double law = (double)vm_osc_amplitude_law(R((1 + tau) * (1 + tau)), 0, 1, 1) *
                            cos(100 * log1p(tau)); /* (482) */
-        solve(vm_laval_rhs, &r, 4, t - 0.5, t, 1e-9, y);
+        solve(vm_jeffcott_rhs, &r, 4, t - 0.5, t, 1e-9, y);
         worst = fmax(worst, fabs(law - (double)y[0]));
         last = y[1];
     }
@@ -744,7 +744,7 @@ static void test_rotor_linear(void)
     CHECK(last == 0);
     y[0] = 1;
     y[1] = y[2] = y[3] = 0;
-    n = track(vm_laval_rhs, &r, 4, 203, 1e-9, y, 0, 2, VM_ZERO_CROSSINGS);
+    n = track(vm_jeffcott_rhs, &r, 4, 203, 1e-9, y, 0, 2, VM_ZERO_CROSSINGS);
     for (i = 1; i + 1 < n; i++) /* after (482): the period grows with the mass, printed: it falls */
         CHECK(points[i + 1].t - points[i].t > points[i].t - points[i - 1].t);
     near("text of (482)", "first half period", (double)(points[1].t - points[0].t), 3.25, 5e-3, 5e-3);
@@ -759,13 +759,13 @@ static void test_rotor_single(void)
     vm_linear_mass m = linear(1, 0);
     vm_power_force p = {1, 1};
     loads l = {0, -0.02, 0, 0};
-    vm_laval r = make_rotor(&m, &p, &l);
+    vm_jeffcott r = make_rotor(&m, &p, &l);
     vm_real y[2] = {1, 0}, d[2], direct[4] = {1, 0, 0, 1};
     double rate;
-    CHECK(vm_laval_forward_rhs(0, y, d, &r) == VM_OK);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_OK);
     near("(489), (490)", "rate", (double)d[0], -0.01, 1e-15, 1e-6);
     near("(490)", "theta' = 0", (double)d[1], 1, 1e-15, 1e-6);
-    solve(vm_laval_rhs, &r, 4, 0, 400, 1e-10, direct);
+    solve(vm_jeffcott_rhs, &r, 4, 0, 400, 1e-10, direct);
     rate = log(hypot((double)direct[0], (double)direct[1])) / 400;
     near("(489), (490)", "direct", (double)d[0], rate, 2e-3, 3e-3);
     ERRATUM("(489),(490)", printed_fails("(489)", -0.0628, rate, 5.28), check_holds("(489), (490)"));
@@ -780,7 +780,7 @@ static void test_rotor_thrust(void)
     for (i = 0; i < 100; i++) {
         vm_linear_mass m = linear(1, 0.1);
         vm_power_force p = {1, 3};
-        vm_laval r = make_rotor(&m, &p, NULL);
+        vm_jeffcott r = make_rotor(&m, &p, NULL);
         const double A = uniform(0.5, 2), psi = uniform(0, 6), v1 = uniform(-1, 1), v2 = uniform(-1, 1),
                      ux = uniform(-1, 1);
         const double uy = uniform(0.2, 1), h = A * (cos(psi) * v2 - sin(psi) * v1);
@@ -791,7 +791,7 @@ static void test_rotor_thrust(void)
         y[2] = R(v1);
         y[3] = R(v2);
         r.u = complex(ux, uy);
-        CHECK(vm_laval_rhs(0, y, d, &r) == VM_OK);
+        CHECK(vm_jeffcott_rhs(0, y, d, &r) == VM_OK);
         moment = 0.1 * h + (double)(y[0] * d[3] - y[1] * d[2]); /* d/dt (m Im(conj z z')), m = 1 */
         check_error("(502), (503)", "moment of thrust", "eps", fabs(moment - want) / eps, 100, psi, uy);
         off = fmax(off, fabs(printed - want));
@@ -805,7 +805,7 @@ static void circular_errors(double alpha, double gyro, double reactive, int turn
     vm_linear_mass m = linear(1, 0.5 * e);
     vm_power_force p;
     loads l;
-    vm_laval r = make_rotor(&m, &p, &l);
+    vm_jeffcott r = make_rotor(&m, &p, &l);
     vm_real direct[4], y[2] = {R(1.2), R(0.3)}, d[2] = {0}, rho, phi, W;
     const double t1 = 2 / e;
     vm_complex z, v;
@@ -818,8 +818,8 @@ static void circular_errors(double alpha, double gyro, double reactive, int turn
     r.gyro = R(gyro);
     r.reactive = R(reactive);
     if (!turning) r.u = complex(0.1, 0.2);
-    W = vm_laval_frequency(&r, y[0], 1, 1);
-    CHECK(vm_laval_forward_rhs(0, y, d, &r) == VM_OK); /* the circle under load turns at psi', not at W */
+    W = vm_jeffcott_frequency(&r, y[0], 1, 1);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_OK); /* the circle under load turns at psi', not at W */
     z = vmi_c_scale(y[0], vmi_c_turn(y[1]));
     v = vmi_c_times(vmi_complex(d[0] / y[0], d[1]), z);
     direct[0] = z.re;
@@ -828,9 +828,9 @@ static void circular_errors(double alpha, double gyro, double reactive, int turn
     direct[3] = v.im;
     near_eps("m W^2 - 2 g W = F'", "after (516)", (double)(W * W - 2 * r.gyro * W),
              (double)p.k * pow(1.2, alpha - 1), 20);
-    solve(vm_laval_forward_rhs, &r, 2, 0, t1, 1e-10, y);
-    solve(vm_laval_rhs, &r, 4, 0, t1, 1e-10, direct);
-    vm_laval_polar(vmi_complex(direct[0], direct[1]), &rho, &phi);
+    solve(vm_jeffcott_forward_whirl_rhs, &r, 2, 0, t1, 1e-10, y);
+    solve(vm_jeffcott_rhs, &r, 4, 0, t1, 1e-10, direct);
+    vm_jeffcott_polar(vmi_complex(direct[0], direct[1]), &rho, &phi);
     errors[0] = fabs((double)(rho / y[0]) - 1);
     errors[1] = fabs(remainder((double)(phi - y[1]), 2 * pi));
 }
@@ -867,14 +867,14 @@ static vm_real duffing(vm_real rho, vm_real *slope, void *ctx)
 }
 
 /* Radius and its law after the mass has grown from 1 to 1 + rate t, direct integration from a circle of radius 1 */
-static double orbit(vm_laval *r, double rate, double t, int sense, double tolerance)
+static double orbit(vm_jeffcott *r, double rate, double t, int sense, double tolerance)
 {
     vm_linear_mass m = linear(1, rate);
     vm_real y[4] = {1, 0, 0, 0};
     r->mass = vm_slow_mass_linear;
     r->mass_ctx = &m;
-    y[3] = vm_laval_frequency(r, 1, 1, sense);
-    solve(vm_laval_rhs, r, 4, 0, t, tolerance, y);
+    y[3] = vm_jeffcott_frequency(r, 1, 1, sense);
+    solve(vm_jeffcott_rhs, r, 4, 0, t, tolerance, y);
     return hypot((double)y[0], (double)y[1]);
 }
 
@@ -884,22 +884,22 @@ static void test_rotor_law(void)
     static const double alphas[] = {0.5, 1, 2, 5};
     vm_linear_mass m = linear(1, 0.01);
     vm_power_force p = {1, 3};
-    vm_laval r = make_rotor(&m, &p, NULL);
+    vm_jeffcott r = make_rotor(&m, &p, NULL);
     vm_real y[4];
     double h, A, moment, worst = 0, printed = 0;
     int i;
     y[0] = y[1] = y[3] = VM_SQRT(VM_C(0.5));
     y[2] = -y[0];
-    moment = (double)vm_laval_momentum(&r, 1, vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]));
+    moment = (double)vm_jeffcott_momentum(&r, 1, vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]));
     for (i = 1; i <= 500; i++) {
         double rho, mass = 1 + 0.01 * i;
-        solve(vm_laval_rhs, &r, 4, i - 1, i, 1e-11, y);
+        solve(vm_jeffcott_rhs, &r, 4, i - 1, i, 1e-11, y);
         rho = hypot((double)y[0], (double)y[1]);
-        A = (double)vm_laval_amplitude(&r, 1, 1, R(mass));
+        A = (double)vm_jeffcott_amplitude(&r, 1, 1, R(mass));
         near("(509)", "power", A, pow(mass, -1. / 6), 3e-15, 3e-6);
         worst = fmax(worst, fabs(A / rho - 1));
         printed = fmax(printed, fabs(pow(mass, -0.2) / rho - 1));
-        h = (double)vm_laval_momentum(&r, R(mass), vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]));
+        h = (double)vm_jeffcott_momentum(&r, R(mass), vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3]));
         check_error("(514), (515)", "momentum", "", fabs(h / moment - 1), is_float ? 5e-3 : 2e-11, i, 0);
         if (i == 10) {
             near("(514), (515)", "E3, x", (double)y[0], -0.494339964193726892, 1e-11, 2e-4);
@@ -925,18 +925,18 @@ static void test_rotor_law(void)
         const double law = pow(5, -1 / (alphas[i] + 3));
         p.alpha = R(alphas[i]);
         near("(509)", "powers, direct", orbit(&r, 0.01, 400, 1, 1e-9), law, 1.6e-3, 6e-3);
-        near("(509)", "powers, closed", (double)vm_laval_amplitude(&r, 1, 1, 5), law, 3e-15, 3e-6);
+        near("(509)", "powers, closed", (double)vm_jeffcott_amplitude(&r, 1, 1, 5), law, 3e-15, 3e-6);
         near("(509)", "powers, vm_osc", (double)vm_osc_amplitude_law(5, 0, 1, p.alpha), law, 3e-15, 3e-6);
         r.reactive = 0;
         near("(509)", "r = 0, direct", orbit(&r, 0.01, 400, 1, 1e-9), 1 / law, 2e-3, 6e-3);
-        near("(509)", "r = 0, closed", (double)vm_laval_amplitude(&r, 1, 1, 5), 1 / law, 3e-15, 3e-6);
+        near("(509)", "r = 0, closed", (double)vm_jeffcott_amplitude(&r, 1, 1, 5), 1 / law, 3e-15, 3e-6);
         r.reactive = 1;
     }
     r.stiffness = duffing;
-    A = (double)vm_laval_amplitude(&r, 1, 1, 4);
+    A = (double)vm_jeffcott_amplitude(&r, 1, 1, 4);
     near("(509)", "F_e = rho + rho^3/2", pow(A, 4) * (1 + A * A / 2) * 4, 1.5, 3e-15, 3e-6);
     near("(509)", "the same, direct", orbit(&r, 0.01, 300, 1, 1e-9), A, 1e-3, 5e-3);
-    near("(509)", "back", (double)vm_laval_amplitude(&r, R(A), 4, 1), 1, 3e-15, 1e-6);
+    near("(509)", "back", (double)vm_jeffcott_amplitude(&r, R(A), 4, 1), 1, 3e-15, 1e-6);
 }
 
 /* The gyroscopic remark: A^2 (m W - g) stays, not A^2 m W, and the frequency equation without k1 */
@@ -949,14 +949,14 @@ static void test_rotor_gyro(void)
     int i;
     for (i = 0; i < 2; i++) {
         vm_power_force p = {1, 3};
-        vm_laval r = make_rotor(NULL, &p, NULL);
+        vm_jeffcott r = make_rotor(NULL, &p, NULL);
         const int sense = (int)cases[i][1];
         const double g = cases[i][0];
         double A, direct, low = 0.5, high = 1;
         r.gyro = R(g);
-        near_eps("W", "after (516)", (double)vm_laval_frequency(&r, 1, 1, sense), cases[i][2], 2);
+        near_eps("W", "after (516)", (double)vm_jeffcott_frequency(&r, 1, 1, sense), cases[i][2], 2);
         direct = orbit(&r, 0.01, 300, sense, 1e-10);
-        A = (double)vm_laval_amplitude(&r, 1, 1, 4);
+        A = (double)vm_jeffcott_amplitude(&r, 1, 1, 4);
         near("A^2 (m W - g)", "stated, direct", direct, cases[i][3], 2e-5, 6e-3);
         near("A^2 (m W - g)", "stated, law", A, cases[i][4], 1e-5, 1e-5);
         near("A^2 (m W - g)", "law, direct", A, direct, 5e-4, 6e-3);
@@ -966,34 +966,34 @@ static void test_rotor_gyro(void)
             vm_real slow[2] = {1, 0}, y[4] = {1, 0, 0, 0};
             r.mass = vm_slow_mass_linear;
             r.mass_ctx = &m;
-            solve(sense > 0 ? vm_laval_forward_rhs : vm_laval_backward_rhs, &r, 2, 0, 300, 1e-10, slow);
+            solve(sense > 0 ? vm_jeffcott_forward_whirl_rhs : vm_jeffcott_backward_whirl_rhs, &r, 2, 0, 300, 1e-10, slow);
             near("A^2 (m W - g)", "averaged", (double)slow[0], A, 1e-11, 1e-5);
             CHECK((slow[1] > 0) == (sense > 0));
-            y[3] = vm_laval_frequency(&r, 1, 1, sense);
-            solve(vm_laval_rhs, &r, 4, 0, 300, 1e-11, y);
+            y[3] = vm_jeffcott_frequency(&r, 1, 1, sense);
+            solve(vm_jeffcott_rhs, &r, 4, 0, 300, 1e-11, y);
             near("A^2 (m W - g)", "momentum",
-                 (double)vm_laval_momentum(&r, 4, vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3])),
+                 (double)vm_jeffcott_momentum(&r, 4, vmi_complex(y[0], y[1]), vmi_complex(y[2], y[3])),
                  cases[i][2] - g, 1e-9, 1e-2);
         }
         while (high - low > 1e-9) { /* (506): A^2 m W */
-            const double x = (low + high) / 2, W = (double)vm_laval_frequency(&r, R(x), 4, sense);
+            const double x = (low + high) / 2, W = (double)vm_jeffcott_frequency(&r, R(x), 4, sense);
             if (x * x * 4 * W / cases[i][2] > 1) high = x;
             else low = x;
         }
         near("(506) with g", "as printed", low, cases[i][5], 1e-5, 1e-5);
         ERRATUM("gyroscopic remark: amplitude (506)", fabs(low / direct - 1) > 0.04, check_holds("A^2 (m W - g)"));
         r.reactive = 0;
-        CHECK(vm_laval_amplitude(&r, 1, 1, 4) != vm_laval_amplitude(&r, 1, 1, 4)); /* needs the course of m */
+        CHECK(vm_jeffcott_amplitude(&r, 1, 1, 4) != vm_jeffcott_amplitude(&r, 1, 1, 4)); /* needs the course of m */
         p.k = R(1.5); /* F_e' holds k1 already: with k1 F_e' the frequency would be of k1^2 */
-        near_eps("W", "k = 1.5", (double)vm_laval_frequency(&r, 1, 1, sense), g + sense * sqrt(g * g + 1.5), 8);
+        near_eps("W", "k = 1.5", (double)vm_jeffcott_frequency(&r, 1, 1, sense), g + sense * sqrt(g * g + 1.5), 8);
         { /* the circle of radius 1 turns with this W: its acceleration is -W^2 */
             vm_linear_mass m = linear(1, 0);
             vm_real y[4] = {1, 0, 0, 0}, d[4] = {0};
-            const double W = (double)vm_laval_frequency(&r, 1, 1, sense);
+            const double W = (double)vm_jeffcott_frequency(&r, 1, 1, sense);
             r.mass = vm_slow_mass_linear;
             r.mass_ctx = &m;
             y[3] = R(W);
-            CHECK(vm_laval_rhs(0, y, d, &r) == VM_OK);
+            CHECK(vm_jeffcott_rhs(0, y, d, &r) == VM_OK);
             near_eps("W", "of a circle", -(double)d[2], W * W, 40);
             ERRATUM("gyroscopic remark: frequency", fabs(g + sense * sqrt(g * g + 1.5 * 1.5) - W) > 0.1,
                     check_holds("W"));
@@ -1033,7 +1033,7 @@ static void test_pair_modes(void)
         check_error("(522)", "pointwise", "eps",
                     fabs((double)(d[3] - d[2]) + force + drag * (double)(y[3] - y[2])) / (1 + fabs(force)) / eps, 6,
                     t, 0);
-        CHECK(vm_pair_split(&p, R(t), y, modes) == VM_OK && vm_pair_join(&p, R(t), modes, back) == VM_OK);
+        CHECK(vm_pair_to_averaged(&p, R(t), y, modes) == VM_OK && vm_pair_from_averaged(&p, R(t), modes, back) == VM_OK);
         for (k = 0; k < 4; k++) worst = fmax(worst, fabs((double)(back[k] - y[k])));
         check_error("(520), (524)", "back", "", worst, is_float ? 1e-4 : 1e-9, t,
                     (double)p.alpha); /* three rounds */
@@ -1047,9 +1047,9 @@ static void test_pair_below_ripple(void)
     vm_pair p = make_pair(1, 1, 0, &m);
     const vm_real fast[4] = {0, R(0.75), 0, 100}, slow[4] = {0, R(0.75), 0, R(3e-5)}, weak[4] = {1, 2, 0, 0};
     vm_real modes[4] = {7, 7, 7, 7}, back[4] = {7, 7, 7, 7};
-    CHECK(vm_pair_split(&p, R(1.9999), fast, modes) == VM_DOMAIN && modes[0] == 7 && modes[3] == 7);
-    CHECK(vm_pair_join(&p, R(1.9999), weak, back) == VM_DOMAIN && back[0] == 7 && back[3] == 7);
-    CHECK(vm_pair_split(&p, 0, fast, modes) == VM_OK && vm_pair_join(&p, 0, weak, back) == VM_OK);
+    CHECK(vm_pair_to_averaged(&p, R(1.9999), fast, modes) == VM_DOMAIN && modes[0] == 7 && modes[3] == 7);
+    CHECK(vm_pair_from_averaged(&p, R(1.9999), weak, back) == VM_DOMAIN && back[0] == 7 && back[3] == 7);
+    CHECK(vm_pair_to_averaged(&p, 0, fast, modes) == VM_OK && vm_pair_from_averaged(&p, 0, weak, back) == VM_OK);
     p.k = R(1e-6);
     back[0] = 7;
     CHECK(vm_pair_at(&p, 1, slow, heavy, back) == VM_DOMAIN && back[0] == 7);
@@ -1066,7 +1066,7 @@ static void test_pair_example(void)
     double worst = 0, printed = 0, off = HUGE_VAL;
     long i, n;
     memcpy(y, start, sizeof y);
-    CHECK(vm_pair_split(&p, 0, y, modes) == VM_OK);
+    CHECK(vm_pair_to_averaged(&p, 0, y, modes) == VM_OK);
     near("(523)", "p0 = y0 - x0", (double)modes[0], 2, 1e-15, 1e-6);
     near("(527)", "q0", (double)modes[2], 4, 1e-15, 1e-6);
     check_error("(523)", "phase of p0 > 0", "", fabs((double)modes[1]), 0, 0,
@@ -1108,14 +1108,14 @@ static double pair_error(double alpha, double reactive, double e, int closed)
         vm_pair p = make_pair(alpha, 0.8, reactive, &m);
         vm_real y0[4], y[4], modes[4], got[4] = {0};
         for (k = 0; k < 4; k++) y0[k] = y[k] = R(start[s][k]);
-        CHECK(vm_pair_split(&p, 0, y0, modes) == VM_OK);
+        CHECK(vm_pair_to_averaged(&p, 0, y0, modes) == VM_OK);
         for (i = 1; i <= 10; i++) {
             const double t = 0.2 * i / e;
             solve(vm_pair_rhs, &p, 4, t - 0.2 / e, t, 1e-11, y);
             if (closed) CHECK(vm_pair_at(&p, R(t), y0, m, got) == VM_OK);
             else {
                 solve(vm_pair_averaged_rhs, &p, 4, t - 0.2 / e, t, 1e-11, modes);
-                CHECK(vm_pair_join(&p, R(t), modes, got) == VM_OK);
+                CHECK(vm_pair_from_averaged(&p, R(t), modes, got) == VM_OK);
             }
             for (k = 0; k < 2; k++) worst = fmax(worst, fabs((double)(got[k] - y[k])) / 3);
         }
@@ -1149,7 +1149,7 @@ typedef struct growth {
     int exponential;
 } growth;
 
-static void grow(vm_real t, vm_forced_now *now, void *ctx)
+static void grow(vm_real t, vm_forced_parameters *now, void *ctx)
 {
     const growth *g = (const growth *)ctx;
     const double m = g->exponential ? exp(g->rate * (double)t) : 1 + g->rate * (double)t;
@@ -1214,7 +1214,7 @@ static void test_fourier(void)
 }
 
 /* The exact equations of A and psi against the equation of motion, by the chain rule */
-static void drift_all(vm_real t, vm_forced_now *now, void *ctx)
+static void drift_all(vm_real t, vm_forced_parameters *now, void *ctx)
 {
     (void)t;
     (void)ctx;
@@ -1322,14 +1322,14 @@ static void forced_errors(double alpha, double r, double m1, double e, int plain
     g.rate = e * m1;
     g.exponential = 0;
     f = make_forced(alpha, 0.5, r, e, 1.05 * (double)vm_osc_omega_trig(R(alpha)), &g);
-    if (!plain) CHECK(vm_forced_split(&f, 0, y, slow) == VM_OK);
+    if (!plain) CHECK(vm_forced_to_averaged(&f, 0, y, slow) == VM_OK);
     errors[0] = errors[1] = 0;
     for (i = 1; i <= n; i++) {
         const double before = 3 / e * (i - 1) / n, t = 3 / e * i / n;
-        vm_forced_now now = f.now;
+        vm_forced_parameters now = f.now;
         solve(vm_forced_rhs, &f, 3, before, t, 1e-10, y);
         solve(vm_forced_averaged_rhs, &f, 3, before, t, 1e-10, slow);
-        CHECK(vm_forced_join(&f, R(t), slow, got) == VM_OK);
+        CHECK(vm_forced_from_averaged(&f, R(t), slow, got) == VM_OK);
         grow(R(t), &now, &g);
         vmi_slow_phase(y[0], y[1], now.k, now.mass, f.alpha, &A, &psi);
         vmi_slow_phase(got[0], got[1], now.k, now.mass, f.alpha, &B, &psi);
@@ -1385,11 +1385,11 @@ static void test_forced_steady(void)
         const double alpha = rows[i][0], Om1 = (double)vm_osc_omega_trig(R(alpha));
         growth g = {0, 0};
         const vm_forced f = make_forced(alpha, 0.5, 1, 0.02, Om1 * 1.01, &g);
-        vm_steady s[3];
-        vm_steady c[2];
+        vm_steady_state s[3];
+        vm_steady_state c[2];
         vm_real y[3], d[3] = {0};
         int k, j, found;
-        CHECK(vm_forced_steady(&f, 0, s) == 3);
+        CHECK(vm_forced_steady_states(&f, 0, s) == 3);
         near("steady", "A_peak", (double)vm_forced_peak(&f, 0), rows[i][5], 1e-14, 2e-5);
         check_error("steady", "delta", "", fabs((double)s[2].delta - rows[i][4]), is_float ? 3e-3 : 1e-13, alpha,
                     0);
@@ -1431,12 +1431,12 @@ static void test_forced_steady_random(void)
         const double alpha = i % 7 == 0 ? 1 : i % 11 == 0 ? 0 : i % 13 == 0 ? 100 : uniform(0.1, 6);
         vm_forced f = make_forced(alpha, i % 5 ? uniform(0, 2) : 0, 1, pow(10, uniform(-2, -0.5)), uniform(0.3, 2),
                                   &g);
-        vm_steady s[3];
+        vm_steady_state s[3];
         vm_real y[3], up[3] = {0}, down[3] = {0};
         const double steep = fmax(1, fabs(alpha - 1) / 2);
         const double tip = alpha != 1 ? 2 / (alpha - 1) * log((double)(f.now.nu / f.Om1)) : 0; /* w = nu */
         double before = 0, x;
-        const int n = vm_forced_steady(&f, 0, s);
+        const int n = vm_forced_steady_states(&f, 0, s);
         int changes = 0;
         for (x = -60; x < 60; x += fmax(2e-6 / steep, fmin(0.02, fabs(x - tip) / 200))) {
             const double A = exp(x), w = (double)f.Om1 * pow(A, (alpha - 1) / 2),
@@ -1479,19 +1479,19 @@ static void test_forced_edges(void)
 {
     static const double alphas[] = {1 - 1e-3, 1 - 1e-5, 1 + 1e-5, 1 + 1e-3};
     growth g = {0, 0};
-    vm_steady s[3], linear_response[3];
+    vm_steady_state s[3], linear_response[3];
     vm_forced f = make_forced(1, 0.5, 1, 0.02, 1.5, &g);
     int i;
-    CHECK(vm_forced_steady(&f, 0, linear_response) == 1);
+    CHECK(vm_forced_steady_states(&f, 0, linear_response) == 1);
     /* q/4 = b/(2m) */
     near("steady", "alpha = 1", (double)linear_response[0].A, 0.01 / hypot(0.5, 0.005), 3e-15, 1e-6);
     for (i = 0; i < 4; i++) {
         f = make_forced(alphas[i], 0.5, 1, 0.02, 1.5, &g);
-        CHECK(vm_forced_steady(&f, 0, s) == 1);
+        CHECK(vm_forced_steady_states(&f, 0, s) == 1);
         near("steady", "alpha -> 1", (double)s[0].A, (double)linear_response[0].A, 0.02, 0.02);
     }
     f = make_forced(1, 0, 1, 0.02, 1, &g);
-    CHECK(vm_forced_steady(&f, 0, s) == 0 && vm_forced_peak(&f, 0) > VM_MAX); /* grows without bound */
+    CHECK(vm_forced_steady_states(&f, 0, s) == 0 && vm_forced_peak(&f, 0) > VM_MAX); /* grows without bound */
     CHECK(vm_forced_curve(&f, 0, 1, s) == 2 && !s[0].stable);                 /* no damping: a centre at most */
 }
 
@@ -1523,12 +1523,12 @@ static double forced_period(vm_forced *f, vm_real *y, double derivative[2][2], d
 }
 
 /* The periodic motion next to a steady state, by Newton; its first harmonic and multipliers (trace, det) */
-static double shoot(vm_forced *f, const vm_steady *s, double multipliers[2], double *phase)
+static double shoot(vm_forced *f, const vm_steady_state *s, double multipliers[2], double *phase)
 {
     vm_real slow[3] = {s->A, s->delta, 0}, y[3] = {0};
     double harmonic = 0, d[2][2] = {{0}};
     int i;
-    CHECK(vm_forced_join(f, 0, slow, y) == VM_OK);
+    CHECK(vm_forced_from_averaged(f, 0, slow, y) == VM_OK);
     for (i = 0; i < 6; i++) {
         vm_real z[2] = {y[0], y[1]};
         double a, b, det;
@@ -1555,7 +1555,7 @@ static void test_forced_periodic(void)
                                      {5, 0.5, 3.9e-3, 1.1e-3}};
     static const double saddle[2][4] = {{3, 0.5, 1.71229, 0.54267}, {1.5, -0.5, 1.31094, 0.71375}};
     growth g = {0, 0};
-    vm_steady s[3];
+    vm_steady_state s[3];
     vm_forced f;
     double multipliers[2], phase, error[2], predicted;
     size_t i;
@@ -1567,7 +1567,7 @@ static void test_forced_periodic(void)
         for (k = 0; k < 2; k++) {
             const double e = k ? 0.01 : 0.04;
             f = make_forced(alpha, 0.5, 1, e, Om1 * (1 + rows[i][1] * e), &g);
-            n = vm_forced_steady(&f, 0, s);
+            n = vm_forced_steady_states(&f, 0, s);
             error[k] = fabs(shoot(&f, s + n - 1, multipliers, &phase) - (double)(f.c[0] * s[n - 1].A));
             check_error("section 4", "c1 A", "stated", fabs(error[k] / rows[i][2 + k] - 1), 0.1, alpha, e);
             check_error("section 4", "phase", "c1 A's",
@@ -1578,7 +1578,7 @@ static void test_forced_periodic(void)
         const double alpha = saddle[i][0], Om1 = (double)vm_osc_omega_trig(R(alpha));
         rough = alpha < 3;
         f = make_forced(alpha, 0.5, 1, 0.02, Om1 * (1 + saddle[i][1] * 0.02), &g);
-        n = vm_forced_steady(&f, 0, s);
+        n = vm_forced_steady_states(&f, 0, s);
         CHECK(n == 3);
         predicted = sqrt((double)(s[1].trace * s[1].trace) / 4 - (double)s[1].det);
         predicted = exp(2 * pi / (double)f.now.nu * ((double)s[1].trace / 2 + predicted));
@@ -1692,13 +1692,13 @@ static vm_real decay(vm_real t, void *ctx) { return vmi_exp(-*(const vm_real *)c
 
 static void test_points(void)
 {
-    vm_point few[40];
+    vm_sample few[40];
     vm_real none = 0, some = VM_C(0.01);
     vm_linear_mass m = linear(1, 0);
     vm_vdp free = vdp(1, 0, 0, 1, VM_VDP_ATEB);
     vm_real y[2] = {1, 0};
     long n, i;
-    n = vm_find_points(cosine_motion, NULL, VM_TURNING_POINTS, 0, R(31.5), R(0.5), 40, few);
+    n = vm_find_samples(cosine_motion, NULL, VM_TURNING_POINTS, 0, R(31.5), R(0.5), 40, few);
     CHECK(n == 10); /* not the one at the start */
     for (i = 0; i < n; i++) {
         near_eps("turning points", "cos t", (double)few[i].t, (double)(i + 1) * pi, 4);
@@ -1708,33 +1708,33 @@ static void test_points(void)
              4);
     near("envelope error", "law e^-0.01t", (double)vm_envelope_error(VM_TURNING_POINTS, n, few, decay, &some),
          1 - exp(-0.1 * pi), 1e-14, 1e-5);
-    n = vm_find_points(cosine_motion, NULL, VM_ZERO_CROSSINGS, 0, R(31.5), R(0.5), 40, few);
+    n = vm_find_samples(cosine_motion, NULL, VM_ZERO_CROSSINGS, 0, R(31.5), R(0.5), 40, few);
     CHECK(n == 10);
     for (i = 0; i < n; i++) near_eps("zero crossings", "cos t", (double)few[i].t, ((double)i + 0.5) * pi, 4);
-    CHECK(vm_find_points(cosine_motion, NULL, VM_ZERO_CROSSINGS, 0, R(31.5), R(0.5), 3, few) == 10);
+    CHECK(vm_find_samples(cosine_motion, NULL, VM_ZERO_CROSSINGS, 0, R(31.5), R(0.5), 3, few) == 10);
     near_eps("envelope error", "velocity", 1 + (double)vm_envelope_error(VM_ZERO_CROSSINGS, 3, few, decay, &none),
              1, 4);
-    CHECK(vm_find_points(cosine_motion, NULL, VM_TURNING_POINTS, 1, 1, R(0.5), 0, NULL) == 0);
-    CHECK(vm_find_points(NULL, NULL, 0, 0, 1, 1, 0, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points(cosine_motion, NULL, 2, 0, 1, 1, 0, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, 1, 1, NULL) == VM_BAD_ARGUMENT);
-    CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, 0, 0, NULL) == VM_NOT_FINITE);
-    CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, -1, 0, NULL) == VM_NOT_FINITE);
-    n = vm_find_points(cosine_motion, NULL, VM_TURNING_POINTS, R(31.5), 1, R(-0.5), 40, few);
+    CHECK(vm_find_samples(cosine_motion, NULL, VM_TURNING_POINTS, 1, 1, R(0.5), 0, NULL) == 0);
+    CHECK(vm_find_samples(NULL, NULL, 0, 0, 1, 1, 0, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples(cosine_motion, NULL, 2, 0, 1, 1, 0, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, 1, 1, 1, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, 1, 0, 0, NULL) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, 1, -1, 0, NULL) == VM_NOT_FINITE);
+    n = vm_find_samples(cosine_motion, NULL, VM_TURNING_POINTS, R(31.5), 1, R(-0.5), 40, few);
     CHECK(n == 10);
     for (i = 0; i < n; i++) near_eps("turning points", "backward", (double)few[i].t, (double)(10 - i) * pi, 4);
-    CHECK(vm_find_points(cosine_motion, NULL, 0, 0, VM_INFINITY, 1, 0, NULL) == VM_NOT_FINITE);
-    CHECK(vm_find_points(cosine_motion, NULL, 0, 0, 1, VM_NAN, 0, NULL) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, VM_INFINITY, 1, 0, NULL) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, 1, VM_NAN, 0, NULL) == VM_NOT_FINITE);
     free.mass_ctx = &m;
     n = track(vm_vdp_rhs, &free, 2, 100, 1e-10, y, 0, 1, VM_TURNING_POINTS);
     CHECK(n == 31);
     for (i = 0; i < n; i++)
         near("turning points", "of a run", (double)points[i].t, (double)(i + 1) * pi, 1e-10, 1e-3);
-    CHECK(vm_find_points_of_step(NULL, 0, 1, 0, y, 0, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(NULL, 0, 1, 0, y, 0, NULL) == VM_BAD_ARGUMENT);
 }
 
 /* Example 1 (398): E1 of R7, and the envelopes (399) and (400) by the diagnostics alone */
-static vm_real power_law(vm_real t, void *ctx) { return vmi_raised(1 + VM_C(0.1) * t, -*(const vm_real *)ctx); }
+static vm_real power_law(vm_real t, void *ctx) { return vmi_pow_checked(1 + VM_C(0.1) * t, -*(const vm_real *)ctx); }
 
 static void test_envelopes(void)
 {
@@ -1772,51 +1772,51 @@ static void test_hard(void)
     const double large = is_float ? 1e30 : 1e150;
     vm_vdp v = vdp(3, 0.01, 0.01, 1, VM_VDP_ATEB), grows = vdp(3, 0.01, -0.01, 1, VM_VDP_ATEB);
     vm_vdp bare = vdp(3, 0, 0, 1, VM_VDP_ATEB);
-    vm_laval r;
+    vm_jeffcott r;
     vm_power_force p = {1, 3};
     int stable;
     /* any amplitude falls on the same decay; the least is fed exponentially; mass 1e6-fold, down to 1e-3 */
     near("(437)", "huge amplitude", (double)vm_vdp_amplitude(&v, 1000, R(large), linear(1, 0)),
          (double)vm_vdp_amplitude(&v, 1000, R(large / 1e10), linear(1, 0)), 1e-15, 1e-6);
     near("(437)", "the largest amplitude", (double)vm_vdp_amplitude(&v, R(1e9), VM_MAX, linear(1, 0)),
-         (double)vm_vdp_steady(&v, 0, NULL), 1e-15, 1e-6);
+         (double)vm_vdp_limit_cycle(&v, 0, NULL), 1e-15, 1e-6);
     near("(437)", "its sign", (double)vm_vdp_amplitude(&v, R(1e9), -1, linear(1, 0)),
-         -(double)vm_vdp_steady(&v, 0, NULL), 1e-15, 1e-6);
+         -(double)vm_vdp_limit_cycle(&v, 0, NULL), 1e-15, 1e-6);
     near("(437)", "small amplitude", (double)vm_vdp_amplitude(&v, 100, R(1 / large), linear(1, 0)) * large,
          exp(1. / 3), 1e-15, 3e-6);
     near("(437)", "long after", (double)vm_vdp_amplitude(&v, R(1e9), R(0.001), linear(1, 0)),
-         (double)vm_vdp_steady(&v, 0, NULL), 1e-15, 1e-6);
+         (double)vm_vdp_limit_cycle(&v, 0, NULL), 1e-15, 1e-6);
     near("(423)", "mass to 1e6", (double)vm_vdp_amplitude(&v, R(1e8), 1, linear(1, 0.01)),
-         (double)vm_vdp_steady(&v, R(0.01), NULL), 1e-2, 1e-2);
+         (double)vm_vdp_limit_cycle(&v, R(0.01), NULL), 1e-2, 1e-2);
     near("(431)", "mass to 1e-3", (double)vm_vdp_amplitude(&bare, R(99.9), 1, linear(1, -0.01)),
          pow(1 - (double)R(0.01) * (double)R(99.9), -1. / 6), 1e-13, 1e-2);
     CHECK(vm_vdp_amplitude(&v, R(1e9), 1, linear(1, 1)) > 0);       /* the other end: dies, F to -infinity */
     CHECK(is_nan(vm_vdp_amplitude(&grows, 1000, 1, linear(1, 0)))); /* c < 0: infinite before that */
     CHECK(vm_vdp_amplitude(&grows, 10, 1, linear(1, 0)) > 1);
-    CHECK(vm_vdp_steady(&grows, 0, &stable) == 0 && !stable);
-    CHECK(vm_vdp_steady(&grows, R(0.05), &stable) > 0 && !stable); /* what is below dies, above grows */
-    CHECK(vm_vdp_steady(&v, R(0.05), &stable) == 0 && stable);
-    CHECK(vm_vdp_steady(&v, 0, &stable) > 0 && stable);
+    CHECK(vm_vdp_limit_cycle(&grows, 0, &stable) == 0 && !stable);
+    CHECK(vm_vdp_limit_cycle(&grows, R(0.05), &stable) > 0 && !stable); /* what is below dies, above grows */
+    CHECK(vm_vdp_limit_cycle(&v, R(0.05), &stable) == 0 && stable);
+    CHECK(vm_vdp_limit_cycle(&v, 0, &stable) > 0 && stable);
     CHECK(vm_vdp_amplitude(&v, 100, 0, linear(1, 0)) == 0);
     {
         vm_linear_mass m = linear(1, 0.1); /* at rest, where the rate of the phase would be infinite */
         vm_pair still = make_pair(0.5, 1, 1, &m);
         const vm_real y0[4] = {2, 2, 1, 1};
         vm_real modes[4] = {1, 1, 1, 1}, dmodes[4] = {1, 1, 1, 1}, y[4] = {0};
-        CHECK(vm_pair_split(&still, 0, y0, modes) == VM_OK && modes[0] == 0);
+        CHECK(vm_pair_to_averaged(&still, 0, y0, modes) == VM_OK && modes[0] == 0);
         CHECK(vm_pair_averaged_rhs(0, modes, dmodes, &still) == VM_OK && dmodes[0] == 0 && dmodes[1] == 0);
         CHECK(vm_pair_at(&still, 10, y0, m, y) == VM_OK && y[0] == y[1] && y[2] == y[3]);
         near("(525)", "drift", (double)y[0], 2 + log(2.) / (double)m.rate, 1e-14, 1e-5); /* q' = q'(0) m0/m */
         near("(525)", "drift's rate", (double)y[2], 0.5, 1e-14, 1e-5);
     }
     memset(&r, 0, sizeof r);
-    r.stiffness = vm_laval_power;
+    r.stiffness = vm_jeffcott_power;
     r.stiffness_ctx = &p;
     r.reactive = 1;
     for (p.alpha = 0; p.alpha < 10000; p.alpha = p.alpha * 3 + VM_C(0.1)) { /* the mass 1e6-fold and to 1e-3 */
-        near("(509)", "mass to 1e6", (double)vm_laval_amplitude(&r, 1, 1, R(1e6)),
+        near("(509)", "mass to 1e6", (double)vm_jeffcott_amplitude(&r, 1, 1, R(1e6)),
              pow(1e6, -1 / ((double)p.alpha + 3)), 3e-15, 2e-6);
-        near("(509)", "mass to 1e-3", (double)vm_laval_amplitude(&r, 1, 1, R(0.001)),
+        near("(509)", "mass to 1e-3", (double)vm_jeffcott_amplitude(&r, 1, 1, R(0.001)),
              pow((double)R(0.001), -1 / ((double)p.alpha + 3)), 3e-15, 2e-6);
     }
 }
@@ -1827,12 +1827,12 @@ static void test_bad_input(void)
     vm_vdp v = vdp(3, 1, 1, 1, VM_VDP_ATEB), w, before;
     vm_linear_mass m = linear(1, -1);
     vm_power_force power = {1, 3};
-    vm_laval r = make_rotor(&m, &power, NULL);
+    vm_jeffcott r = make_rotor(&m, &power, NULL);
     growth g = {0, 0};
     vm_forced f = make_forced(3, 1, 1, 1, 1, &g), other;
     vm_pair p = make_pair(3, 1, 1, &m);
     vm_real y[5] = {1, 2, 3, 4, 5}, d[5] = {7, 7, 7, 7, 7};
-    vm_steady s[3];
+    vm_steady_state s[3];
     vm_passage passage;
     int i;
     CHECK(vm_vdp_init(NULL) == VM_BAD_ARGUMENT && vm_forced_init(NULL) == VM_BAD_ARGUMENT);
@@ -1852,9 +1852,9 @@ static void test_bad_input(void)
         w.k = R(bad[i]);
         CHECK(vm_vdp_init(&w) == (i < 2 ? VM_DOMAIN : VM_NOT_FINITE));
         CHECK(is_nan(vm_vdp_amplitude(&v, 1, 1, linear(bad[i], 0.1))));
-        CHECK(is_nan(vm_laval_amplitude(&r, R(bad[i]), 1, 2)) && is_nan(vm_laval_amplitude(&r, 1, R(bad[i]), 2)) &&
-              is_nan(vm_laval_amplitude(&r, 1, 1, R(bad[i]))));
-        CHECK(is_nan(vm_laval_frequency(&r, 1, R(bad[i]), 1)));
+        CHECK(is_nan(vm_jeffcott_amplitude(&r, R(bad[i]), 1, 2)) && is_nan(vm_jeffcott_amplitude(&r, 1, R(bad[i]), 2)) &&
+              is_nan(vm_jeffcott_amplitude(&r, 1, 1, R(bad[i]))));
+        CHECK(is_nan(vm_jeffcott_frequency(&r, 1, R(bad[i]), 1)));
         p.k = R(bad[i]);
         CHECK(vm_pair_at(&p, 1, y, linear(1, 0), d) == (i < 2 ? VM_DOMAIN : VM_NOT_FINITE));
         p.k = 1;
@@ -1869,10 +1869,10 @@ static void test_bad_input(void)
         other.drift = NULL;
         other.now.mass = R(bad[i]);
         CHECK(vm_forced_init(&other) == (i < 2 ? VM_BAD_MASS : VM_NOT_FINITE));
-        CHECK(vm_forced_steady(&other, 0, s) == (i < 2 ? VM_BAD_MASS : VM_NOT_FINITE));
+        CHECK(vm_forced_steady_states(&other, 0, s) == (i < 2 ? VM_BAD_MASS : VM_NOT_FINITE));
         CHECK(vm_forced_rhs(0, y, d, &other) < 0 && vm_forced_exact_rhs(0, y, d, &other) < 0 &&
-              vm_forced_averaged_rhs(0, y, d, &other) < 0 && vm_forced_split(&other, 0, y, d) < 0 &&
-              vm_forced_join(&other, 0, y, d) < 0 && vm_forced_passage(&other, 0, 1, &passage) < 0 &&
+              vm_forced_averaged_rhs(0, y, d, &other) < 0 && vm_forced_to_averaged(&other, 0, y, d) < 0 &&
+              vm_forced_from_averaged(&other, 0, y, d) < 0 && vm_forced_passage(&other, 0, 1, &passage) < 0 &&
               vm_forced_curve(&other, 0, 1, s) < 0 && is_nan(vm_forced_peak(&other, 0)));
     }
     CHECK(is_nan(vm_vdp_amplitude(&v, VM_NAN, 1, linear(1, 0.1))) &&
@@ -1880,38 +1880,38 @@ static void test_bad_input(void)
     CHECK(is_nan(vm_vdp_amplitude(&v, VM_INFINITY, 1, linear(1, 0.1))));
     CHECK(is_nan(vm_vdp_amplitude(&v, 1, 1, linear(1, -1))) && is_nan(vm_vdp_amplitude(&v, 2, 1, linear(1, -1))));
     CHECK(is_nan(vm_vdp_amplitude(&v, 1, VM_INFINITY, linear(1, 0.1))));
-    CHECK(is_nan(vm_vdp_steady(&v, VM_NAN, NULL)));
+    CHECK(is_nan(vm_vdp_limit_cycle(&v, VM_NAN, NULL)));
     memset(&w, 0, sizeof w); /* not prepared by vm_vdp_init */
-    CHECK(is_nan(vm_vdp_amplitude(&w, 1, 1, linear(1, 0.1))) && is_nan(vm_vdp_steady(&w, 0, NULL)));
+    CHECK(is_nan(vm_vdp_amplitude(&w, 1, 1, linear(1, 0.1))) && is_nan(vm_vdp_limit_cycle(&w, 0, NULL)));
     v.mass_ctx = &m; /* the mass is gone at t = 1 */
     CHECK(vm_vdp_rhs(1, y, d, &v) == VM_BAD_MASS && vm_vdp_averaged_rhs(2, y, d, &v) == VM_BAD_MASS);
-    CHECK(vm_laval_rhs(1, y, d, &r) == VM_BAD_MASS && vm_laval_split(&r, 1, y, 0, d) == VM_BAD_MASS);
-    CHECK(vm_laval_forward_rhs(1, y, d, &r) == VM_BAD_MASS && vm_laval_join(&r, 1, y, d) == VM_BAD_MASS);
-    CHECK(vm_laval_split(&r, 0, y, 0, d) == VM_DOMAIN); /* F_e'(0) = 0 */
-    CHECK(vm_laval_averaged_rhs(0, y, d, &r) == VM_DOMAIN);
-    CHECK(vm_pair_rhs(1, y, d, &p) == VM_BAD_MASS && vm_pair_split(&p, 1, y, d) == VM_BAD_MASS);
+    CHECK(vm_jeffcott_rhs(1, y, d, &r) == VM_BAD_MASS && vm_jeffcott_to_averaged(&r, 1, y, 0, d) == VM_BAD_MASS);
+    CHECK(vm_jeffcott_forward_whirl_rhs(1, y, d, &r) == VM_BAD_MASS && vm_jeffcott_from_averaged(&r, 1, y, d) == VM_BAD_MASS);
+    CHECK(vm_jeffcott_to_averaged(&r, 0, y, 0, d) == VM_DOMAIN); /* F_e'(0) = 0 */
+    CHECK(vm_jeffcott_averaged_rhs(0, y, d, &r) == VM_DOMAIN);
+    CHECK(vm_pair_rhs(1, y, d, &p) == VM_BAD_MASS && vm_pair_to_averaged(&p, 1, y, d) == VM_BAD_MASS);
     CHECK(vm_pair_at(&p, 1, y, m, d) == VM_BAD_MASS && vm_pair_at(&p, VM_NAN, y, linear(1, 0), d) == VM_NOT_FINITE);
     y[1] = VM_NAN;
-    CHECK(vm_pair_at(&p, 0, y, m, d) == VM_NOT_FINITE && vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE);
+    CHECK(vm_pair_at(&p, 0, y, m, d) == VM_NOT_FINITE && vm_forced_to_averaged(&f, 0, y, d) == VM_NOT_FINITE);
     for (i = 0; i < 3; i++) {
         y[0] = 1;
         y[1] = y[2] = 0;
         y[i] = VM_NAN;
-        CHECK(vm_forced_split(&f, 0, y, d) == VM_NOT_FINITE && vm_forced_join(&f, 0, y, d) == VM_NOT_FINITE);
+        CHECK(vm_forced_to_averaged(&f, 0, y, d) == VM_NOT_FINITE && vm_forced_from_averaged(&f, 0, y, d) == VM_NOT_FINITE);
     }
     CHECK(vm_forced_curve(&f, 0, 0, s) == VM_DOMAIN);
     other = f;
     other.now.force = 0;
-    CHECK(vm_forced_steady(&other, 0, s) == 0);
+    CHECK(vm_forced_steady_states(&other, 0, s) == 0);
     v.mass = NULL;
     p.mass = NULL; /* no laws */
     CHECK(vm_vdp_rhs(0, y, d, &v) == VM_BAD_ARGUMENT && vm_pair_rhs(0, y, d, &p) == VM_BAD_ARGUMENT);
-    CHECK(vm_pair_split(&p, 0, y, d) == VM_BAD_ARGUMENT && vm_pair_join(&p, 0, y, d) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_to_averaged(&p, 0, y, d) == VM_BAD_ARGUMENT && vm_pair_from_averaged(&p, 0, y, d) == VM_BAD_ARGUMENT);
     r.stiffness = NULL;
-    CHECK(is_nan(vm_laval_frequency(&r, 1, 1, 1)) && is_nan(vm_laval_amplitude(&r, 1, 1, 2)));
-    CHECK(vm_laval_averaged_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
+    CHECK(is_nan(vm_jeffcott_frequency(&r, 1, 1, 1)) && is_nan(vm_jeffcott_amplitude(&r, 1, 1, 2)));
+    CHECK(vm_jeffcott_averaged_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
     r.mass = NULL;
-    CHECK(vm_laval_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_jeffcott_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
     CHECK(is_nan(vm_adiabaticity(1, VM_INFINITY, 1, 1, 0, 0, 0, 3)) &&
           is_nan(vm_adiabaticity(1, 1, VM_INFINITY, 1, 0, 0, 0, 3)));
     for (i = 0; i < 5; i++) CHECK(d[i] == 7); /* untouched by all of these */

@@ -49,8 +49,8 @@ static void test_oscillator(void)
         check_error("Omega_a T/(2 pi)", "", "eps",
                     fabs((double)(vm_osc_omega_trig(R(alpha)) * T) / 6.283185307179586 - 1) / (double)VM_EPSILON, 4,
                     alpha, 0);
-        K = jacobi_K(vm_osc_m_jacobi(R(alpha)));
-        kp = VM_SQRT(1 - vm_osc_m_jacobi(R(alpha)));
+        K = jacobi_K(vm_osc_jacobi_parameter(R(alpha)));
+        kp = VM_SQRT(1 - vm_osc_jacobi_parameter(R(alpha)));
         check_error("Omega_1 T/(4 K)", "", "eps",
                     fabs((double)(vm_osc_omega_jacobi(R(alpha)) * T / (4 * K)) - 1) / (double)VM_EPSILON, 12, alpha,
                     0);
@@ -96,7 +96,7 @@ static void test_laws(void)
           isnan(vm_osc_vmax(VM_NAN, 1, 3)));
     CHECK(isnan(vm_osc_amplitude_law(2, VM_INFINITY, 1, 3)) && isnan(vm_osc_velocity_law(2, 0, VM_INFINITY, 3)));
     CHECK(isnan(vm_osc_amplitude_law(VM_INFINITY, 0, 1, 3)) && isnan(vm_osc_velocity_law(2, -VM_INFINITY, 1, 3)));
-    CHECK(isnan(vm_osc_m_jacobi(VM_INFINITY)) && isnan(vm_osc_omega_jacobi(-1)));
+    CHECK(isnan(vm_osc_jacobi_parameter(VM_INFINITY)) && isnan(vm_osc_omega_jacobi(-1)));
 }
 
 int main(void)

@@ -13,7 +13,7 @@ enum { JOBS = 48, MOST_THREADS = 64 };
 /* prepared once, read by all */
 static jacobi_plan elliptic;
 static ateb_plan periodic;
-static vm_free_motion tumbling;
+static vm_torque_free tumbling;
 static vm_osc_plan oscillator;
 static const vm_real table_time[3] = {0, 5, 10}, table_mass[3] = {2, R(1.5), 1};
 
@@ -152,7 +152,7 @@ static void bodies(work_of *w)
     vm_body whole = some_body(w), part = whole, rest, later;
     vm_flow flow;
     vm_stream jet;
-    vm_real y[VM_RHS], dydt[VM_RHS], work[RK45_WORK(VM_RHS)];
+    vm_real y[VM_FLOW_STATES], dydt[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
     rk45 s;
     part.mass = R(0.5);
     part.inertia.xx = part.inertia.yy = part.inertia.zz = R(0.05);
@@ -163,10 +163,10 @@ static void bodies(work_of *w)
     fold(w, R(vm_attach(&rest, &part, NULL, &later)));
     fold(w, later.omega.y);
     fold(w, vm_kinetic_energy(&later));
-    fold(w, R(vm_free_at(&tumbling, draw(w, 0, 100), &later)));
+    fold(w, R(vm_torque_free_at(&tumbling, draw(w, 0, 100), &later)));
     fold(w, later.q.x);
     fold(w, later.omega.z);
-    fold(w, R(vm_free_rotation(&whole, draw(w, 0, 9), &later)));
+    fold(w, R(vm_torque_free_rotation(&whole, draw(w, 0, 9), &later)));
     fold(w, later.q.y);
     memset(&flow, 0, sizeof flow);
     memset(&jet, 0, sizeof jet);
@@ -176,10 +176,10 @@ static void bodies(work_of *w)
     flow.n = 1;
     flow.streams = &jet;
     vm_flow_start(&flow, &whole, y);
-    vm_rhs(0, y, dydt, &flow);
+    vm_flow_rhs(0, y, dydt, &flow);
     fold(w, dydt[VM_Y_P]);
     fold(w, dydt[VM_Y_H + 2]);
-    if (rk45_init(&s, vm_rhs, &flow, VM_RHS, 0, y, NULL, work) >= 0 && rk45_solve(&s, 1) >= 0) fold(w, s.y[VM_Y_Q]);
+    if (rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, NULL, work) >= 0 && rk45_solve(&s, 1) >= 0) fold(w, s.y[VM_Y_Q]);
 }
 
 static void oscillators(work_of *w)
@@ -188,7 +188,7 @@ static void oscillators(work_of *w)
     vm_osc_motion motion;
     vm_osc_problem own;
     vm_forced f;
-    vm_steady steady[3];
+    vm_steady_state steady[3];
     vm_drum drum;
     vm_real x, v;
     int route;
@@ -200,11 +200,11 @@ static void oscillators(work_of *w)
     own.stiffness = vm_law_linear(3, 0);
     own.x = 1;
     for (route = 0; route <= VM_ROUTE_RK87; route++) {
-        fold(w, R(vm_osc_plan_by(&oscillator, route, t, 0, &motion)));
+        fold(w, R(vm_osc_plan_by_route(&oscillator, route, t, 0, &motion)));
         fold(w, motion.x);
         fold(w, motion.error);
     }
-    fold(w, R(vm_osc_at(&own, t, R(1e-2), &motion)));
+    fold(w, R(vm_osc_within(&own, t, R(1e-2), &motion)));
     fold(w, motion.x);
     fold(w, motion.v);
     vm_osc_exact(t, 1, 2, alpha, &x, &v);
@@ -217,7 +217,7 @@ static void oscillators(work_of *w)
     f.now.nu = draw(w, 0.5, 2);
     f.now.force = R(0.1);
     vm_forced_init(&f);
-    fold(w, R(vm_forced_steady(&f, 0, steady)));
+    fold(w, R(vm_forced_steady_states(&f, 0, steady)));
     fold(w, steady[0].A);
     drum.radius = R(0.5);
     drum.mass = 2;
@@ -238,11 +238,11 @@ static void scenes(work_of *w)
     vm_scene scene;
     vm_real y[8], work[VM_SCENE_WORK(8)], t = 0;
     memset(&scene, 0, sizeof scene);
-    list[0] = vm_scene_line(2, draw(w, 0.5, 1), 0);
-    list[1] = vm_scene_axle(1, 0, draw(w, 1, 2));
+    list[0] = vm_scene_body_line(2, draw(w, 0.5, 1), 0);
+    list[1] = vm_scene_body_axle(1, 0, draw(w, 1, 2));
     effects[0] = vm_effect_mass(0, VM_MASS_OF_T, R(-0.125), 0, 1);
     effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 3, R(1.5), 0);
-    effects[2] = vm_effect_drive(1, 0, R(0.5), R(0.1));
+    effects[2] = vm_effect_motor(1, 0, R(0.5), R(0.1));
     events[0] = vm_then_switch(vm_event_position(0, 0, 0, -1), 2, 1);
     scene.bodies = list;
     scene.n_bodies = 2;
@@ -300,7 +300,7 @@ static void prepare(void)
     p.x = 1;
     p.reactive = 1;
     CHECK(jacobi_plan_init(&elliptic, R(0.7)) == 0 && ateb_plan_init(&periodic, R(2.2)) == 0);
-    CHECK(vm_free_init(&tumbling, &body, 0) == VM_OK && vm_osc_plan_init(&oscillator, &p) == VM_OK);
+    CHECK(vm_torque_free_init(&tumbling, &body, 0) == VM_OK && vm_osc_plan_init(&oscillator, &p) == VM_OK);
 }
 
 int main(int argc, char **argv)

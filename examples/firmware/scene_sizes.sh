@@ -19,7 +19,7 @@ static vm_vec3 zero;
 static vm_body part;
 static vm_stream stream;
 static vm_band band = {1, 1, 1, 1, 1, 1, 0};
-static vm_book book;
+static vm_budget book;
 static vm_scene_body bodies[2];
 static vm_effect effects[5];
 static vm_event events[1];
@@ -62,13 +62,13 @@ row() { # row NAME BODIES EFFECTS EVENTS CALL
 evaluate="vm_scene_start(\&scene, 0, y, NULL), vm_scene_rhs(0, y, d, \&scene);"
 evaluate=$(echo "$evaluate" | tr -d '\\')
 simulate=$(echo "$evaluate" | sed 's/vm_scene_rhs.*/vm_scene_run(\&scene, \&t, 1, y, work, NULL);/')
-line="*b++ = vm_scene_line(1, 0, 0);"
-moving="*b++ = vm_scene_with_mass_state(vm_scene_line(1, 0, 0));"
+line="*b++ = vm_scene_body_line(1, 0, 0);"
+moving="*b++ = vm_scene_body_with_mass_state(vm_scene_body_line(1, 0, 0));"
 spring="*e++ = vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1, 0);"
 damper="*e++ = vm_effect_damper(0, 0, VM_GROUND, 0, 1);"
-drop="*b++ = vm_scene_absent(vm_scene_line(1, 0, 0));"
-plane="*b++ = vm_scene_plane(1, 1, zero, 0, zero, 0);"
-growing="*b++ = vm_scene_growing_plane(vm_scene_plane(1, 1, zero, 0, zero, 0));"
+drop="*b++ = vm_scene_body_absent(vm_scene_body_line(1, 0, 0));"
+plane="*b++ = vm_scene_body_plane(1, 1, zero, 0, zero, 0);"
+growing="*b++ = vm_scene_body_growing_plane(vm_scene_body_plane(1, 1, zero, 0, zero, 0));"
 
 cat <<'END'
 # Flash of scenes
@@ -85,16 +85,16 @@ row "a linear spring and a damper" "$line" "$spring $damper" "" "$evaluate"
 row "the two and a stream, the mass a state" "$moving" "$spring $damper *e++ = vm_effect_stream(0, 1, zero, 0);" "" "$evaluate"
 row "a spring of any power" "$line" "*e++ = vm_effect_spring(0, 0, VM_GROUND, 0, 1, 3, 0);" "" "$evaluate"
 row "Van der Pol's damper" "$line" "*e++ = vm_effect_van_der_pol(0, 0, 1, 1);" "" "$evaluate"
-row "a drive" "$line" "*e++ = vm_effect_drive(0, 0, 1, 1);" "" "$evaluate"
+row "a drive" "$line" "*e++ = vm_effect_motor(0, 0, 1, 1);" "" "$evaluate"
 row "harmonic excitation" "$line" "*e++ = vm_effect_harmonic(0, 0, 1, 1, 0);" "" "$evaluate"
 row "a mass law" "$line" "*e++ = vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 0);" "" "$evaluate"
-row "an axle with a band in layers" "*b++ = vm_scene_axle(1, 0, 1);" "*e++ = vm_effect_band(0, &band);" "" "$evaluate"
-row "a point, nothing acts" "*b++ = vm_scene_point(1, zero, zero);" "" "" "$evaluate"
-row "a pendulum: a point, gravity, a link" "*b++ = vm_scene_point(1, zero, zero); *b++ = vm_scene_line(1, 0, 0);" "*e++ = vm_effect_gravity(0, 1, -9.81f); *e++ = vm_effect_link(0, 1, NULL, NULL, 1, 0, 1);" "" "$evaluate"
+row "an axle with a band in layers" "*b++ = vm_scene_body_axle(1, 0, 1);" "*e++ = vm_effect_band(0, &band);" "" "$evaluate"
+row "a point, nothing acts" "*b++ = vm_scene_body_point(1, zero, zero);" "" "" "$evaluate"
+row "a pendulum: a point, gravity, a link" "*b++ = vm_scene_body_point(1, zero, zero); *b++ = vm_scene_body_line(1, 0, 0);" "*e++ = vm_effect_gravity(0, 1, -9.81f); *e++ = vm_effect_link(0, 1, NULL, NULL, 1, 0, 1);" "" "$evaluate"
 row "a body in the plane, nothing acts" "$plane" "" "" "$evaluate"
 row "a growing one with the mass and force of a stream" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream);" "" "$evaluate"
 row "a stream's moment and torque, too" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream); *e++ = vm_effect_stream_moment(0, &stream); *e++ = vm_effect_stream_torque(0, &stream);" "" "$evaluate"
-row "a body free in space, nothing acts" "*b++ = vm_scene_free(&part);" "" "" "$evaluate"
+row "a body free in space, nothing acts" "*b++ = vm_scene_body_free(&part);" "" "" "$evaluate"
 cat <<'END'
 
 | the line body with spring and damper | M0 | M4F |
@@ -106,7 +106,7 @@ row "or one that switches the spring off" "$line" "$spring $damper" "*v++ = vm_t
 row "or one that separates a part, on a line" "$line $drop" "$spring $damper" "*v++ = vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
 row "the same by what separates anything" "$line $drop" "$spring $damper" "*v++ = vm_then_separate(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
 row "or one that attaches, on a line" "$line $line" "$spring $damper" "*v++ = vm_then_attach_on_line(vm_event_at(1), 0, 1);" "$simulate"
-row "run with a book, no event" "$line" "$spring $damper" "vm_scene_keep_book(&scene, &book);" "$simulate vm_scene_balance(&scene, t, y, &book);"
+row "run with a book, no event" "$line" "$spring $damper" "vm_scene_keep_budget(&scene, &book);" "$simulate vm_scene_budget_at(&scene, t, y, &book);"
 
 image M4F "$line" "$spring $damper" "" "$evaluate"
 # the map's sections .text.NAME that were kept have an address that is not 0

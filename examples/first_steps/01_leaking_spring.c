@@ -18,14 +18,14 @@ int main(int argc, char **argv)
 
     puts("   t (s)  mass (kg)  amplitude (m)   its law    route that was taken");
     for (t = 0; t <= end && status >= 0; t += 10) {
-        status = vm_osc_at(&bucket, t, 1e-6, &motion); /* the cheapest route that is right to 1e-6 */
+        status = vm_osc_within(&bucket, t, 1e-6, &motion); /* the cheapest route that is right to 1e-6 */
         vm_law_at(&bucket.mass, t, &mass, &rate);
         printf("%8.0f %10.1f %14.6f %10.6f   %s\n", t, mass, motion.amplitude,
                0.05 * vm_osc_amplitude_law(mass / 10, 0, 0, 1), vm_osc_route_name(motion.route));
     }
     if (csv) fprintf(csv, "t (s),\"x (m)\",\"amplitude\",\"with a reactive force (325)\"\n");
     for (t = 0; csv && t <= end && status >= 0; t += 0.05) {
-        status = vm_osc_at(&bucket, t, 1e-3, &motion);
+        status = vm_osc_within(&bucket, t, 1e-3, &motion);
         vm_law_at(&bucket.mass, t, &mass, &rate);
         fprintf(csv, "%g,%.6f,%.6f,%.6f\n", t, motion.x, 0.05 * vm_osc_amplitude_law(mass / 10, 0, 0, 1),
                 0.05 * vm_osc_amplitude_law(mass / 10, 0, 1, 1));

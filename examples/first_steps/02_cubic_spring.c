@@ -11,7 +11,7 @@ int main(int argc, char **argv)
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     const double period = vm_osc_period(1, 1, 3);
     double x0, x, cosine, cn, v, t, off = 0, off_cn = 0;
-    vm_osc_comparison table = vm_osc_compare(3);
+    vm_osc_errors table = vm_osc_approximation_errors(3);
 
     puts("amplitude (m)  period (s)  largest velocity (m/s)");
     for (x0 = 0.25; x0 <= 4; x0 *= 2)
@@ -27,7 +27,7 @@ int main(int argc, char **argv)
         if (fabs(x - cosine) > off) off = fabs(x - cosine);
         if (fabs(x - cn) > off_cn) off_cn = fabs(x - cn);
     }
-    printf("the cosine is off by %.4f of the amplitude (vm_osc_compare says %.4f), cn by %.1e\n", off, table.trig_x,
+    printf("the cosine is off by %.4f of the amplitude (vm_osc_approximation_errors says %.4f), cn by %.1e\n", off, table.trig_x,
            off_cn);
     if (csv) fclose(csv);
     return 0;

@@ -11,7 +11,7 @@ int main(int argc, char **argv)
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     enum { SIEVE, SPRING = 0, DAMPER, MOTOR, GRAVEL };
     const vm_vec3 at_rest = {0, 0, 0};
-    vm_scene_body bodies[] = {vm_scene_with_mass_state(vm_scene_line(20, 0, 0))};
+    vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 0))};
     vm_effect effects[] = {vm_effect_linear_spring(SIEVE, 0, VM_GROUND, 0, 8000, 0),
                            vm_effect_damper(SIEVE, 0, VM_GROUND, 0, 30), vm_effect_harmonic(SIEVE, 0, 60, 17, 0),
                            vm_effect_stream(SIEVE, 2, at_rest, 0)};
@@ -19,7 +19,7 @@ int main(int argc, char **argv)
                          vm_then_switch(vm_event_mass(SIEVE, 40, 1), GRAVEL, 1)};
     ode_event located[2];
     vm_scene scene;
-    vm_culprit culprit;
+    vm_scene_fault culprit;
     vm_real t = 0, y[3], work[VM_SCENE_WORK(3)], next, widest = 0, when = 0; /* y: x, v, mass */
     int status;
 

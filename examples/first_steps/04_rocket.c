@@ -42,7 +42,7 @@ int main(int argc, char **argv)
     options.rtol = 1e-10;
     options.events = &empty;
     options.n_events = 1;
-    status = rk45_init(&s, vm_rhs1, &rocket, 3, 0, y, &options, work);
+    status = rk45_init(&s, vm_flow1_rhs, &rocket, 3, 0, y, &options, work);
     if (csv) fprintf(csv, "t (s),\"height (10 km)\",\"velocity (km/s)\",\"mass (100 kg)\"\n");
     for (t = 0; t <= 60 && status >= 0; t += 0.5) {
         status = rk45_solve(&s, t);

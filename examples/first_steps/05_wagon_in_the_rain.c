@@ -29,7 +29,7 @@ int main(int argc, char **argv)
             printf("t = %3g s: mass %4g kg, v = %.6f m/s, momentum %.4f kg m/s, at x = %.4f m\n", t, mass, v,
                    mass * v, x);
     }
-    printf("by Levi-Civita's form: %.6f m/s after the rain\n", vm_levi_civita(v0, m0, m0 + rain.rate * end, 0, 0));
+    printf("by Levi-Civita's form: %.6f m/s after the rain\n", vm_velocity_by_momentum(v0, m0, m0 + rain.rate * end, 0, 0));
     if (csv) fclose(csv);
     return 0;
 }

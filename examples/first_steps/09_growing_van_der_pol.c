@@ -35,7 +35,7 @@ int main(int argc, char **argv)
     }
     printf("amplitude at t = 100: from 0.3 %.6f, from 3 %.6f; steady %.6f (425); with constant mass %.6f\n",
            vm_vdp_amplitude(&v, 100, 0.3, mass), vm_vdp_amplitude(&v, 100, 3, mass),
-           vm_vdp_steady(&v, mass.rate, NULL), vm_vdp_steady(&v, 0, NULL));
+           vm_vdp_limit_cycle(&v, mass.rate, NULL), vm_vdp_limit_cycle(&v, 0, NULL));
     if (csv) fclose(csv);
     return status < 0;
 }

@@ -1,6 +1,6 @@
 /* A satellite throws off a panel. It turns about the axis of its middle moment of inertia, which is not stable: it
    tumbles, over and over. At t = 250 s it throws off a panel, (15), (24), (34), and what was the middle axis is now
-   that of the largest moment of inertia: it only wobbles. Before and after it turns freely: vm_free_attitude gives
+   that of the largest moment of inertia: it only wobbles. Before and after it turns freely: vm_torque_free_attitude gives
    attitude and angular velocity at any time, exactly and at once; nothing is integrated.
 
    cc -O2 10_satellite.c -lm && ./a.out [file.csv] */
@@ -21,14 +21,14 @@ int main(int argc, char **argv)
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     vm_body satellite = {500, {120, 150, 180, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0.01, 0.3, 0.02}};
     vm_body now = satellite, panel, rest = satellite;
-    vm_free_motion before, after;
+    vm_torque_free before, after;
     vm_vec3 offset = {0, 1.4, 0}, push = {0.2, 0.5, 0}, omega;
     vm_quat q;
     const double jump = 250;
     double t;
-    int status = vm_free_init(&before, &satellite, 0);
+    int status = vm_torque_free_init(&before, &satellite, 0);
 
-    if (status >= 0) status = vm_free_at(&before, jump, &now);
+    if (status >= 0) status = vm_torque_free_at(&before, jump, &now);
     /* the panel sits on the satellite's y axis, and leaves with a push against the place where it sat, unturned */
     panel = now;
     panel.mass = 25;
@@ -43,14 +43,14 @@ int main(int argc, char **argv)
     panel.omega.x = panel.omega.y = panel.omega.z = 0;
     vm_to_absolute(&now, &panel, &panel);
     if (status >= 0) status = vm_separate(&now, &panel, NULL, &rest);
-    if (status >= 0) status = vm_free_init(&after, &rest, jump);
+    if (status >= 0) status = vm_torque_free_init(&after, &rest, jump);
     if (status < 0) return printf("%s\n", vm_strerror(status)), 1;
     printf("%g kg leave: angular velocity (%.6f, %.6f, %.6f) -> (%.6f, %.6f, %.6f) rad/s\n", panel.mass,
            now.omega.x, now.omega.y, now.omega.z, rest.omega.x, rest.omega.y, rest.omega.z);
     printf("the spring gave %.6f J\n", vm_energy_gain(&now, 1, &panel, NULL, &rest));
     if (csv) fprintf(csv, "t (s),\"omega x (rad/s in body axes)\",\"omega y\",\"omega z\"\n");
     for (t = 0; t <= 600; t += 0.5) {
-        status = vm_free_attitude(t < jump ? &before : &after, t, &q, &omega);
+        status = vm_torque_free_attitude(t < jump ? &before : &after, t, &q, &omega);
         if (csv) fprintf(csv, "%g,%.9f,%.9f,%.9f\n", t, omega.x, omega.y, omega.z);
     }
     if (csv) fclose(csv);

@@ -7,7 +7,7 @@ static inline void chain_heap(stage *s)
 {
     int chain;
     stage_clear(s, 10);
-    chain = stage_body(s, vm_scene_line(REAL(1e-30), REAL(0.1), 0)); /* M = x */
+    chain = stage_body(s, vm_scene_body_line(REAL(1e-30), REAL(0.1), 0)); /* M = x */
     stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, 1, 0, 0));
     stage_effect(s, vm_effect_gravity(chain, 0, REAL(gravity)));
     stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
@@ -26,9 +26,9 @@ static inline void chain_over_drum(stage *s, int heaped)
 {
     int chain;
     stage_clear(s, 10);
-    chain = stage_body(s, vm_scene_line(REAL(heaped ? 2 + 0.5 : 2 + 1.5 * 3 + 0.5), REAL(0.2), 0));
+    chain = stage_body(s, vm_scene_body_line(REAL(heaped ? 2 + 0.5 : 2 + 1.5 * 3 + 0.5), REAL(0.2), 0));
     if (heaped) stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, REAL(1.5), 0, 0));
-    stage_effect(s, vm_effect_user(chain, 0, hanging, NULL));
+    stage_effect(s, vm_effect_force(chain, 0, hanging, NULL));
     stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
 }
 
@@ -49,7 +49,7 @@ static inline void chain_winding(stage *s)
 {
     int chain;
     stage_clear(s, 10);
-    chain = stage_body(s, vm_scene_axle(1, 0, 1));
+    chain = stage_body(s, vm_scene_body_axle(1, 0, 1));
     stage_effect(s, vm_effect_mass_law(chain, winding_inertia, NULL, stage_vec(0, 0, 0), REAL(0.5)));
     stage_event(s, vm_then_stop(vm_event_position(chain, 0, REAL(2 / 0.3), 1)));
 }

@@ -25,11 +25,11 @@ static inline void crane(stage *s)
     int carriage, load, heap, leak;
     vm_body part;
     stage_clear(s, 12);
-    carriage = stage_body(s, vm_scene_line(8000, 0, 0));
+    carriage = stage_body(s, vm_scene_body_line(8000, 0, 0));
     load = stage_body(
-        s, vm_scene_with_mass_state(vm_scene_point(200, stage_vec(6 * sin(0.3), -6 * cos(0.3), 0), zero)));
+        s, vm_scene_body_with_mass_state(vm_scene_body_point(200, stage_vec(6 * sin(0.3), -6 * cos(0.3), 0), zero)));
     heap = stage_body(s,
-                      vm_scene_point(1500, stage_vec(0, -6, 0), zero)); /* lies on the ground: nothing acts on it */
+                      vm_scene_body_point(1500, stage_vec(0, -6, 0), zero)); /* lies on the ground: nothing acts on it */
     stage_effect(s, vm_effect_spring(carriage, 0, VM_GROUND, 0, 200000, 1, 0));
     stage_effect(s, vm_effect_gravity(load, 1, REAL(-gravity)));
     leak = stage_effect(s, vm_effect_stream(load, -40, zero, 1));

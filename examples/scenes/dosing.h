@@ -23,8 +23,8 @@ static inline void dosing(stage *s, double damping)
 {
     int lever;
     stage_clear(s, 10);
-    lever = stage_body(s, vm_scene_with_mass_state(vm_scene_axle(REAL(12 + 18 * belt_R * belt_R), 0, 0)));
-    stage_effect(s, vm_effect_callback(lever, VM_GROUND, belt_feed, NULL));
+    lever = stage_body(s, vm_scene_body_with_mass_state(vm_scene_body_axle(REAL(12 + 18 * belt_R * belt_R), 0, 0)));
+    stage_effect(s, vm_effect_custom(lever, VM_GROUND, belt_feed, NULL));
     stage_effect(s, vm_effect_spring(lever, 0, VM_GROUND, 0, REAL(belt_k), 1, 0));
     stage_effect(s, vm_effect_damper(lever, 0, VM_GROUND, 0, REAL(damping)));
     stage_event(s, vm_then_stop(vm_event_position(lever, 0, REAL(-belt_gate), -1)));

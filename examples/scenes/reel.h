@@ -23,7 +23,7 @@ static inline void reel(stage *s, int by_layer, double turned)
     const vm_band band = reel_band(by_layer, 1.5, 0);
     int drum;
     stage_clear(s, 20);
-    drum = stage_body(s, vm_scene_axle(REAL(0.8), 0, 9));
+    drum = stage_body(s, vm_scene_body_axle(REAL(0.8), 0, 9));
     stage_effect(s, vm_effect_band(drum, &band));
     stage_event(s, vm_then_stop(vm_event_position(drum, 0, REAL(turned), 1)));
 }

@@ -17,10 +17,10 @@ static inline void regulator(stage *s)
     const double c = mercury_nA * pow(mercury_R, 4) / (4 * gravity);
     int shaft, motor;
     stage_clear(s, 10);
-    shaft = stage_body(s, vm_scene_axle(REAL(J0), 0, 0));
+    shaft = stage_body(s, vm_scene_body_axle(REAL(J0), 0, 0));
     stage_effect(s, vm_effect_mass(shaft, VM_MASS_OF_V2, REAL(c), 0, 0));
-    stage_effect(s, vm_effect_drive(shaft, 0, REAL(-0.5), 0)); /* the load */
-    motor = stage_effect(s, vm_effect_drive(shaft, 0, 2, 0));
+    stage_effect(s, vm_effect_motor(shaft, 0, REAL(-0.5), 0)); /* the load */
+    motor = stage_effect(s, vm_effect_motor(shaft, 0, 2, 0));
     stage_event(s, vm_then_switch(vm_event_velocity(shaft, 0, REAL(regulator_speed(0.02)), 1), motor, 1));
     stage_event(s, vm_then_switch(vm_event_velocity(shaft, 0, REAL(regulator_speed(0.05)), -1), motor, 0));
 }
@@ -40,10 +40,10 @@ static inline void regulator_full(stage *s)
 {
     int shaft, mercury;
     stage_clear(s, 10);
-    shaft = stage_body(s, vm_scene_axle(REAL(0.05 + mercury_nA * mercury_R * mercury_R * mercury_H), 0, 0));
-    mercury = stage_body(s, vm_scene_line(REAL(mercury_nA * (2 * mercury_H + mercury_R)), 0, 0));
-    stage_effect(s, vm_effect_callback(shaft, mercury, mercury_coupling, NULL));
-    stage_effect(s, vm_effect_drive(shaft, 0, REAL(1.5), 0));
+    shaft = stage_body(s, vm_scene_body_axle(REAL(0.05 + mercury_nA * mercury_R * mercury_R * mercury_H), 0, 0));
+    mercury = stage_body(s, vm_scene_body_line(REAL(mercury_nA * (2 * mercury_H + mercury_R)), 0, 0));
+    stage_effect(s, vm_effect_custom(shaft, mercury, mercury_coupling, NULL));
+    stage_effect(s, vm_effect_motor(shaft, 0, REAL(1.5), 0));
     stage_effect(s, vm_effect_spring(mercury, 0, VM_GROUND, 0, REAL(2 * gravity * mercury_nA), 1, 0));
     stage_effect(s, vm_effect_damper(mercury, 0, VM_GROUND, 0, 2));
     stage_event(s, vm_then_stop(vm_event_position(mercury, 0, REAL(0.1), 1)));

@@ -11,7 +11,7 @@ typedef struct stage {
     vm_effect effects[STAGE_EFFECTS];
     vm_event events[STAGE_EVENTS];
     ode_event located[STAGE_EVENTS];
-    vm_book book;
+    vm_budget book;
     vm_real t, y[STAGE_STATE], work[VM_SCENE_WORK(STAGE_STATE)];
     vm_real end; /* when the run is over at the latest */
 } stage;
@@ -23,7 +23,7 @@ static inline void stage_clear(stage *s, double end)
     s->scene.effects = s->effects;
     s->scene.events = s->events;
     s->scene.located = s->located;
-    vm_scene_keep_book(&s->scene, &s->book);
+    vm_scene_keep_budget(&s->scene, &s->book);
     s->end = (vm_real)end;
 }
 

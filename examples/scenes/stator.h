@@ -37,9 +37,9 @@ static inline void stator(stage *s, const stator_data *a)
     const vm_vec3 zero = {0, 0, 0};
     int rotor;
     stage_clear(s, 40);
-    rotor = stage_body(s, vm_scene_plane(1, REAL(1 / stator_p2), zero, REAL(0.5), zero, 0));
-    stage_effect(s, vm_effect_drive(rotor, 2, REAL(a->omega / stator_p2), REAL(1 / stator_p2)));
-    stage_effect(s, vm_effect_callback(rotor, VM_GROUND, stator_shaft, NULL));
+    rotor = stage_body(s, vm_scene_body_plane(1, REAL(1 / stator_p2), zero, REAL(0.5), zero, 0));
+    stage_effect(s, vm_effect_motor(rotor, 2, REAL(a->omega / stator_p2), REAL(1 / stator_p2)));
+    stage_effect(s, vm_effect_custom(rotor, VM_GROUND, stator_shaft, NULL));
     stage_event(s, vm_then_stop(vm_event_user(stator_gap, (void *)a, 1)));
 }
 

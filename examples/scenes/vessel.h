@@ -84,9 +84,9 @@ static inline void vessel_on_hook(stage *s)
     int body;
     stage_clear(
         s, 5); /* later the surface is at the bottom, and this way of tipping is unstable: errors grow 1e6-fold */
-    body = stage_body(s, vm_scene_axle(5000, 0, REAL(0.25)));
+    body = stage_body(s, vm_scene_body_axle(5000, 0, REAL(0.25)));
     stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 0));
-    stage_effect(s, vm_effect_user(body, 0, hook_torque, NULL));
+    stage_effect(s, vm_effect_force(body, 0, hook_torque, NULL));
 }
 
 /* ---- By a motor about the trunnion: T0 - kappa phi'; what leaves has the lip's velocity ---- */
@@ -119,10 +119,10 @@ static inline void vessel_by_motor(stage *s)
 {
     int body;
     stage_clear(s, 10);
-    body = stage_body(s, vm_scene_axle(2030, 0, 0));
+    body = stage_body(s, vm_scene_body_axle(2030, 0, 0));
     stage_effect(s, vm_effect_mass_law(body, trunnion_inertia, NULL, stage_vec(0, 0, 0), 0));
-    stage_effect(s, vm_effect_drive(body, 0, 14000, 20000));
-    stage_effect(s, vm_effect_user(body, 0, trunnion_torque, NULL));
+    stage_effect(s, vm_effect_motor(body, 0, 14000, 20000));
+    stage_effect(s, vm_effect_force(body, 0, trunnion_torque, NULL));
     stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(0.89605538457134395), 1), stage_kink,
                                 NULL)); /* atan(h/a) */
     stage_event(s, vm_then_stop(vm_event_position(body, 0, REAL(1.4), 1)));

@@ -9,8 +9,8 @@ static inline void wagon(stage *s)
 {
     int filling, emptying, body;
     stage_clear(s, 120);
-    body = stage_body(s, vm_scene_with_mass_state(vm_scene_line(20000, 0, 0)));
-    stage_effect(s, vm_effect_drive(body, 0, 15000, 0));
+    body = stage_body(s, vm_scene_body_with_mass_state(vm_scene_body_line(20000, 0, 0)));
+    stage_effect(s, vm_effect_motor(body, 0, 15000, 0));
     stage_effect(s, vm_effect_gravity(body, 0, REAL(-0.005 * gravity)));
     filling = stage_effect(s, vm_effect_stream(body, 400, stage_vec(0, 0, 0), 0));
     emptying = stage_effect(s, vm_effect_stream(body, -400, stage_vec(0, 0, 0), 1));

@@ -28,10 +28,10 @@ static inline void weighing(stage *s)
     const double filled = scale_D / scale_R - scale_q * scale_w / gravity; /* at which the bar leaves its stop */
     int bar, tap, jet;
     stage_clear(s, 20);
-    bar = stage_body(s, vm_scene_with_mass_state(vm_scene_axle(REAL(scale_J0 + filled * scale_R * scale_R), 0, 0)));
-    stage_effect(s, vm_effect_callback(bar, VM_GROUND, scale_weight, NULL));
+    bar = stage_body(s, vm_scene_body_with_mass_state(vm_scene_body_axle(REAL(scale_J0 + filled * scale_R * scale_R), 0, 0)));
+    stage_effect(s, vm_effect_custom(bar, VM_GROUND, scale_weight, NULL));
     tap = stage_effect(s, vm_effect_stream(bar, REAL(scale_q * scale_R * scale_R), stage_vec(0, 0, 0), 0));
-    jet = stage_effect(s, vm_effect_user(bar, 0, scale_jet, NULL));
+    jet = stage_effect(s, vm_effect_force(bar, 0, scale_jet, NULL));
     stage_event(s, vm_then_switch(vm_event_position(bar, 0, REAL(scale_shut), 1), tap, 1));
     stage_event(s, vm_then_switch(vm_event_position(bar, 0, REAL(scale_shut), 1), jet, 1));
     stage_event(s, vm_then_stop(vm_event_velocity(bar, 0, 0, -1)));

@@ -1,4 +1,4 @@
-/* The leaking oscillator in a browser: x(t) of m x'' + k x |x|^(alpha-1) = -r m' x' with m = 1 + rate t, by vm_osc_at,
+/* The leaking oscillator in a browser: x(t) of m x'' + k x |x|^(alpha-1) = -r m' x' with m = 1 + rate t, by vm_osc_within,
    for the page beside it. Only sqrt, floor, fabs and copysign are called, which WebAssembly has as instructions.
 
    make wasm; then serve this folder with leaking.wasm in it (python3 -m http.server) and open it in a browser.
@@ -35,7 +35,7 @@ int motion(double alpha, double rate, double reactive, double end, int n)
     problem.x = 1;
     if (n > MOST || vm_osc_plan_init(&plan, &problem) < 0) return 0;
     for (i = 0; i < n; i++) {
-        if (vm_osc_plan_at(&plan, end * i / (n - 1), 1e-3, &now) < 0) return i;
+        if (vm_osc_plan_within(&plan, end * i / (n - 1), 1e-3, &now) < 0) return i;
         points[2 * i] = now.x;
         points[2 * i + 1] = now.amplitude;
     }

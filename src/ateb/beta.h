@@ -71,7 +71,7 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 }
 
 /* Beyond, series and fractions have no bound that a caller would wait for, and float no digits */
-VM_API int vmi_beta_domain(vm_real a, vm_real b)
+VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
 }
@@ -82,7 +82,7 @@ VM_API int vmi_beta_domain(vm_real a, vm_real b)
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
-    if (!vmi_beta_domain(a, b)) return VM_NAN;
+    if (!vmi_beta_is_in_domain(a, b)) return VM_NAN;
     l = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
     return vmi_exp(l.hi, l.lo);
 }
@@ -169,7 +169,7 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
 {
     vmi_beta_point at;
     vm_two ln_p, ln_q;
-    if (!vmi_beta_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
+    if (!vmi_beta_is_in_domain(a, b) || !(x >= 0) || !(y >= 0) || !(VM_FABS((x + y) - 1) <= 4 * VM_EPSILON)) {
         *p = *q = VM_NAN;
         return;
     }
@@ -238,7 +238,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
                                    vm_real *ln_x)
 {
     vm_two l, ignored;
-    if (!vmi_beta_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
+    if (!vmi_beta_is_in_domain(a, b) || !(p >= 0) || !(q >= 0) || !(VM_FABS((p + q) - 1) <= 4 * VM_EPSILON)) {
         *x = *y = *ln_x = VM_NAN;
         return;
     }

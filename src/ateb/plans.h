@@ -317,7 +317,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
     p->g = c.g.hi;
     p->twice_alpha = alpha <= 7 && 2 * alpha == VM_FLOOR(2 * alpha) ? (int)(2 * alpha) : -1;
     length = vmi_ateb_part_init(p->part, 0, p, alpha, 1, tolerance);
-    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, p->twice_alpha < 0 ? 1 : vmi_pow(p->twice_q, n),
+    length_beyond = vmi_ateb_part_init(p->part + 1, 1, p, alpha, p->twice_alpha < 0 ? 1 : vmi_pow_two(p->twice_q, n),
                                        tolerance);
     p->length = (length > length_beyond ? length + 1 : length_beyond + 1) / 2 * 2;
     return 0;

@@ -169,7 +169,7 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 }
 
 /* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
-VM_API vm_real vmi_pow(vm_two x, vm_two y)
+VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
     vm_two l = vmi_log(x.hi), p;

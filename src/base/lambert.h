@@ -100,7 +100,7 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
 
 /* The same from the logarithm of the argument, which itself may be too large or too small to be a number:
    W_0(e^l) for all l (Wright's omega), W_0(-e^l) and W_-1(-e^l) for l <= -1 */
-VM_API vm_real vm_lambert_w0_exp(vm_real l)
+VM_API vm_real vm_wright_omega(vm_real l)
 {
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
@@ -109,8 +109,8 @@ VM_API vm_real vm_lambert_w0_exp(vm_real l)
                                                    : vmi_lambert_winitzki(l));
 }
 
-/* Documented with vm_lambert_w0_exp. */
-VM_API vm_real vm_lambert_w0_mexp(vm_real l)
+/* Documented with vm_wright_omega. */
+VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
@@ -118,8 +118,8 @@ VM_API vm_real vm_lambert_w0_mexp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* Documented with vm_lambert_w0_exp. */
-VM_API vm_real vm_lambert_wm1_mexp(vm_real l)
+/* Documented with vm_wright_omega. */
+VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
     if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);

@@ -9,13 +9,13 @@
 #include "words.h"
 
 /* x^y for x >= 0, within 0.6 ulp, with the limits of pow at 0 and infinity; NaN for x < 0 */
-VM_API vm_real vmi_raised(vm_real x, vm_real y)
+VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;
     if (y == 0 || x == 1) return 1;
     if (x == 0 || x > VM_MAX) return (y > 0) == (x > 0) ? VM_INFINITY : 0;
     if (!VM_IS_FINITE(y)) return (y > 0) == (x > 1) ? VM_INFINITY : 0;
-    return vmi_pow(vmi_two(x, 0), vmi_two(y, 0));
+    return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
 /* e^y - 1 in two words: within 2^-(p+4) (1 + e^y), p the type's digits; relative to the result below 2^-p for small

@@ -70,7 +70,7 @@ VM_API const char *vm_strerror(int status)
     case VM_NO_SUCH_EFFECT: return "no such effect";
     case VM_TWO_MASS_LAWS: return "two laws for one mass, or a law for a mass that is a state: leave one out";
     case VM_BAD_ORDER: return "a mass law stands after another effect on its body: list it first";
-    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state: vm_scene_with_mass_state";
+    case VM_MASS_IS_NO_STATE: return "a stream needs a body whose mass is a state: vm_scene_body_with_mass_state";
     case VM_TOO_MANY_EVENTS: return "events do not end: let an event stop the run where they crowd";
     case VM_BAD_OPTIONS: return "the integrator refuses its options: a tolerance, h0, h_min, h_max or h_max < h_min";
     case VM_STEP_TOO_SMALL: return "the tolerance asks for steps that the time cannot resolve: a force too stiff?";
@@ -79,12 +79,12 @@ VM_API const char *vm_strerror(int status)
     case VM_BAD_TIMES: return "times of output that do not rise, or a run to a time that is past";
     case VM_SAME_BODY: return "a link or a jump is between two bodies, not between a body and itself";
     case VM_NOT_ON_ANGLE: return "this effect cannot act on an angle: choose another coordinate";
-    case VM_IS_THERE: return "a part separates into a body that is there already: make it with vm_scene_absent";
+    case VM_IS_THERE: return "a part separates into a body that is there already: make it with vm_scene_body_absent";
     case VM_IS_AWAY: return "a jump of a body that is not there: order the events, or make it present";
     case VM_TWO_LINKS: return "two links of one body: leave one out";
     case VM_LINK_NOT_LAST: return "an effect stands after a link of its body: list the link last";
-    case VM_STORED_STREAM: return "a stream with a store is not for this: integrate vm_rhs";
-    case VM_DOES_NOT_GROW: return "this stream needs a growing body: vm_scene_growing_plane, vm_scene_growing_free";
+    case VM_STORED_STREAM: return "a stream with a store is not for this: integrate vm_flow_rhs";
+    case VM_DOES_NOT_GROW: return "this stream needs a growing body: vm_scene_body_growing_plane, vm_scene_body_growing_free";
     case VM_NO_EFFECTIVE_MASS: return "M + M'(v) (v - u) of a mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or has been changed since: vm_scene_start";
     default: return "unknown status";
@@ -92,7 +92,7 @@ VM_API const char *vm_strerror(int status)
 }
 
 /* A result of n numbers, where all are finite */
-VM_API int vmi_deliver(int n, const vm_real *from, vm_real *to)
+VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 {
     if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;
     memcpy(to, from, (size_t)n * sizeof *to);

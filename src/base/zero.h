@@ -7,7 +7,7 @@
 /* The zero of f in [a, b], where it has the values fa, fb of opposite signs: regula falsi whose standing end is
    halved (Illinois), a bisection wherever that does not halve the interval in three steps; to the resolution of x
    */
-VM_API vm_real vmi_slow_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
+VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
     vm_real width = VM_FABS(b - a);

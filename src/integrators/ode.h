@@ -45,7 +45,7 @@ VM_API const char *ode_strerror(int status)
     }
 }
 
-VM_INLINE vm_real vmi_power(vm_real x, vm_real p)
+VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
     vmi_signed_bits bits;

@@ -111,7 +111,7 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 }
 
 /* Every component has a tolerance, none is negative or NaN */
-VM_API int vmi_tolerances_good(const rk45_options *o, int n)
+VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
 {
     int i;
     for (i = 0; i < n; i++) {
@@ -121,10 +121,10 @@ VM_API int vmi_tolerances_good(const rk45_options *o, int n)
     return 1;
 }
 
-VM_API int vmi_options_good(const rk45_options *o, int n)
+VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 {
     int i;
-    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_good(o, n)) return 0;
+    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_are_valid(o, n)) return 0;
     if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
     if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
     for (i = 0; i < o->n_events; i++)
@@ -155,7 +155,7 @@ VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real
     vm_real rtol = options_or_NULL ? options_or_NULL->rtol : 0;
     int i;
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
-        !vmi_options_good(&o, n))
+        !vmi_options_are_valid(&o, n))
         return ODE_BAD_ARGUMENT;
     if (o.work_size && o.work_size < vmi_work_size(method, n)) return ODE_WORK_TOO_SMALL;
     for (i = 0; i < o.n_events; i++) {

@@ -36,7 +36,7 @@ VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longes
         if (c > d2) d2 = c;
     }
     if (d1 > d2) d2 = d1;
-    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_power(VM_C(0.01) / d2, 1 / order);
+    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_pow_rough(VM_C(0.01) / d2, 1 / order);
     if (h1 > 100 * h0) h1 = 100 * h0;
     if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
     s->h = direction * (h1 < longest ? h1 : longest);
@@ -59,7 +59,7 @@ VM_INLINE vm_real vmi_factor(int method, vm_real error, vm_real inverse_error_be
 {
     vm_real square = error * error, factor;
     factor = VM_C(0.9) *
-             vmi_power(square * square * inverse_error_before, method == VMI_RK45 ? VM_C(-0.04) : VM_C(-0.025));
+             vmi_pow_rough(square * square * inverse_error_before, method == VMI_RK45 ? VM_C(-0.04) : VM_C(-0.025));
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
@@ -68,7 +68,7 @@ VM_INLINE vm_real vmi_shrink(int method, vm_real error)
 {
     vm_real factor;
     if (error != error) return VM_C(0.1);
-    factor = VM_C(0.9) * vmi_power(error, method == VMI_RK45 ? VM_C(-0.2) : VM_C(-0.125));
+    factor = VM_C(0.9) * vmi_pow_rough(error, method == VMI_RK45 ? VM_C(-0.2) : VM_C(-0.125));
     return VMI_LARGER(factor, VM_C(0.2));
 }
 

@@ -19,7 +19,7 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     const vmi_three half_pi = vmi_half_pi();
     vm_real K, turns, j, odd, am, bound;
     vm_two p;
-    vmi_thetas theta = vmi_neville(VM_FABS(u), m1.hi, m1.lo, &bound);
+    vmi_thetas theta = vmi_thetas_of(VM_FABS(u), m1.hi, m1.lo, &bound);
     if (theta.n != theta.n) return VM_NAN;
     if (m1.hi == 0) return VM_COPYSIGN(vmi_arctan(theta.s, theta.c), u);
     K = vmi_K(m1.hi, m1.lo);

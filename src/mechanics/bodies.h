@@ -76,7 +76,7 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 }
 
 /* The plane's body with inertia.zz alone, which is all that motion in the plane asks for */
-VM_API vm_body vmi_lifted(const vm_body2 *body)
+VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     b.mass = body->mass;
@@ -101,12 +101,12 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     vm_vec3 momentum = vm_momentum(body);
-    vm_real size = vmi_length(momentum);
+    vm_real size = vmi_norm2(momentum);
     sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
     sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_length(body->omega) +
-                                   (vmi_length(body->r) + vmi_length(vmi_sub(body->r, about))) * size;
+    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
+                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
@@ -128,9 +128,9 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
         vm_vec3 moment = vmi_impulse_moment(j, about);
         sum.momentum = vmi_sub(sum.momentum, j->linear);
         sum.angular_momentum = vmi_sub(sum.angular_momentum, moment);
-        sum.momentum_scale += vmi_length(j->linear);
+        sum.momentum_scale += vmi_norm2(j->linear);
         sum.angular_momentum_scale +=
-            vmi_size(j->couple) + (vmi_size(j->at) + vmi_size(vmi_sub(j->at, about))) * vmi_size(j->linear);
+            vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
     }
     if (!VM_IS_FINITE(sum.energy) || !VM_IS_FINITE(sum.momentum_scale) ||
         !VM_IS_FINITE(sum.angular_momentum_scale) || !vmi_vec3_finite(sum.momentum) ||
@@ -156,7 +156,7 @@ VM_API int vmi_check_body(const vm_body *b)
 
 VM_API int vmi_check_body2(const vm_body2 *b)
 {
-    const vm_body lifted = vmi_lifted(b);
+    const vm_body lifted = vmi_body_to_space(b);
     if (!vmi_body_finite(&lifted) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->mass > 0)) return VM_BAD_MASS;
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
@@ -169,9 +169,9 @@ typedef struct VM_TAG(vmi_bodies) {
     const vm_body2 *in_plane;
 } vmi_bodies;
 
-VM_API vm_body vmi_pick(const vmi_bodies *list, int i)
+VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
 {
-    return list->in_plane ? vmi_lifted(list->in_plane + i) : list->in_space[i];
+    return list->in_plane ? vmi_body_to_space(list->in_plane + i) : list->in_space[i];
 }
 
 VM_API int vmi_check_bodies(const vmi_bodies *list)
@@ -183,7 +183,7 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
     return status;
 }
 
-VM_API vm_body2 vmi_flat(const vm_body *b, vm_real angle)
+VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
     flat.mass = b->mass;

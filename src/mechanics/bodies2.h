@@ -22,10 +22,10 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 }
 
 /* The plane's body as a lamina in the plane z = 0 of space, which moves as it does. NaN for a null pointer. */
-VM_API vm_body vm_in_space(const vm_body2 *body)
+VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
-    vm_body b = vmi_lifted(body ? body : &none);
+    vm_body b = vmi_body_to_space(body ? body : &none);
     b.inertia.xx = b.inertia.yy = b.inertia.zz / 2;
     vmi_sincos((body ? body : &none)->angle / 2, &b.q.z, &b.q.w);
     return b;

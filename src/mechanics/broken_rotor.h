@@ -19,27 +19,27 @@
    Its state is y[6] = {x, y, psi, x', y', psi'} as rk45 takes it: mass centre from where the shaft is at rest (m),
    angle (rad), rates. In the notation of (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
    k* = damping/inertia, M* = torque/inertia. */
-typedef struct VM_TAG(vm_rotor) {
+typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* kg, > 0 */
     vm_real inertia;   /* about the own mass centre, kg m^2, > 0 */
     vm_real stiffness; /* c of the shaft, N/m, >= 0 */
     vm_real damping;   /* k, N m s */
     vm_real torque;    /* N m */
     vm_real s;         /* m */
-} vm_rotor;
+} vm_broken_rotor;
 
 /* The break, (52)-(64) corrected: the whole touches the stator at A and loses a piece, of which A keeps its velocity
    while S2 loses that across S2A (57). This is an assumption of [1]; everything else follows by momenta. */
-typedef struct VM_TAG(vm_rotor_piece) {
+typedef struct VM_TAG(vm_broken_rotor_piece) {
     vm_real mass, inertia; /* m; I_S2 about the own mass centre S2, >= 0 */
     vm_real distance;      /* SS2, m */
     vm_real alpha;         /* angle from SS2 to SA, counterclockwise (Fig. 17: S2 at -alpha from SA) */
     vm_real radius;        /* SA, m */
     vm_real contact;       /* direction angle of SA in inertial axes */
-} vm_rotor_piece;
+} vm_broken_rotor_piece;
 
-typedef struct VM_TAG(vm_rotor_break) {
-    vm_rotor rest;      /* the remainder: I_S1 by the parallel axes, s = m SS2/(M - m); the rest is the whole's */
+typedef struct VM_TAG(vm_broken_rotor_break) {
+    vm_broken_rotor rest;      /* the remainder: I_S1 by the parallel axes, s = m SS2/(M - m); the rest is the whole's */
     vm_real state[6];   /* its state, psi being the direction from S1 to the shaft, which is that of SS2 */
     vm_real piece[6];   /* the piece's state, psi likewise */
     vm_real dragging;   /* v_S2d (52), (61): speed of S2 before, and */
@@ -51,9 +51,9 @@ typedef struct VM_TAG(vm_rotor_break) {
     vm_real spin_rest;  /* Omega_r1, from I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T  [(58) corrected] */
     vm_real stop_inertia; /* the I_S2 that would stop the rest, where there is one: I_S (R - SS2)/R for alpha = 0
                              [after (64), corrected] */
-} vm_rotor_break;
+} vm_broken_rotor_break;
 
-VM_API int vmi_check_rotor(const vm_rotor *r)
+VM_API int vmi_check_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
         !VM_IS_FINITE(r->damping) || !VM_IS_FINITE(r->torque) || !VM_IS_FINITE(r->s))
@@ -63,11 +63,11 @@ VM_API int vmi_check_rotor(const vm_rotor *r)
     return r->stiffness >= 0 ? VM_OK : VM_DOMAIN;
 }
 
-/* (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_rotor */
-VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+/* (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_broken_rotor */
+VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    const vm_rotor *r = (const vm_rotor *)rotor;
+    const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     vm_real sine, cosine, fx, fy;
     (void)t;
     vmi_sincos(y[2], &sine, &cosine);
@@ -83,13 +83,13 @@ VM_API int vm_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 }
 
 /* (67), and the coupling s p^2 omega^2 of (69) */
-typedef struct VM_TAG(vmi_rotor_linear) {
+typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s, coupling;
-} vmi_rotor_linear;
+} vmi_broken_rotor_linear;
 
-VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
+VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
-    vmi_rotor_linear a;
+    vmi_broken_rotor_linear a;
     a.omega = VM_SQRT(r->stiffness / r->mass);
     a.k = r->damping / r->inertia;
     a.torque = r->torque / r->inertia;
@@ -98,9 +98,9 @@ VM_API vmi_rotor_linear vmi_rotor_reduced(const vm_rotor *r, int coupled)
     return a;
 }
 
-/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_rotor_rate at most
+/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_broken_rotor_rate at most
    1: the n-th terms of y and of s psi are then below 1/n! of the first ones */
-VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
+VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
     const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
@@ -124,13 +124,13 @@ VM_API void vmi_rotor_series(const vmi_rotor_linear *a, vm_real h, const vm_real
     }
 }
 
-VM_API vm_real vmi_rotor_rate(const vmi_rotor_linear *a)
+VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
 /* (e^z - 1)/z and (e^z - 1 - z)/z^2, to a few eps */
-VM_API void vmi_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
+VM_API void vmi_broken_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
     int n;
@@ -145,7 +145,7 @@ VM_API void vmi_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
 }
 
 /* w - sin w, given sin w */
-VM_API vm_real vmi_rotor_less_sine(vm_real w, vm_real sine)
+VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
     vm_real sum = 0;
@@ -156,32 +156,32 @@ VM_API vm_real vmi_rotor_less_sine(vm_real w, vm_real sine)
 }
 
 /* cos wt, 1 - cos wt, w sin wt, sin wt/w, t - sin wt/w */
-typedef struct VM_TAG(vmi_rotor_swing) {
+typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c, c1, w_s, s_w, late;
-} vmi_rotor_swing;
+} vmi_broken_rotor_swing;
 
-VM_API vmi_rotor_swing vmi_rotor_swing_at(vm_real t, vm_real w)
+VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 {
-    vmi_rotor_swing g;
+    vmi_broken_rotor_swing g;
     vm_real half, sine;
     vmi_sincos(w * t / 2, &half, &g.c);
     vmi_sincos(w * t, &sine, &g.c);
     g.c1 = 2 * half * half;
     g.w_s = w * sine;
     g.s_w = w > 0 ? sine / w : t;
-    g.late = w > 0 ? vmi_rotor_less_sine(w * t, sine) / w : 0;
+    g.late = w > 0 ? vmi_broken_rotor_less_sine(w * t, sine) / w : 0;
     return g;
 }
 
 /* (71), (72) with M* in the place of k* Omega, for z = y, psi, y', psi' and |t| times the rate of 1 and more. y
    answers to -s psi, and psi = psi0 + psi0' E1 + M* E2, E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k. g0, g1, g2 solve g''
    + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
-VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_rotor_swing *g, vm_real *z)
+VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g, vm_real *z)
 {
     const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
     const vm_real y0 = z[0], psi0 = z[1], v0 = z[2], rate0 = z[3];
     vm_real E0, E1, E2, g0, g1, g2;
-    vmi_rotor_exp_quotients(-a->k * t, &E1, &E2);
+    vmi_broken_rotor_exp_quotients(-a->k * t, &E1, &E2);
     E0 = vmi_exp(-a->k * t, 0);
     E1 *= t;
     E2 *= t * t;
@@ -196,21 +196,21 @@ VM_API void vmi_rotor_follow(vm_real t, const vmi_rotor_linear *a, const vmi_rot
 
 /* z changes by M (z, 1), M = [exp(A t) - E | answer to the torque]: doubled from where the series holds, by
    2 M + M M, which keeps the digits that E would swallow */
-VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
+VM_API void vmi_broken_rotor_double(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     vm_real m[5][4], old[5][4], unit[4], h = t; /* m[j]: of the unit state j, of the torque for j = 4 */
-    vmi_rotor_linear driven = *a;
+    vmi_broken_rotor_linear driven = *a;
     int doublings = 0, i, j, k;
-    for (; VM_FABS(h) * vmi_rotor_rate(a) > 1; h /= 2) doublings++;
+    for (; VM_FABS(h) * vmi_broken_rotor_rate(a) > 1; h /= 2) doublings++;
     if (doublings == 0) {
-        vmi_rotor_series(a, h, z, unit);
+        vmi_broken_rotor_series(a, h, z, unit);
         for (i = 0; i < 4; i++) z[i] += unit[i];
         return;
     }
     for (j = 0; j < 5; j++) {
         for (i = 0; i < 4; i++) unit[i] = i == j;
         driven.torque = j < 4 ? 0 : a->torque;
-        vmi_rotor_series(&driven, h, unit, m[j]);
+        vmi_broken_rotor_series(&driven, h, unit, m[j]);
     }
     for (; doublings > 0; doublings--) {
         memcpy(old, m, sizeof m);
@@ -226,61 +226,61 @@ VM_API void vmi_rotor_double(vm_real t, const vmi_rotor_linear *a, vm_real *z)
     }
 }
 
-VM_API int vmi_rotor_linearised(vm_real t, const vm_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
+VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
 {
     vm_real y[6], z[4];
-    vmi_rotor_linear a;
-    vmi_rotor_swing g;
+    vmi_broken_rotor_linear a;
+    vmi_broken_rotor_swing g;
     int status;
     if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !vmi_all_finite(6, start)) return VM_NOT_FINITE;
     status = vmi_check_rotor(rotor);
     if (status) return status;
-    a = vmi_rotor_reduced(rotor, coupled);
-    g = vmi_rotor_swing_at(t, a.omega);
+    a = vmi_broken_rotor_reduced(rotor, coupled);
+    g = vmi_broken_rotor_swing_at(t, a.omega);
     z[0] = start[1];
     z[1] = start[2];
     z[2] = start[4];
     z[3] = start[5];
-    if (coupled || VM_FABS(t) * vmi_rotor_rate(&a) <= 1) vmi_rotor_double(t, &a, z);
-    else vmi_rotor_follow(t, &a, &g, z);
+    if (coupled || VM_FABS(t) * vmi_broken_rotor_rate(&a) <= 1) vmi_broken_rotor_double(t, &a, z);
+    else vmi_broken_rotor_follow(t, &a, &g, z);
     y[0] = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
     y[3] = start[3] * g.c - g.w_s * (start[0] + a.s);
     y[1] = z[0];
     y[2] = z[1];
     y[4] = z[2];
     y[5] = z[3];
-    return vmi_deliver(6, y, end);
+    return vmi_copy_if_finite(6, y, end);
 }
 
 /* The remainder for short times, |psi| << 1, linearised: (69) complete; and without its term -s y omega^2 p^2,
    which (70)-(72) leave out, though it is of the order of the others. Both for any k*, omega, s, zero included, and
-   accurate as vm_rotor_free is (the first to twice that). All of (69) grows exponentially: VM_NOT_FINITE where it
+   accurate as vm_broken_rotor_free_motion is (the first to twice that). All of (69) grows exponentially: VM_NOT_FINITE where it
    overflows. */
-VM_API int vm_rotor_linear(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
-    return vmi_rotor_linearised(t, rotor, start, 1, end);
+    return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
 }
 
-/* Documented with vm_rotor_linear. */
-VM_API int vm_rotor_linear_uncoupled(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+/* Documented with vm_broken_rotor_linear. */
+VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
-    return vmi_rotor_linearised(t, rotor, start, 0, end);
+    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
 }
 
 /* State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0. damping and stiffness may be 0; end may be
    start, here and below. Error: no more than the rounding of every input, t included, would do. */
 /* With s = 0 the uncoupled equations are (46) itself. */
-VM_API int vm_rotor_free(vm_real t, const vm_rotor *rotor, const vm_real *start, vm_real *end)
+VM_API int vm_broken_rotor_free_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
     if (rotor && rotor->s != 0) return rotor->s - rotor->s == 0 ? VM_DOMAIN : VM_NOT_FINITE;
-    return vmi_rotor_linearised(t, rotor, start, 0, end);
+    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
 }
 
 /* A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass,
    not 0. The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, wrong after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t) */
-VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *abcd)
+VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, vx, vy, c[4];
     int status;
@@ -296,11 +296,11 @@ VM_API int vm_rotor_orbit(const vm_rotor *rotor, const vm_real *start, vm_real *
     c[1] = (start[1] - vx) / 2;
     c[2] = (start[0] - vy) / 2;
     c[3] = (start[1] + vx) / 2;
-    return vmi_deliver(4, c, abcd);
+    return vmi_copy_if_finite(4, c, abcd);
 }
 
 /* -- The break, in axes along SA and counterclockwise across it -- */
-VM_API int vmi_check_piece(const vm_rotor *whole, const vm_rotor_piece *p)
+VM_API int vmi_check_piece(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p)
 {
     if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
         !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
@@ -310,7 +310,7 @@ VM_API int vmi_check_piece(const vm_rotor *whole, const vm_rotor_piece *p)
 }
 
 /* (x, y) turned by the angle whose sine and cosine are given */
-VM_API void vmi_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
+VM_API void vmi_broken_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
 {
     const vm_real x0 = *x;
     *x = cosine * x0 - sine * *y;
@@ -318,7 +318,7 @@ VM_API void vmi_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
 }
 
 /* State of a body whose mass centre is at d from S, at angle psi, moving relative to the whole by (ux, uy), spin */
-VM_API void vmi_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
+VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                             vm_real spin, vm_real *state)
 {
     state[0] = before[0] + dx;
@@ -330,7 +330,7 @@ VM_API void vmi_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_r
 }
 
 /* Mass, inertia and eccentricity of the rest */
-VM_API int vmi_rotor_rest(const vm_rotor *whole, const vm_rotor_piece *p, vm_rotor *rest)
+VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real left = whole->mass - p->mass, share = p->mass / left;
     *rest = *whole;
@@ -342,8 +342,8 @@ VM_API int vmi_rotor_rest(const vm_rotor *whole, const vm_rotor_piece *p, vm_rot
 
 /* (52)-(58), all but rest, state and piece, from SS2 and v_S in axes along SA and counterclockwise across it; e is
    the direction of S2A. Returns AS2. */
-VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p, vm_real spin, const vm_real *d,
-                                 const vm_real *v, vm_real *e, vm_rotor_break *b)
+VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin, const vm_real *d,
+                                 const vm_real *v, vm_real *e, vm_broken_rotor_break *b)
 {
     const vm_real ux = v[0] - spin * d[1], uy = v[1] + spin * d[0], reduced = p->mass / b->rest.mass * whole->mass;
     const vm_real reach_x = p->radius - d[0], reach_y = -d[1], reach = vmi_hypot(reach_x, reach_y);
@@ -365,17 +365,17 @@ VM_API vm_real vmi_rotor_contact(const vm_rotor *whole, const vm_rotor_piece *p,
 
 /* The remainder's spin, state[5], is Omega_b + Omega_r1  [(59), (64) corrected]. Refuses m not in (0, M), an I_S1
    that is negative or lost in rounding errors (VM_BAD_INERTIA), a whole with s != 0 and S2 at A (VM_DOMAIN). */
-VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
-                              vm_rotor_break *result)
+VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before, const vm_broken_rotor_piece *piece,
+                              vm_broken_rotor_break *result)
 {
-    vm_rotor_break b;
+    vm_broken_rotor_break b;
     vm_real sine, cosine, d[2], v[2], e[2], share, T;
     int status;
     if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_rotor(whole);
     if (!status) status = vmi_all_finite(6, before) ? vmi_check_piece(whole, piece) : VM_NOT_FINITE;
     if (!status && whole->s != 0) status = VM_DOMAIN;
-    if (!status) status = vmi_rotor_rest(whole, piece, &b.rest);
+    if (!status) status = vmi_broken_rotor_rest(whole, piece, &b.rest);
     if (status) return status;
 
     vmi_sincos(piece->alpha, &sine, &cosine);
@@ -384,15 +384,15 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
     vmi_sincos(piece->contact, &sine, &cosine);
     v[0] = before[3];
     v[1] = before[4];
-    vmi_rotor_turn(-sine, cosine, &v[0], &v[1]);
-    if (!(vmi_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
+    vmi_broken_rotor_turn(-sine, cosine, &v[0], &v[1]);
+    if (!(vmi_broken_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
 
-    vmi_rotor_turn(sine, cosine, &d[0], &d[1]);
-    vmi_rotor_turn(sine, cosine, &e[0], &e[1]);
+    vmi_broken_rotor_turn(sine, cosine, &d[0], &d[1]);
+    vmi_broken_rotor_turn(sine, cosine, &e[0], &e[1]);
     share = piece->mass / b.rest.mass;
     T = b.tangential;
-    vmi_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
-    vmi_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
+    vmi_broken_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
+    vmi_broken_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
                     share * T * e[0], b.spin_rest, b.state);
     if (!vmi_all_finite(6, b.state) || !vmi_all_finite(6, b.piece)) return VM_NOT_FINITE;
     *result = b;
@@ -402,10 +402,10 @@ VM_API int vm_rotor_break_off(const vm_rotor *whole, const vm_real *before, cons
 /* Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0. The conversions
    refuse r = 0 and r < 0. */
 /* -- Polar form -- */
-VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    const vm_rotor *r = (const vm_rotor *)rotor;
+    const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real w2 = r->stiffness / r->mass;
     vm_real sine, cosine;
     (void)t;
@@ -420,8 +420,8 @@ VM_API int vm_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return 0;
 }
 
-/* Documented with vm_rotor_polar_rhs. */
-VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar)
+/* Documented with vm_broken_rotor_polar_rhs. */
+VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[6], c, s;
     if (!y || !polar) return VM_BAD_ARGUMENT;
@@ -435,11 +435,11 @@ VM_API int vm_rotor_to_polar(const vm_real *y, vm_real *polar)
     p[3] = c * y[3] + s * y[4];
     p[4] = (c * y[4] - s * y[3]) / p[0];
     p[5] = y[5];
-    return vmi_deliver(6, p, polar);
+    return vmi_copy_if_finite(6, p, polar);
 }
 
-/* Documented with vm_rotor_polar_rhs. */
-VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
+/* Documented with vm_broken_rotor_polar_rhs. */
+VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
     vm_real z[6], c, s, across;
     if (!y || !polar) return VM_BAD_ARGUMENT;
@@ -453,12 +453,12 @@ VM_API int vm_rotor_from_polar(const vm_real *polar, vm_real *y)
     z[3] = polar[3] * c - across * s;
     z[4] = polar[3] * s + across * c;
     z[5] = polar[5];
-    return vmi_deliver(6, z, y);
+    return vmi_copy_if_finite(6, z, y);
 }
 
 /* -- The steady motion and its stability -- */
 /* (omega^2 - Omega^2) mass, whose sign is right and whose relative error is an eps however near resonance is */
-VM_API vm_real vmi_rotor_detuning(const vm_rotor *r, vm_real Omega)
+VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
     const vm_two left = vmi_two_plus(vmi_two(r->stiffness, 0), load);
@@ -468,29 +468,29 @@ VM_API vm_real vmi_rotor_detuning(const vm_rotor *r, vm_real Omega)
 /* Steady motion at psi' = Omega, which needs torque = damping Omega (47). r_SS = s omega^2/(omega^2 - Omega^2), m:
    positive as in (77), phi = psi + pi, where Omega^2 < omega^2; negative as in (76), phi = psi. Infinite at resonance
    (NaN for s = 0). Within 2 eps however near resonance is. */
-VM_API vm_real vm_rotor_steady(const vm_rotor *rotor, vm_real Omega)
+VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
     if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    detuning = vmi_rotor_detuning(rotor, Omega);
+    detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
     share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 
 /* w^2, O^2, k*, D and G of (81) */
-typedef struct VM_TAG(vmi_rotor_steady) {
+typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
-} vmi_rotor_steady;
+} vmi_broken_rotor_steady;
 
-VM_API int vmi_rotor_about_steady(const vm_rotor *r, vm_real Omega, vmi_rotor_steady *a)
+VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
     vm_real detuning;
     if (!r) return VM_BAD_ARGUMENT;
     status = VM_IS_FINITE(Omega) ? vmi_check_rotor(r) : VM_NOT_FINITE;
     if (status) return status;
-    detuning = vmi_rotor_detuning(r, Omega);
+    detuning = vmi_broken_rotor_detuning(r, Omega);
     if (detuning == 0) return VM_DOMAIN;
     a->w2 = r->stiffness / r->mass;
     a->O2 = Omega * Omega;
@@ -503,11 +503,11 @@ VM_API int vmi_rotor_about_steady(const vm_rotor *r, vm_real Omega, vmi_rotor_st
 /* Small motions about it, exp(lambda t). (81) corrected (its last term lacks lambda^2) is lambda times the polynomial
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    D = w^2 - O^2, G = s^2 p^2 w^4/D: c[6], highest power first. lambda = 0 is the freedom of the phase. */
-VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c)
+VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
-    vmi_rotor_steady a;
+    vmi_broken_rotor_steady a;
     vm_real p[6];
-    int status = c ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    int status = c ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
     p[0] = 1;
     p[1] = a.k;
@@ -515,15 +515,15 @@ VM_API int vm_rotor_char_poly(const vm_rotor *rotor, vm_real Omega, vm_real *c)
     p[3] = 2 * a.k * (a.w2 + a.O2);
     p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2);
     p[5] = a.k * (a.D * a.D);
-    return vmi_deliver(6, p, c);
+    return vmi_copy_if_finite(6, p, c);
 }
 
 /* Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2 */
-VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
+VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
-    vmi_rotor_steady a;
+    vmi_broken_rotor_steady a;
     vm_real p[6];
-    int status = column ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    int status = column ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
     if (status) return status;
     p[0] = 1;
     p[1] = a.k;
@@ -531,26 +531,26 @@ VM_API int vm_rotor_routh(const vm_rotor *rotor, vm_real Omega, vm_real *column)
     p[3] = a.k * a.D;
     p[4] = 4 * a.G * a.O2;
     p[5] = a.k * (a.D * a.D);
-    return vmi_deliver(6, p, column);
+    return vmi_copy_if_finite(6, p, column);
 }
 
 /* 1 where the steady motion is asymptotically stable, exactly Omega^2 < omega^2 (82) with k* > 0, s != 0, Omega != 0;
    else 0 (for k*, s or Omega = 0 some motions neither grow nor fade) */
-VM_API int vm_rotor_stable(const vm_rotor *rotor, vm_real Omega)
+VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
-    return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_rotor_detuning(rotor, Omega) > 0;
+    return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_broken_rotor_detuning(rotor, Omega) > 0;
 }
 
 /* Its five roots, by rising |imaginary part|, pairs as (+, -): each within twice what an eps of every coefficient
    would do, the smallest too, which near resonance is many orders below the largest. VM_DOMAIN at resonance. */
 /* lambda is measured in size = |Omega| + omega + k* + sqrt|G|, so that no coefficient is above 10. */
-VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
+VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
-    vmi_rotor_steady a;
+    vmi_broken_rotor_steady a;
     vm_real c[6], x[5], y[5], size, power;
-    int i, status = re && im ? vmi_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
-    if (!status) status = vm_rotor_char_poly(rotor, Omega, c);
+    int i, status = re && im ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     for (i = 1, power = 1 / size; i < 6; i++, power /= size) c[i] *= power;
@@ -561,13 +561,13 @@ VM_API int vm_rotor_eigenvalues(const vm_rotor *rotor, vm_real Omega, vm_real *r
         y[i] *= size;
     }
     if (!vmi_all_finite(5, x)) return VM_NOT_FINITE;
-    status = vmi_deliver(5, y, im);
+    status = vmi_copy_if_finite(5, y, im);
     if (!status) memcpy(re, x, sizeof x);
     return status;
 }
 
 /* ln(1 + x) - x + x^2/2, x >= 0, to a few eps: x^3/3 - x^4/4 ..., by powers of w = x/(2 + x), all terms positive */
-VM_API vm_real vmi_rotor_growth_time(vm_real x)
+VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21; /* w <= 1/3 */
     const vm_real w = x / (2 + x);
@@ -584,13 +584,13 @@ VM_API vm_real vmi_rotor_growth_time(vm_real x)
 
 /* r r' = A + B/r gives tau = t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A r/B: convex, so that Newton's method
    falls to the root from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
-VM_API vm_real vmi_rotor_growth_root(vm_real tau)
+VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
-    vm_real x = vmi_raised(3 * tau, VM_C(1.) / 3) + VM_SQRT(2 * tau), fall;
+    vm_real x = vmi_pow_checked(3 * tau, VM_C(1.) / 3) + VM_SQRT(2 * tau), fall;
     int i;
     for (i = 0; i < most_steps; i++) {
-        fall = (vmi_rotor_growth_time(x) - tau) * (1 + x) / (x * x);
+        fall = (vmi_broken_rotor_growth_time(x) - tau) * (1 + x) / (x * x);
         if (!(fall > 0)) break;
         x -= fall;
     }
@@ -603,20 +603,20 @@ VM_API vm_real vmi_rotor_growth_root(vm_real tau)
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
    s/4 is the next order. Not in it: terms of s^2/r and the time of the capture (Fig. 18 at t = 400: 0.001 of 3.473
    and 0.093 of 12.437 too little and too much). NaN below resonance, for t < 0, k* < 0 and omega = 0. */
-VM_API vm_real vm_rotor_growth(vm_real t, const vm_rotor *rotor, vm_real Omega)
+VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
     if (!rotor || vmi_check_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    over = -vmi_rotor_detuning(rotor, Omega);
+    over = -vmi_broken_rotor_detuning(rotor, Omega);
     w = VM_SQRT(rotor->stiffness / rotor->mass);
     if (!(over >= 0) || !(w > 0) || !(rotor->damping >= 0)) return VM_NAN;
     A = rotor->damping * (over / rotor->mass / (VM_FABS(Omega) + w)) / (2 * rotor->mass * w);
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
-    R = vmi_raised(3 * B * t, VM_C(1.) / 3);
+    R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
     z = A * R / B;
     if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t); /* B = 0 among it */
-    else if (z > VM_EPSILON) R = vmi_rotor_growth_root(z * z * z / 3) * B / A;
+    else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
 }
 

@@ -285,7 +285,7 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
     if (l > -1 && k1 > 0) l = -1;           /* by rounding */
     /* e tells the branch: k1 may round to 1 */
-    w = k1 < 0 ? vm_lambert_w0_exp(l) : e > 0 ? vm_lambert_wm1_mexp(l) : vm_lambert_w0_mexp(l);
+    w = k1 < 0 ? vm_wright_omega(l) : e > 0 ? vm_lambert_wm1_neg_exp(l) : vm_lambert_w0_neg_exp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
 

@@ -56,7 +56,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
     result[2] = (s * omega.x - c * omega.y) / sine;
     result[1] = c * omega.x + s * omega.y;
     result[0] = omega.z - result[2] * cosine;
-    return vmi_deliver(3, result, rates);
+    return vmi_copy_if_finite(3, result, rates);
 }
 
 #endif

@@ -29,12 +29,12 @@ typedef struct VM_TAG(vm_flow2) {
     int status;
 } vm_flow2;
 
-enum { VM_RHS2 = 10 };
+enum { VM_FLOW2_STATES = 10 };
 
 /* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
    less its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it
    costs 2^-67 (2^-28) */
-VM_INLINE void vmi_stream_sincos(vm_real x, vm_real *sine, vm_real *cosine)
+VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
     const vm_real most = VM_C(1048576.0), first = VM_C(1.570796326734125614166),
@@ -103,7 +103,7 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
-VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow2 *flow = (vm_flow2 *)ctx;
@@ -113,10 +113,10 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (status) return status;
     if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_RHS2, dydt);
+    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW2_STATES, dydt);
     sine = 0;
     cosine = 1;
-    if (flow->n) vmi_stream_sincos(y[2], &sine, &cosine);
+    if (flow->n) vmi_sincos_of_angle(y[2], &sine, &cosine);
     inverse = 1 / y[6];
     vx = y[3] * inverse;
     vy = y[4] * inverse;
@@ -125,7 +125,7 @@ VM_API int vm_rhs2(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     sum.fy = flow->fy;
     sum.moment = flow->moment;
     for (k = 0; k < flow->n; k++) {
-        if (!vmi_stream_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
+        if (!vmi_stream_motion_is_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
         vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
                         cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
     }

@@ -105,7 +105,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 }
 
 /* Moments of a body: none larger than the two others together, to within slack (kg m^2) */
-VM_API int vmi_possible(const vmi_principal *p, vm_real slack)
+VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
 {
     vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack; /* so none is below -slack */
@@ -113,7 +113,7 @@ VM_API int vmi_possible(const vmi_principal *p, vm_real slack)
 
 /* Moments that a body can have exactly, of a tensor that is possible within slack. A moment lost in the rounding
    errors of terms of these sizes becomes 0, one above the sum of the others that sum. 1 where anything changed */
-VM_API int vmi_settle(vmi_principal *p, const vm_inertia *sizes)
+VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
     for (k = 0; k < 3; k++) {
@@ -233,7 +233,7 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
-VM_API vm_inertia vmi_stream_load_inertia(const vm_real *y)
+VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
     i.xx = y[0];
@@ -245,7 +245,7 @@ VM_API vm_inertia vmi_stream_load_inertia(const vm_real *y)
     return i;
 }
 
-VM_API void vmi_stream_store_inertia(vm_real *y, const vm_inertia *i)
+VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
 {
     y[0] = i->xx;
     y[1] = i->yy;
@@ -256,11 +256,11 @@ VM_API void vmi_stream_store_inertia(vm_real *y, const vm_inertia *i)
 }
 
 /* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
-typedef struct VM_TAG(vmi_stream_ldl) {
+typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
-} vmi_stream_ldl;
+} vmi_inertia_ldl;
 
-VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
+VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     const vm_real lost = 8 * VM_EPSILON;
     vm_real y, z, t;
@@ -279,7 +279,7 @@ VM_INLINE int vmi_stream_factor(const vm_inertia *i, vmi_stream_ldl *f)
 /* Whether a body can have the inertia i, whose moments are positive, at some time of a run. The inertia of a flat
    body keeps to the bound of the triangle inequality but for the roundings of all steps, so that the slack has room
    for 1e7 (float 3000) of them. */
-VMI_APART int vmi_stream_thin_body(const vm_inertia *i)
+VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* sqrt(eps), of the trace */
     return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
@@ -287,20 +287,20 @@ VMI_APART int vmi_stream_thin_body(const vm_inertia *i)
 
 /* First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive definite where its least diagonal
    entry is larger than the others in its row can be. */
-VM_INLINE int vmi_stream_body(const vm_inertia *i)
+VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
     const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
-    return (least > i->xx && least > i->yy && least > i->zz) || vmi_stream_thin_body(i);
+    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
 /* The same, with the factors that a body needs to be accelerated */
-VM_INLINE int vmi_stream_factor_body(const vm_inertia *i, vmi_stream_ldl *f)
+VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
-    return vmi_stream_factor(i, f) && vmi_stream_body(i);
+    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
 }
 
-VM_INLINE vm_vec3 vmi_stream_solve(const vmi_stream_ldl *f, vm_vec3 h)
+VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
     w.y = h.y - f->xy * h.x;

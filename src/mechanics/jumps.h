@@ -22,20 +22,20 @@ typedef struct VM_TAG(vmi_frame) {
 } vmi_frame;
 
 /* What a body brings into the jump, or a sum of such */
-typedef struct VM_TAG(vmi_load) {
+typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
     vm_vec3 r, v;              /* from the frame's */
     vm_vec3 h;                 /* I (omega - Omega) */
     vm_inertia inertia, sizes; /* and the sizes of the terms that its entries are sums of */
     vm_real noise;             /* h is right to some eps of this */
-} vmi_load;
+} vmi_lump;
 
-VM_API vmi_load vmi_load_of(const vmi_frame *frame, const vm_body *body)
+VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
     vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_load load;
+    vmi_lump load;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* equal attitudes cost no digits */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
@@ -47,7 +47,7 @@ VM_API vmi_load vmi_load_of(const vmi_frame *frame, const vm_body *body)
     load.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     load.inertia = vmi_inertia_along(&body->inertia, &turn);
     load.sizes = vmi_inertia_sizes(&body->inertia, &turn);
-    load.noise = vmi_trace(&body->inertia) * (vmi_size(body->omega) + vmi_size(frame->omega));
+    load.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
     return load;
 }
 
@@ -70,20 +70,20 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 }
 
 /* a + sign b */
-VM_API int vmi_join(const vmi_frame *frame, vmi_load *a, vm_real sign, const vmi_load *b)
+VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass, share = sign * (b->mass / mass), reduced = a->mass * share;
     vm_vec3 origin = vmi_abs(frame->r), d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
     vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
     vm_vec3 u = vmi_sub(v, vmi_cross(frame->omega, d));
-    vm_real speeds = vmi_size(a->v) + vmi_size(b->v) + 2 * vmi_size(frame->v), turning = vmi_size(frame->omega);
+    vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v), turning = vmi_norm1(frame->omega);
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
     a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, u))));
-    a->noise += b->noise + VM_FABS(reduced) * vmi_size(d) * speeds +
-                (sign < 0 ? b->mass : reduced) * vmi_size(reach) * (vmi_size(d) * turning + vmi_size(u));
+    a->noise += b->noise + VM_FABS(reduced) * vmi_norm1(d) * speeds +
+                (sign < 0 ? b->mass : reduced) * vmi_norm1(reach) * (vmi_norm1(d) * turning + vmi_norm1(u));
     if (b->mass > a->mass) { /* from the heavier, so that a light body's motion costs no digits of it */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
@@ -95,12 +95,12 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_load *a, vm_real sign, const vmi
     return VM_OK;
 }
 
-VM_API void vmi_strike(const vmi_frame *frame, vmi_load *a, const vm_impulse *external)
+VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
     vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
     a->v = vmi_add(a->v, vmi_vec3(j.x / a->mass, j.y / a->mass, j.z / a->mass));
     a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
-    a->noise += vmi_size(external->couple) + (vmi_size(at) + vmi_size(frame->r)) * vmi_size(j);
+    a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
@@ -114,7 +114,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     frame.v = body->v;
     frame.omega = sign < 0 || others->n == 0 ? body->omega : vmi_vec3(0, 0, 0);
     for (i = 0; i < others->n; i++) {
-        const vm_body b = vmi_pick(others, i);
+        const vm_body b = vmi_list_body(others, i);
         if (b.mass > mass) {
             mass = b.mass;
             frame.r = b.r;
@@ -126,41 +126,41 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
 
 /* The body with the others joined (sign = 1) or without them (-1), struck by the impulse */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
-                          const vm_impulse *external, vmi_load *total)
+                          const vm_impulse *external, vmi_lump *total)
 {
-    vmi_load sum = vmi_load_of(frame, body);
+    vmi_lump sum = vmi_lump_of(frame, body);
     int i, status = VM_OK;
     *total = sum;
     for (i = 0; i < others->n && !status; i++) {
-        const vm_body other = vmi_pick(others, i);
-        const vmi_load load = vmi_load_of(frame, &other);
+        const vm_body other = vmi_list_body(others, i);
+        const vmi_lump load = vmi_lump_of(frame, &other);
         if (i == 0) sum = load;
         else status = vmi_join(frame, &sum, 1, &load);
     }
     if (others->n > 0 && !status) status = vmi_join(frame, total, sign, &sum);
     if (status || !external) return status;
     if (!vmi_impulse_finite(external)) return VM_NOT_FINITE;
-    vmi_strike(frame, total, external);
+    vmi_apply_impulse(frame, total, external);
     return VM_OK;
 }
 
 /* The angular velocity, relative to the frame, of a load whose inertia has been settled */
-VM_API int vmi_load_spin(const vmi_frame *frame, const vmi_load *load, const vmi_principal *p, vm_vec3 before,
+VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *load, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
-    const vm_real noise = 2 * VM_EPSILON * (load->noise + vmi_size(load->h));
+    const vm_real noise = 2 * VM_EPSILON * (load->noise + vmi_norm1(load->h));
     int left = vmi_solve_spin(&load->inertia, p, vmi_times_transposed(&frame->turn, load->h), noise,
                               vmi_times_transposed(&frame->turn, before), omega);
     *omega = vmi_times(&frame->turn, *omega);
     return left;
 }
 
-VM_API int vmi_settle_load(vmi_load *load, vmi_principal *p)
+VM_API int vmi_lump_clamp_moments(vmi_lump *load, vmi_principal *p)
 {
     if (!vmi_inertia_finite(&load->inertia)) return VM_NOT_FINITE;
     *p = vmi_principal_axes(&load->inertia);
-    if (!vmi_possible(p, vmi_slack(&load->sizes))) return VM_BAD_INERTIA;
-    if (vmi_settle(p, &load->sizes)) load->inertia = vmi_inertia_from(p);
+    if (!vmi_inertia_is_possible(p, vmi_slack(&load->sizes))) return VM_BAD_INERTIA;
+    if (vmi_clamp_moments(p, &load->sizes)) load->inertia = vmi_inertia_from(p);
     return VM_OK;
 }
 
@@ -169,7 +169,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
 {
     vmi_bodies list;
     vmi_frame frame;
-    vmi_load load;
+    vmi_lump load;
     vmi_principal p;
     vm_body b;
     int status;
@@ -182,14 +182,14 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     if (status) return status;
     frame = vmi_frame_of(body, &list, sign);
     status = vmi_jump_total(&frame, body, sign, &list, external, &load);
-    if (!status) status = vmi_settle_load(&load, &p);
+    if (!status) status = vmi_lump_clamp_moments(&load, &p);
     if (status) return status;
     b.mass = load.mass;
     b.inertia = load.inertia;
     b.q = body->q;
     b.r = vmi_add(frame.r, load.r);
     b.v = vmi_add(frame.v, load.v);
-    if (vmi_load_spin(&frame, &load, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    if (vmi_lump_spin(&frame, &load, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
     b.omega = vmi_add(frame.omega, b.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *result = b;
@@ -234,7 +234,7 @@ VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const
     return vmi_jump(body, n, added, 1, external_or_NULL, whole);
 }
 
-VM_API vm_body vmi_bare(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
+VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     b.mass = mass;
@@ -249,8 +249,8 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     vm_body first, second;
     int status;
     if (!a || !b || !joined || !centre) return VM_BAD_ARGUMENT;
-    first = vmi_bare(mass_a, a, vmi_vec3(0, 0, 0));
-    second = vmi_bare(mass_b, b, d);
+    first = vmi_body_at_rest(mass_a, a, vmi_vec3(0, 0, 0));
+    second = vmi_body_at_rest(mass_b, b, d);
     status = vmi_jump(&first, 1, &second, sign, NULL, &first);
     if (!status) {
         *joined = first.inertia;

@@ -8,7 +8,7 @@
 #include "jumps.h"
 #include "vectors.h"
 
-VM_API vm_impulse vmi_lifted_impulse(const vm_impulse2 *j)
+VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
     lifted.linear = vmi_vec3(j->jx, j->jy, 0);
@@ -18,13 +18,13 @@ VM_API vm_impulse vmi_lifted_impulse(const vm_impulse2 *j)
 }
 
 /* (44) and its like: a load's spin relative to the frame, which without inertia is the one before */
-VM_API int vmi_load_spin2(const vmi_load *load, vm_real before, vm_real *omega)
+VM_API int vmi_lump_spin2(const vmi_lump *load, vm_real before, vm_real *omega)
 {
     *omega = load->inertia.zz > 0 ? load->h.z / load->inertia.zz : before;
     return !(load->inertia.zz > 0) && VM_FABS(load->h.z) > 2 * VM_EPSILON * (load->noise + VM_FABS(load->h.z));
 }
 
-VM_API int vmi_settle_load2(vmi_load *load)
+VM_API int vmi_lump_clamp_moments2(vmi_lump *load)
 {
     if (!VM_IS_FINITE(load->inertia.zz)) return VM_NOT_FINITE;
     if (load->inertia.zz < -32 * VM_EPSILON * load->sizes.zz) return VM_BAD_INERTIA;
@@ -34,18 +34,18 @@ VM_API int vmi_settle_load2(vmi_load *load)
 
 /* Checks, and the total of vmi_jump_total for bodies of the plane */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
-                           const vm_impulse2 *external, vmi_frame *frame, vmi_load *load)
+                           const vm_impulse2 *external, vmi_frame *frame, vmi_lump *load)
 {
     vm_impulse blow;
     vm_body lifted;
     int status = vmi_check_body2(body);
     if (!status) status = vmi_check_bodies(others);
     if (status) return status;
-    lifted = vmi_lifted(body);
-    if (external) blow = vmi_lifted_impulse(external);
+    lifted = vmi_body_to_space(body);
+    if (external) blow = vmi_impulse_to_space(external);
     *frame = vmi_frame_of(&lifted, others, sign);
     status = vmi_jump_total(frame, &lifted, sign, others, external ? &blow : NULL, load);
-    return status ? status : vmi_settle_load2(load);
+    return status ? status : vmi_lump_clamp_moments2(load);
 }
 
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign, const vm_impulse2 *external,
@@ -53,7 +53,7 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
 {
     vmi_bodies list;
     vmi_frame frame;
-    vmi_load load;
+    vmi_lump load;
     vm_body2 b;
     int status;
     if (!body || !result || (n > 0 && !others)) return VM_BAD_ARGUMENT;
@@ -69,7 +69,7 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     b.y = frame.r.y + load.r.y;
     b.vx = frame.v.x + load.v.x;
     b.vy = frame.v.y + load.v.y;
-    if (vmi_load_spin2(&load, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
+    if (vmi_lump_spin2(&load, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
     b.omega += frame.omega.z;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
     *result = b;

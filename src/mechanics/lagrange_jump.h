@@ -48,7 +48,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, cons
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
 {
     if (!body || !p) return;
-    vm_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
+    vm_lagrange_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
 }
 
 /* Documented with vm_lagrange_mass. */
@@ -57,7 +57,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
 {
     if (!impulse || !p) return;
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
-    vm_add_force(n, impulse->linear, dr, moment, turn, p);
+    vm_lagrange_add_force(n, impulse->linear, dr, moment, turn, p);
 }
 
 /* matrix (qdot_after - qdot) = b, of which work has b behind room for the matrix */
@@ -69,7 +69,7 @@ VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot,
     memcpy(a, matrix, (size_t)(n * n) * sizeof *a);
     if (vmi_solve_mass(n, a, b, scale)) return VM_SINGULAR;
     for (i = 0; i < n; i++) b[i] += qdot[i];
-    return vmi_deliver(n, b, qdot_after);
+    return vmi_copy_if_finite(n, b, qdot_after);
 }
 
 /* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,
@@ -104,7 +104,7 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 
 /* matrix (qdot_after - qdot) = impulse: no mass changes. Also a separation, free of cancellation for m -> M, where
    matrix is that of the rest and -impulse the momentum of the part's motion relative to the body. */
-VM_API int vm_lagrange_hit(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
+VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                            vm_real *qdot_after, vm_real *work)
 {
     if (!impulse) return VM_BAD_ARGUMENT;

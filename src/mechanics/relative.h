@@ -10,7 +10,7 @@
 #include "vectors.h"
 
 /* Velocity of the point r of what moves on rigidly with a body: the dragging velocity of (25) */
-VM_API vm_vec3 vmi_carried(const vm_body *by, vm_vec3 r)
+VM_API vm_vec3 vmi_velocity_at(const vm_body *by, vm_vec3 r)
 {
     return vmi_add(by->v, vmi_cross(by->omega, vmi_sub(r, by->r)));
 }
@@ -34,7 +34,7 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     b = *relative;
-    b.v = vmi_add(vmi_carried(to, b.r), b.v);
+    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
     b.omega = vmi_add(to->omega, b.omega);
     *absolute = b;
     return VM_OK;
@@ -45,10 +45,10 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    whole = vmi_lifted(to);
-    b = vmi_lifted(absolute);
+    whole = vmi_body_to_space(to);
+    b = vmi_body_to_space(absolute);
     vm_to_relative(&whole, &b, &b);
-    *relative = vmi_flat(&b, absolute->angle);
+    *relative = vmi_body_to_plane(&b, absolute->angle);
     return VM_OK;
 }
 
@@ -57,10 +57,10 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    whole = vmi_lifted(to);
-    b = vmi_lifted(relative);
+    whole = vmi_body_to_space(to);
+    b = vmi_body_to_space(relative);
     vm_to_absolute(&whole, &b, &b);
-    *absolute = vmi_flat(&b, relative->angle);
+    *absolute = vmi_body_to_plane(&b, relative->angle);
     return VM_OK;
 }
 

@@ -38,7 +38,7 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
     *first = VM_FABS(x) < VM_EPSILON ? 1 - x / 2 : l.hi / x;
 }
 
-/* Documented with vm_levi_civita. */
+/* Documented with vm_velocity_by_momentum. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -59,7 +59,7 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
                           vm_real *x, vm_real *v)
 {
     vm_real tau, first, second, less, pull, result[2];
-    if (!stream || !x || !v || !vmi_stream_known(stream->motion)) return VM_BAD_ARGUMENT;
+    if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;

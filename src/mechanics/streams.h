@@ -50,7 +50,7 @@ typedef struct VM_TAG(vm_reactive) {
     vm_inertia inertia_rate;              /* kg m^2/s */
 } vm_reactive;
 
-VM_INLINE int vmi_stream_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
+VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* What the streams of a moving body add up to, body axes */
 typedef struct VM_TAG(vmi_stream_sum) {
@@ -164,28 +164,28 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 /* The loads of an instant */
 /* VM_OK if i is finite and has no negative moment. Only the body has to satisfy the triangle inequality: in plane
    motion a tensor with zz alone is enough, as long as the body is not that flat itself */
-VM_API int vmi_stream_gyration_good(const vm_inertia *i)
+VM_API int vmi_gyration_is_valid(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
     return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-VM_API int vmi_stream_good(const vm_stream *s)
+VM_API int vmi_stream_is_valid(const vm_stream *s)
 {
     int status;
-    if (!vmi_stream_known(s->motion)) return VM_BAD_ARGUMENT;
+    if (!vmi_stream_motion_is_known(s->motion)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
-    status = vmi_stream_gyration_good(&s->gyration);
+    status = vmi_gyration_is_valid(&s->gyration);
     if (status || !s->from) return status;
-    return vmi_vec3_finite(s->from->at) ? vmi_stream_gyration_good(&s->from->gyration) : VM_NOT_FINITE;
+    return vmi_vec3_finite(s->from->at) ? vmi_gyration_is_valid(&s->from->gyration) : VM_NOT_FINITE;
 }
 
-VM_API int vmi_stream_all_good(int n, const vm_stream *s)
+VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
     int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
-    for (k = 0; !status && k < n; k++) status = vmi_stream_good(s + k);
+    for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
     return status;
 }
 
@@ -201,7 +201,7 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status) status = vmi_stream_all_good(n, streams);
+    if (!status) status = vmi_streams_are_valid(n, streams);
     if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_STORED_STREAM;
@@ -229,10 +229,10 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
 }
 
 /* I^-1 (moment - omega x I omega), body axes */
-VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_stream_ldl *factors, vm_vec3 omega,
+VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
-    return vmi_stream_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+    return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
 
 /* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
@@ -241,12 +241,12 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
     vmi_mat3 turn;
-    vmi_stream_ldl factors;
+    vmi_inertia_ldl factors;
     vm_vec3 straight, turning;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
-    if (!status && !vmi_stream_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
     moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
@@ -264,7 +264,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
    (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
    Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive and for infinite arguments. */
-VM_API vm_real vm_levi_civita(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
+VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;

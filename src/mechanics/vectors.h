@@ -37,16 +37,16 @@ VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 }
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
-VM_API vm_real vmi_size(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
+VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-VM_API vm_real vmi_largest(vm_vec3 a)
+VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
     const vm_real c = b.x > b.y ? b.x : b.y;
     return c > b.z ? c : b.z;
 }
 
-VM_API vm_real vmi_length(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
@@ -101,14 +101,14 @@ VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
     return r;
 }
 
-VM_API vm_vec3 vmi_load3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
 
-VM_API void vmi_store3(vm_real *y, vm_vec3 a) {
+VM_API void vmi_set3(vm_real *y, vm_vec3 a) {
 y[0] = a.x;
 y[1] = a.y;
 y[2] = a.z; }
 
-VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
+VM_API vm_quat vmi_get_quat(const vm_real *y)
 {
     vm_quat q;
     q.w = y[0];
@@ -119,7 +119,7 @@ VM_API vm_quat vmi_stream_load_quat(const vm_real *y)
 }
 
 /* The rotation of a quaternion whose length is nowhere near the ends of the type's range */
-VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
+VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
     const vm_real xx = x * q.x, yy = y * q.y, zz = z * q.z, xy = x * q.y, xz = x * q.z, yz = y * q.z;
@@ -132,7 +132,7 @@ VM_INLINE vmi_mat3 vmi_stream_rotation(vm_quat q, vm_real square)
 }
 
 /* Of length 1; the identity for all zero */
-VM_API vm_quat vmi_stream_unit(vm_quat q)
+VM_API vm_quat vmi_unit_quat(vm_quat q)
 {
     vm_real length;
     q = vmi_quat_scaled(q);

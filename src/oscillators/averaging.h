@@ -185,7 +185,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 }
 
 /* Estimates the error of the averaged equations with a force at t, from the amplitudes at the times of
-   vmi_osc_check. Errors arise from the ripple at the start, which is taken for a part of the mean, and from the
+   vmi_osc_check_time. Errors arise from the ripple at the start, which is taken for a part of the mean, and from the
    errors of the rates. They grow as small changes of the motion do, and an error of the amplitude adds one of the
    phase. The ripple at t, the wave that is not ca and sa, and what is too fast in the laws of mass and stiffness
    are added at the end. */
@@ -202,7 +202,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
     in_A = before.start_A;
     in_psi = before.start_psi;
     for (i = 0; i < VMI_OSC_CHECKS; i++) {
-        const vm_real next = vmi_osc_check(t, i), step = VM_FABS(next - time);
+        const vm_real next = vmi_osc_check_time(t, i), step = VM_FABS(next - time);
         vm_real largest_A = in_A, growth;
         status = vmi_osc_averaging_at(p, w, next, t, motion[i].amplitude, 0, &after);
         if (status) return status;

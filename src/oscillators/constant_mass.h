@@ -13,17 +13,17 @@
 /* How good they are, criterion (268): their largest velocities over the exact one (267), that of cos (296) and that
    of cn, which for m > 1/2 is Omega_1/(2k) next to x = 0, not the k' Omega_1 of (306) at x = 0; and the largest
    errors of x over x0 and of v over vmax in a period. NaN outside alpha >= 0. */
-typedef struct VM_TAG(vm_osc_comparison) {
+typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax, jacobi_vmax;
     vm_real trig_x, trig_v, jacobi_x, jacobi_v;
-} vm_osc_comparison;
+} vm_osc_errors;
 
 /* ds/dt of the Ateb phase, sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2); NaN outside the domain */
 VM_API vm_real vmi_osc_rate(vm_real x0, vm_real omega0, vm_real alpha)
 {
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(omega0)) return VM_NAN;
     if (omega0 == 0) return 0; /* where the power may be infinite */
-    return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha - 1) / 2);
+    return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha - 1) / 2);
 }
 
 /* Started at rest, x(0) = x0, x'(0) = 0 (258), x0 of either sign: exact period (262), s, and largest velocity (267),
@@ -38,7 +38,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
 {
     vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (rate != rate) return rate;
-    return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_raised(VM_FABS(x0), (alpha + 1) / 2);
+    return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
 /* x|x|^(alpha-1) */
@@ -46,7 +46,7 @@ VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
     if (alpha == 3) return x * x * x;
-    return VM_COPYSIGN(vmi_raised(VM_FABS(x), alpha), x);
+    return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
 }
 
 /* x and v at amplitude A, of either sign, and Ateb phase psi */
@@ -73,7 +73,7 @@ VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, v
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Documented with vm_osc_omega_trig. */
-VM_API vm_real vm_osc_m_jacobi(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
+VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
 /* Documented with vm_osc_omega_trig. */
 /* (300) with K = Pi_alpha/((alpha + 1) k') from (307) */
@@ -87,7 +87,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
 {
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(omega0))
         return VM_NAN;
-    return v * v / 2 + omega0 * omega0 * vmi_raised(VM_FABS(x), alpha + 1) / (alpha + 1);
+    return v * v / 2 + omega0 * omega0 * vmi_pow_checked(VM_FABS(x), alpha + 1) / (alpha + 1);
 }
 
 /* Amplitude A > 0 (m) and phase psi in (-Pi, Pi] of any state: x = A ca(psi), v = -vmax(A) sa(psi) */
@@ -102,10 +102,10 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
     if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0))
         return;
     a = VM_FABS(x);
-    b = vmi_raised(VM_FABS(s), 2 / n);
+    b = vmi_pow_checked(VM_FABS(s), 2 / n);
     larger = a > b ? a : b;
     *A = larger == 0 || a == 0 || b == 0 ? larger
-                                         : larger * vmi_raised(1 + vmi_raised((a > b ? b : a) / larger, n), 1 / n);
+                                         : larger * vmi_pow_checked(1 + vmi_pow_checked((a > b ? b : a) / larger, n), 1 / n);
     *psi = ateb_phase(s == 0 ? 0 : -s, x, alpha);
 }
 
@@ -146,10 +146,10 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_constant(VM_ROUTE_JACOBI, t, x0, omega0, alpha, x, v);
 }
 
-VM_API vm_osc_comparison vm_osc_compare(vm_real alpha)
+VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 {
     const vm_real pi = ateb_pi(alpha);
-    vm_osc_comparison r = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
+    vm_osc_errors r = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
     vmi_osc_wave w;
     if (pi != pi) return r;
     w = vmi_osc_wave_of(VM_ROUTE_TRIG, alpha, pi, NULL);

@@ -10,28 +10,28 @@
 #include "slow.h"
 
 /* Any trajectory, x(t) and x'(t): a route's, a law's, an integrator's dense output. */
-typedef void (*vm_motion)(vm_real t, vm_real *x, vm_real *v, void *ctx);
+typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
-typedef struct VM_TAG(vm_point) {
+typedef struct VM_TAG(vm_sample) {
     vm_real t, x, v;
-} vm_point;
+} vm_sample;
 
 enum {
     VM_TURNING_POINTS = 0, /* x' = 0 */
     VM_ZERO_CROSSINGS = 1  /* x = 0 */
 };
 
-typedef struct VM_TAG(vmi_point_search) {
-    vm_motion motion;
+typedef struct VM_TAG(vmi_sample_search) {
+    vm_motion_function motion;
     void *ctx;
     int kind;
     vm_real x, v; /* where it was looked last */
-} vmi_point_search;
+} vmi_sample_search;
 
 /* What vanishes at a point of the kind looked for */
-VM_API vm_real vmi_point_function(vm_real t, void *search)
+VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
-    vmi_point_search *s = (vmi_point_search *)search;
+    vmi_sample_search *s = (vmi_sample_search *)search;
     s->motion(t, &s->x, &s->v, s->ctx);
     return s->kind == VM_ZERO_CROSSINGS ? s->x : s->v;
 }
@@ -39,10 +39,10 @@ VM_API vm_real vmi_point_function(vm_real t, void *search)
 /* The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period,
    negative where t1 < t0) and located to an eps of t; the first room of them are written. A negative status for a
    step of the wrong sign, or a trajectory that is not finite. */
-VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
-                           vm_point *points)
+VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
+                           vm_sample *points)
 {
-    vmi_point_search s;
+    vmi_sample_search s;
     vm_real t = t0, here, there, intervals;
     long found = 0, i = 0, last;
     if (!motion || (room > 0 && !points) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
@@ -53,15 +53,15 @@ VM_API long vm_find_points(vm_motion motion, void *ctx, int kind, vm_real t0, vm
     s.motion = motion;
     s.ctx = ctx;
     s.kind = kind;
-    for (here = vmi_point_function(t0, &s); i < last; here = there) {
+    for (here = vmi_sample_function(t0, &s); i < last; here = there) {
         const vm_real before = t;
         i++;
         t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
-        there = vmi_point_function(t, &s);
+        there = vmi_sample_function(t, &s);
         if (!VM_IS_FINITE(there)) return VM_NOT_FINITE;
         if (here == 0 || !(there == 0 || (there > 0) != (here > 0))) continue;
         if (found < room) {
-            points[found].t = vmi_slow_zero(vmi_point_function, &s, before, t, here, there);
+            points[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, here, there);
             motion(points[found].t, &points[found].x, &points[found].v, ctx);
         }
         found++;
@@ -87,7 +87,7 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 
 /* The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step.
    buffer: room for a state. */
-VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_point *points)
+VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *points)
 {
     vmi_step_motion m;
     vm_real length;
@@ -98,11 +98,11 @@ VM_API long vm_find_points_of_step(rk45 *s, int x, int v, int kind, vm_real *buf
     m.x = x;
     m.v = v;
     m.buffer = buffer;
-    return vm_find_points(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
+    return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
 }
 
 /* Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings */
-VM_API vm_real vm_envelope_error(int kind, long n, const vm_point *points, vm_real (*law)(vm_real t, void *ctx),
+VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *points, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
     if (!points || !law || n < 0) return VM_NAN;

@@ -16,30 +16,30 @@
    now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
    alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first, and again
    when alpha is another. now, b and reactive may change without. */
-typedef struct VM_TAG(vm_forced_now) {
+typedef struct VM_TAG(vm_forced_parameters) {
     vm_real mass, mass_rate; /* kg, kg/s */
     vm_real k, k_rate;       /* N/m^alpha, per s */
     vm_real nu, nu_rate;     /* rad/s, rad/s^2 */
     vm_real force;           /* N */
-} vm_forced_now;
+} vm_forced_parameters;
 
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha, b, reactive; /* alpha >= 0; kg/s; r */
-    vm_forced_now now;
-    void (*drift)(vm_real t, vm_forced_now *now, void *ctx);
+    vm_forced_parameters now;
+    void (*drift)(vm_real t, vm_forced_parameters *now, void *ctx);
     void *drift_ctx;
     vm_real pi, Om1, G; /* Pi_alpha, w = Om1 sqrt(k/m) A^((alpha-1)/2), the force's share; by vm_forced_init */
     vm_real c[5], s[5]; /* ca = sum c[j] cos((2j+1) pi psi/Pi), sa = sum s[j] sin(...), j = 0 .. */
 } vm_forced;
 
-VM_API vm_forced_now vmi_forced_at(const vm_forced *f, vm_real t)
+VM_API vm_forced_parameters vmi_forced_at(const vm_forced *f, vm_real t)
 {
-    vm_forced_now now = f->now;
+    vm_forced_parameters now = f->now;
     if (f->drift) f->drift(t, &now, f->drift_ctx);
     return now;
 }
 
-VM_API int vmi_forced_check(const vm_forced_now *n)
+VM_API int vmi_forced_check(const vm_forced_parameters *n)
 {
     if (!VM_IS_FINITE(n->mass) || !VM_IS_FINITE(n->mass_rate) || !VM_IS_FINITE(n->k) || !VM_IS_FINITE(n->k_rate) ||
         !VM_IS_FINITE(n->nu) || !VM_IS_FINITE(n->nu_rate) || !VM_IS_FINITE(n->force))
@@ -80,7 +80,7 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 
 VM_API int vm_forced_init(vm_forced *f)
 {
-    vm_forced_now now;
+    vm_forced_parameters now;
     int status;
     if (!f) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->b) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
@@ -96,14 +96,14 @@ VM_API int vm_forced_init(vm_forced *f)
 }
 
 /* (ln mu kappa)', the rate at which the action would change */
-VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_now *n)
+VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_parameters *n)
 {
     return ((2 * f->reactive - 1) * n->mass_rate + 2 * f->b) / n->mass + n->k_rate / n->k;
 }
 
-VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_now *n, vm_real A) /* w(A) */
+VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_parameters *n, vm_real A) /* w(A) */
 {
-    return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_raised(VM_FABS(A), (f->alpha - 1) / 2);
+    return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
 /* Equations for rk45 or rk87, ctx a vm_forced: of motion, y = (x, x', theta); the same in amplitude and Ateb phase,
@@ -114,7 +114,7 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     vm_real sine, cosine;
     const int status = vmi_forced_check(&n);
     if (status) return status;
@@ -132,7 +132,7 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vm_real q, Om, push, sa, ca, sine, cosine;
     if (status) return status;
@@ -152,7 +152,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     vm_real w, push, sine, cosine;
     if (status) return status;
@@ -166,7 +166,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 }
 
 /* R, the first ripple of the exact amplitude about its mean A: psi the Ateb phase, phi = pi psi/Pi that in radians */
-VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_real A, vm_real phi, vm_real theta)
+VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_parameters *n, vm_real A, vm_real phi, vm_real theta)
 {
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
@@ -183,10 +183,10 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_now *n, vm_
 
 /* (x, x', theta) to the mean (A, delta, theta), and back, at time t. The ripple of the amplitude is taken out and put
    back: without that the error is of order 1 where alpha != 1. */
-VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
+VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
@@ -204,11 +204,11 @@ VM_API int vm_forced_split(const vm_forced *f, vm_real t, const vm_real *motion,
     return VM_OK;
 }
 
-/* Documented with vm_forced_split. */
-VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
+/* Documented with vm_forced_to_averaged. */
+VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
-    const vm_forced_now n = vmi_forced_at(f, t);
+    const vm_forced_parameters n = vmi_forced_at(f, t);
     const int status = vmi_forced_check(&n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
@@ -218,7 +218,7 @@ VM_API int vm_forced_join(const vm_forced *f, vm_real t, const vm_real *y, vm_re
     if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
     r[2] = theta;
-    return vmi_deliver(3, r, motion);
+    return vmi_copy_if_finite(3, r, motion);
 }
 
 #endif

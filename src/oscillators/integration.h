@@ -82,7 +82,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
     if (c->status) return c->status;
     m = now.m / p->m0;
-    weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_raised(m, o->reactive);
+    weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_pow_checked(m, o->reactive);
     dydt[0] = speed * y[1] / weight;
     dydt[1] = -p->Om * (now.k / p->k0) * weight / m * vmi_osc_elastic(y[0], o->alpha) - o->damping / now.m * y[1];
     if (o->force) dydt[1] += o->force(t, p->A * y[0], p->A * dydt[0], o->ctx) * weight / (now.m * p->A * speed);
@@ -148,7 +148,7 @@ VM_API int vmi_osc_motion_now(vmi_osc_run *c, vm_osc_motion *motion)
         vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
         return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
     }
-    weight = vmi_raised(now.m / p->m0, p->problem.reactive);
+    weight = vmi_pow_checked(now.m / p->m0, p->problem.reactive);
     motion->x = p->A * y[0];
     motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
     vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude, &Om);
@@ -176,7 +176,7 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
                      : rk45_init(&c->s, f, c, 2, 0, y, &options, c->work);
     if (status < 0) return VM_NOT_INTEGRATED;
     for (i = 0; i < VMI_OSC_CHECKS; i++) {
-        status = vmi_osc_solve(c, vmi_osc_check(t, i));
+        status = vmi_osc_solve(c, vmi_osc_check_time(t, i));
         if (!status) status = vmi_osc_motion_now(c, motion + i);
         if (status) return status;
     }
@@ -184,7 +184,7 @@ VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_o
     return VM_OK;
 }
 
-/* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check: at one time
+/* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check_time: at one time
    two runs may agree by chance */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
@@ -192,7 +192,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     vm_real d, largest = 0;
     int i;
     for (i = 0; i < VMI_OSC_CHECKS; i++, a++, b++) {
-        if (a->amplitude == 0 || vmi_osc_rates_at(p, vmi_osc_check(t, i), t < 0 ? 1 : -1, 0, &now))
+        if (a->amplitude == 0 || vmi_osc_rates_at(p, vmi_osc_check_time(t, i), t < 0 ? 1 : -1, 0, &now))
             return VM_INFINITY;
         d = VM_FABS(a->x - b->x) / a->amplitude;
         if (d > largest) largest = d;

@@ -176,7 +176,7 @@ VM_API int vmi_law_derivatives(const vm_law *law, vm_real t, int side, vm_real s
         break;
     case VM_LAW_POWER: {
         const vm_real base = 1 + law->f1 * t, c = law->f1 / base;
-        f[0] = law->f0 * vmi_raised(base, law->f2);
+        f[0] = law->f0 * vmi_pow_checked(base, law->f2);
         f[1] = law->f2 * c * f[0];
         f[2] = (law->f2 - 1) * c * f[1];
         if (!(base > 0)) return VM_BAD_MASS;

@@ -49,7 +49,7 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
     const vm_real q = (2 * p->reactive - 1) * rate / mass, Om = vmi_slow_rate(A, 2 * p->k, mass, p->alpha);
     vm_real sa, ca;
     ateb_saca(psi, p->alpha, &sa, &ca);
-    return vmi_raised(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
+    return vmi_pow_checked(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
 }
 
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
@@ -66,7 +66,7 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
     found[0] = A;
     found[2] = y[0] + y[1];
     found[3] = y[2] + y[3];
-    return vmi_deliver(4, found, modes);
+    return vmi_copy_if_finite(4, found, modes);
 }
 
 VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
@@ -81,13 +81,13 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     joined[1] = (q + x) / 2;
     joined[2] = (dq - v) / 2;
     joined[3] = (dq + v) / 2;
-    return vmi_deliver(4, joined, y);
+    return vmi_copy_if_finite(4, joined, y);
 }
 
 /* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
    first ripple, so that any initial velocities do. VM_DOMAIN where the ripple is as large as the motion,
    |(2r - 1) m'/m| some 2 Omega, as it is where m -> 0. Averaged equations of the modes for any mass. */
-VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
+VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
@@ -96,8 +96,8 @@ VM_API int vm_pair_split(const vm_pair *p, vm_real t, const vm_real *y, vm_real 
     return status ? status : vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Documented with vm_pair_split. */
-VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
+/* Documented with vm_pair_to_averaged. */
+VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
@@ -106,7 +106,7 @@ VM_API int vm_pair_join(const vm_pair *p, vm_real t, const vm_real *modes, vm_re
     return status ? status : vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Documented with vm_pair_split. */
+/* Documented with vm_pair_to_averaged. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;

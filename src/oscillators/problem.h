@@ -135,7 +135,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
         rho = 1 + r.q * e / 2 * g +
               (r.q * e * r.q * e * (2 - p->gamma) * (g * g - M * n / (n + 6)) + n * c * r.h * e * e) / 8;
         if (!(rho > 0) || !VM_IS_FINITE(rho)) rho = 1; /* far from slow */
-        Om_ratio = vmi_raised(rho, -p->gamma);
+        Om_ratio = vmi_pow_checked(rho, -p->gamma);
     }
     p->ln_rho = vmi_log(rho).hi;
     p->shift = -r.q * scale / Om_ratio * n / (2 * (n + 2)) * c;
@@ -181,14 +181,14 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
    leaves out the ripple within a period, its effect on phase and amplitude at the start, its square, and a force
    that changes within a period, as in a resonance. For this estimate F is called over a period at the start and at
    eight later times: a force that acts only for a short time between these is not seen. There is
-   no second-order law with F, and vm_osc_at takes the variation of constants. So it
+   no second-order law with F, and vm_osc_within takes the variation of constants. So it
    does where no law is within the tolerance, but where alpha is odd: there rk87 is two to four times as fast.
    The error estimates of the first- and second-order laws include the fastest changes of mass and stiffness between
    0 and t: mass and stiffness are examined panel by panel (for functions see vm_law), tables from point to point. A
-   change within a period makes the estimate large. vm_osc_at then integrates, in steps of at most a quarter of the
+   change within a period makes the estimate large. vm_osc_within then integrates, in steps of at most a quarter of the
    shortest panel. Over random problems (alpha in [0, 8], q of 3e-3 to 0.1, to t = 3/q; tests/test_routes.c), of
    which some change only in a part of the run or have tables with a step, the true error is below 3 times error in
-   99 % of the cases, and above 10 times (vm_osc_at: at most 10.3) in 1 of 1000; of 282 runs by the variation of
+   99 % of the cases, and above 10 times (vm_osc_within: at most 10.3) in 1 of 1000; of 282 runs by the variation of
    constants one erred by 37 times error, at alpha = 1.5. In the median, error is 3 to 4 (first order), 7 (second
    order), 5 to 20 (integrators) and, with F, 5 to 10 (averaged) times the true error. With rk87 the true error is above 3 times error in 2 % of the cases, up to 20 times: if alpha is not an odd integer, its errors are
    not proportional to the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
@@ -211,10 +211,10 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     return status;
 }
 
-/* The motion at the times of vmi_osc_check(t, .), by integration with one tolerance */
+/* The motion at the times of vmi_osc_check_time(t, .), by integration with one tolerance */
 enum { VMI_OSC_CHECKS = 8 };
 
-VM_API vm_real vmi_osc_check(vm_real t, int i)
+VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     return i == VMI_OSC_CHECKS - 1 ? t : t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }

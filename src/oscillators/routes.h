@@ -34,7 +34,7 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
 }
 
 /* Documented with vm_osc_plan_init. */
-VM_API int vm_osc_plan_by(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_mean mean;
     vmi_osc_wave w;
@@ -61,7 +61,7 @@ VM_API int vmi_osc_integrator(vm_real alpha)
 }
 
 /* Documented with vm_osc_plan_init. */
-VM_API int vm_osc_plan_at(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_mean mean;
     vmi_osc_wave w;
@@ -91,61 +91,19 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
 }
 
 /* The same for a problem that is asked once */
-VM_API int vm_osc_by(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
     int status = vmi_osc_once(problem, &plan);
-    return status ? status : vm_osc_plan_by(&plan, route, t, tolerance, motion);
+    return status ? status : vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_at(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+/* Documented with vm_osc_by_route. */
+VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
     int status = vmi_osc_once(problem, &plan);
-    return status ? status : vm_osc_plan_at(&plan, t, tolerance, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_trig(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_TRIG, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_jacobi(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_JACOBI, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_ateb(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_ATEB, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_second(const vm_osc_problem *problem, vm_real t, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_SECOND, t, 0, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_variation(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_VARIATION, t, tolerance, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_rk45(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_RK45, t, tolerance, motion);
-}
-
-/* Documented with vm_osc_by. */
-VM_API int vm_osc_by_rk87(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
-{
-    return vm_osc_by(problem, VM_ROUTE_RK87, t, tolerance, motion);
+    return status ? status : vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 
 #endif

@@ -16,7 +16,7 @@ typedef struct VM_TAG(vm_linear_mass) {
     vm_real mass, rate; /* mass + rate t */
 } vm_linear_mass;
 
-VM_API int vmi_osc_law_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
     return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(damping) &&
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
@@ -29,8 +29,8 @@ VM_API int vmi_osc_law_domain(vm_real mass_ratio, vm_real damping, vm_real react
    All three averaging methods give it, once (335)'s sign is mended. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
-    if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_raised(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
+    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
 }
 
 /* Documented with vm_osc_amplitude_law. */
@@ -38,8 +38,8 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
 {
     vm_real share = (alpha + 1) / (alpha + 3);
-    if (!vmi_osc_law_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_raised(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
+    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
 }
 
 VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)

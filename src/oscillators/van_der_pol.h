@@ -42,7 +42,7 @@ VM_API int vm_vdp_init(vm_vdp *v)
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
     if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
     if (v->method != VM_VDP_JACOBI) return VM_OK;
-    m = vm_osc_m_jacobi(v->alpha);
+    m = vm_osc_jacobi_parameter(v->alpha);
     jacobi_cn_means(m, &C2, &C4, &C6);
     v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
     v->a1 = (v->alpha + 3) / 2 * v->a2; /* (411), since (1 - m) + m C4 = 2 a2 */
@@ -83,7 +83,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_
 
 /* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
    none. stable, where not null: whether the amplitudes around tend to the one returned. */
-VM_API vm_real vm_vdp_steady(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
+VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
     const vm_real drive = vmi_vdp_drive(v, mass_rate);

@@ -350,7 +350,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
         status = vmi_osc_walk_to(&w, t);
         y[0] = w.y[0];
     }
-    return status ? status : vmi_deliver(1, y, integral);
+    return status ? status : vmi_copy_if_finite(1, y, integral);
 }
 
 /* -- The mean motion, by the laws -- */

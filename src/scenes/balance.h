@@ -14,7 +14,7 @@
 #include "start.h"
 #include "state.h"
 
-VM_INLINE void vmi_scene_store(vm_vec3 a, vm_real *d) {
+VM_INLINE void vmi_add3(vm_vec3 a, vm_real *d) {
 d[0] += a.x;
 d[1] += a.y;
 d[2] += a.z; }
@@ -28,10 +28,10 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
     const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
     const vm_vec3 brought = vmi_scene_moving(b, load->brought);
-    vmi_scene_store(force, d);
-    vmi_scene_store(vmi_add(torque, vmi_cross(at, force)), d + 3);
-    vmi_scene_store(brought, d + 6);
-    vmi_scene_store(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
+    vmi_add3(force, d);
+    vmi_add3(vmi_add(torque, vmi_cross(at, force)), d + 3);
+    vmi_add3(brought, d + 6);
+    vmi_add3(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
     d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) + vmi_dot(torque, vmi_scene_spin(b, y));
     d[13] += load->brought_energy;
     d[14] += load->mixing;
@@ -53,13 +53,13 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
-    for (i = 0; i < VM_BOOK; i++) rates[i] = 0;
+    for (i = 0; i < VM_BUDGET; i++) rates[i] = 0;
     for (i = 0; i < s->n_bodies; i++)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
 /* Momentum, angular momentum about the origin and kinetic energy of all bodies that are there */
-VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
+VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *book)
 {
     const vm_vec3 zero = {0, 0, 0};
     int i;
@@ -82,19 +82,19 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_book *book)
 
 VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
 {
-    const vm_book hooks = *s->book;
+    const vm_budget hooks = *s->book;
     int i;
     memset(s->book, 0, sizeof *s->book);
     s->book->open = hooks.open;
     s->book->rates = hooks.rates;
     s->book->totals = hooks.totals;
     vmi_scene_totals(s, y, s->book);
-    for (i = 0; i < VM_BOOK; i++) sums[i] = 0;
+    for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
-/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BOOK more numbers of
+/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BUDGET more numbers of
    the state; NULL: no longer */
-VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
+VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *book)
 {
     if (!scene) return;
     scene->book = book;
@@ -108,16 +108,16 @@ VM_API void vm_scene_keep_book(vm_scene *scene, vm_book *book)
 /* Momentum, angular momentum and energy in state y, what came in since the start, and the defects: what rounding and
    the integrator's errors leave, and what a constraint takes (a line, an axle, the plane hold their bodies).
    VM_BAD_ARGUMENT where there is no book. */
-VM_API int vm_scene_balance(vm_scene *scene, vm_real t, const vm_real *y, vm_book *book)
+VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *book)
 {
-    const vm_book *start = scene ? scene->book : NULL;
+    const vm_budget *start = scene ? scene->book : NULL;
     const vm_real *d;
-    vm_book b;
+    vm_budget b;
     if (!start || !y || !book) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start;
-    d = y + vm_scene_size(scene) - VM_BOOK;
-    vmi_scene_load(scene, t, y);
+    d = y + vm_scene_size(scene) - VM_BUDGET;
+    vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
     b.impulse = vmi_add(start->impulse, vmi_vec3(d[0], d[1], d[2]));
     b.angular_impulse = vmi_add(start->angular_impulse, vmi_vec3(d[3], d[4], d[5]));

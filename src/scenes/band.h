@@ -40,7 +40,7 @@ VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line
     return now;
 }
 
-VM_API int vmi_band_good(const vm_band *b)
+VM_API int vmi_band_is_valid(const vm_band *b)
 {
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
@@ -58,7 +58,7 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     if (!band) return vmi_no_band();
     const vm_real line = band->density * band->width * band->thickness, R = band->radius;
     const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
-    const vm_real bare = VM_IS_FINITE(phi) && vmi_band_good(band) ? 0 : VM_NAN;
+    const vm_real bare = VM_IS_FINITE(phi) && vmi_band_is_valid(band) ? 0 : VM_NAN;
     vm_band_now now;
     now.radius = R + bare;
     now.rate = now.mass = now.inertia = bare;
@@ -93,13 +93,13 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;
-    vmi_scene_follow(e, y, s, &now, &u, band.share);
+    vmi_scene_apply_law(e, y, s, &now, &u, band.share);
 }
 
 VM_API int vmi_band_check(const vm_effect *e)
 {
     const vm_band band = vmi_band_of(e);
-    return vmi_band_good(&band) ? VM_OK : VM_DOMAIN;
+    return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
 /* Documented with vm_band_at. */

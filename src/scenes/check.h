@@ -8,10 +8,10 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-typedef struct VM_TAG(vm_culprit) {
+typedef struct VM_TAG(vm_scene_fault) {
     const char *kind; /* "body", "effect", "event", "scene" */
     int index;        /* which one, -1 for the scene itself */
-} vm_culprit;
+} vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
@@ -115,9 +115,9 @@ VM_API int vmi_scene_check_arrays(const vm_scene *s)
 
 /* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. One pass over
    bodies, effects, events; it marks the bodies. */
-VM_API int vm_scene_check(const vm_scene *scene, vm_culprit *culprit)
+VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *culprit)
 {
-    vm_culprit c = {"scene", -1};
+    vm_scene_fault c = {"scene", -1};
     int i, status = vmi_scene_check_arrays(scene);
     if (culprit) *culprit = c;
     if (status) return status;

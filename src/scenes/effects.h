@@ -135,11 +135,11 @@ VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_drive(e->p[0], e->p[1], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_motor(e->p[0], e->p[1], vmi_effect_v(e, y)));
 }
 
 /* Documented with vm_effect_spring. */
-VM_API vm_effect vm_effect_drive(int body, int coordinate, vm_real torque, vm_real kappa)
+VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, torque, kappa, 0);
     e.apply = vmi_apply_drive;
@@ -167,8 +167,8 @@ VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* Documented with vm_effect_user. */
-VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int other_coordinate,
+/* Documented with vm_effect_force. */
+VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, 0, 0, 0);
@@ -179,10 +179,10 @@ VM_API vm_effect vm_effect_user_between(int body, int coordinate, int other, int
 }
 
 /* a force of one's own, which depends on t and the coordinate, and on what ctx points to */
-VM_API vm_effect vm_effect_user(int body, int coordinate,
+VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
-    return vm_effect_user_between(body, coordinate, VM_GROUND, 0, force, ctx);
+    return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
 /* an effect of one's own, which may depend on everything: apply adds to effect->load->force[coordinate], to
@@ -191,7 +191,7 @@ VM_API vm_effect vm_effect_user(int body, int coordinate,
    i, effect->p and effect->ctx, and load->force, which is what the effects before it in the list have made: a stop,
    listed last, can take from it what it holds. other, or VM_GROUND: a body without which it does not act either,
    effect->other_load and so on */
-VM_API vm_effect vm_effect_callback(int body, int other,
+VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
                                     void *ctx)

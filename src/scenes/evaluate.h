@@ -27,7 +27,7 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
 }
 
 /* What acts on each body now */
-VM_INLINE void vmi_scene_load(vm_scene *s, vm_real t, const vm_real *y)
+VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
@@ -65,7 +65,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         int k;
@@ -76,7 +76,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
         k = vmi_scene_accelerate(b, y, dydt);
         if (k && !s->status) s->status = k;
     }
-    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BOOK);
+    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
     if (s->status) {
         dydt[0] = VM_NAN; /* the integrator tries a shorter step */
         if (before) s->status = before; /* of several in a row the first: the others follow from its NaN */

@@ -70,7 +70,7 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
 {
     const vm_scene_body *b = e->scene->bodies + e->body;
     if (b->mass_is_state) return y[b->mass_at] - e->value;
-    vmi_scene_load(e->scene, t, y);
+    vmi_scene_evaluate(e->scene, t, y);
     return b->load.mass - e->value;
 }
 
@@ -133,7 +133,7 @@ VM_API void vmi_scene_note_masses(vm_scene *s)
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
         const vm_real more = b->held - b->load.mass;
@@ -141,14 +141,14 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
         b->mass += more;
         b->jumped += more; /* a body uses only one of them: `jumped` if it has a mass law */
     }
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
 }
 
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
     vm_effect *effect = s->effects + e->effect;
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     vmi_scene_note_masses(s);
     effect->idle = (effect->idle & 2) | e->off;
     vmi_scene_hold_masses(s, t, y);

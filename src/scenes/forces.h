@@ -16,7 +16,7 @@ VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -VM_COPYSIGN(k, x) * vmi_raised(VM_FABS(x), alpha) * (x != 0);
+    return -VM_COPYSIGN(k, x) * vmi_pow_checked(VM_FABS(x), alpha) * (x != 0);
 }
 
 /* -b v */
@@ -26,7 +26,7 @@ VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v) { return -b * v; }
 VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v) { return (b - c * (x * x)) * v; }
 
 /* torque - kappa omega */
-VM_INLINE vm_real vm_force_drive(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
+VM_INLINE vm_real vm_force_motor(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
 
 /* Documented with vm_force_spring. */
 VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t)

@@ -72,7 +72,7 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
 
 /* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run
    ends with VM_BAD_INERTIA when they leave an inertia that no body can have. A rod or a point cannot grow. */
-VM_API vm_scene_body vm_scene_growing_plane(vm_scene_body body)
+VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.begin = vmi_plane_growing_begin;
@@ -86,16 +86,16 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 {
     vmi_growth_begin(b);
     b->axes = vmi_rotation(vmi_free_quat(state));
-    b->inertia = b->filled = vmi_stream_load_inertia(state + vmi_growth(b) + 3);
+    b->inertia = b->filled = vmi_get_inertia(state + vmi_growth(b) + 3);
 }
 
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_stream_ldl factors; /* which Euler's equations below do not use */
-    if (!vmi_stream_factor_body(&b->inertia, &factors)) return VM_BAD_INERTIA;
+    vmi_inertia_ldl factors; /* which Euler's equations below do not use */
+    if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
-    vmi_stream_store_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
+    vmi_set_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
     if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
     rates[0] += load->drift.x;
     rates[1] += load->drift.y;
@@ -106,26 +106,26 @@ VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *st
 VM_API void vmi_free_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vmi_free_put(b, now, angle, state);
-    vmi_stream_store_inertia(state + vmi_growth(b) + 3, &now->inertia);
+    vmi_set_inertia(state + vmi_growth(b) + 3, &now->inertia);
 }
 
 VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    now->inertia = vmi_stream_load_inertia(state + vmi_growth(b) + 3);
+    now->inertia = vmi_get_inertia(state + vmi_growth(b) + 3);
     vmi_free_get(b, state, now);
 }
 
 /* A rod or a point has no axis about which a stream could turn it */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
-    vmi_stream_ldl factors;
+    vmi_inertia_ldl factors;
     const int status = vmi_check_body(start);
     if (status) return status;
-    return vmi_stream_factor_body(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    return vmi_inertia_factor_if_possible(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* Documented with vm_scene_growing_plane. */
-VM_API vm_scene_body vm_scene_growing_free(vm_scene_body body)
+/* Documented with vm_scene_body_growing_plane. */
+VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;

@@ -24,7 +24,7 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 }
 
 /* (M v + m v2 + impulse)/(M + m), m < 0 for a part that separates, and m/(M + m) of the way to its mass centre */
-VM_API int vmi_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
 {
     const vm_real m = e->jumps > 0 ? -other->mass : other->mass, mass = body->mass + m;
     *b = *body;
@@ -37,18 +37,18 @@ VM_API int vmi_jump_single(const vm_event *e, const vm_body *body, const vm_body
 }
 
 /* On a line and on an axle, whose own numbers the other's formulas leave alone: they are 0 */
-VM_API int vmi_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     if (e->relative) {
         other->r.x += body->r.x;
         other->v.x += body->v.x;
         other->omega.z += body->omega.z;
     }
-    return vmi_jump_single(e, body, other, b);
+    return vmi_event_jump_single(e, body, other, b);
 }
 
 /* Where a part is whose motion is relative to the body */
-VM_API void vmi_jump_place(const vm_body *body, vm_body *part)
+VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
     const vm_vec3 d = vmi_times(&turn, part->r);
@@ -58,7 +58,7 @@ VM_API void vmi_jump_place(const vm_body *body, vm_body *part)
     part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
 }
 
-VM_API vm_body2 vmi_scene_flat(const vm_body *b)
+VM_API vm_body2 vmi_scene_to_plane(const vm_body *b)
 {
     vm_body2 flat;
     flat.mass = b->mass;
@@ -72,15 +72,15 @@ VM_API vm_body2 vmi_scene_flat(const vm_body *b)
     return flat;
 }
 
-VM_API int vmi_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_impulse *external = &e->external;
     vm_body2 one, two, flat;
     vm_impulse2 blow;
     int status;
-    if (e->relative) vmi_jump_place(body, other);
-    one = vmi_scene_flat(body);
-    two = vmi_scene_flat(other);
+    if (e->relative) vmi_event_jump_place(body, other);
+    one = vmi_scene_to_plane(body);
+    two = vmi_scene_to_plane(other);
     blow.jx = external->linear.x;
     blow.jy = external->linear.y;
     blow.couple = external->couple.z;
@@ -99,12 +99,12 @@ VM_API int vmi_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *ot
     return flat.inertia > 0 ? VM_OK : VM_BAD_INERTIA; /* a rest that is a point cannot move on as a body */
 }
 
-VM_API int vmi_jump_any(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
+VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const int motion = e->scene->bodies[e->jump_body].motion;
-    if (motion == VM_LINE || motion == VM_AXLE) return vmi_jump_on_line(e, body, other, b);
-    if (motion == VM_PLANE) return vmi_jump_in_plane(e, body, other, b);
-    if (e->relative) vmi_jump_place(body, other);
+    if (motion == VM_LINE || motion == VM_AXLE) return vmi_event_jump_on_line(e, body, other, b);
+    if (motion == VM_PLANE) return vmi_event_jump_in_plane(e, body, other, b);
+    if (e->relative) vmi_event_jump_place(body, other);
     return e->jumps > 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
 }
 
@@ -123,7 +123,7 @@ VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new
                              const vm_body *other)
 {
     vm_scene *s = e->scene;
-    vm_book before, after;
+    vm_budget before, after;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     if (s->book) s->book->totals(s, y, &before);
     vmi_scene_note_masses(s);
@@ -151,7 +151,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     int status;
     if (e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
     if (!e->scene->bodies[e->other].away) return VM_IS_THERE;
-    vmi_scene_load(e->scene, t, y);
+    vmi_scene_evaluate(e->scene, t, y);
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
@@ -165,7 +165,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
     event.then = vmi_then_separate;
     if (!part) event.status = VM_BAD_ARGUMENT;
     event.check = vmi_scene_check_jump;
-    event.jump = vmi_jump_on_line;
+    event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
     event.jump_body = body;
     event.other = into;
@@ -179,7 +179,7 @@ VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, con
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
-    event.jump = vmi_jump_in_plane;
+    event.jump = vmi_event_jump_in_plane;
     event.motions = 1 << VM_PLANE;
     return event;
 }
@@ -188,7 +188,7 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
-    event.jump = vmi_jump_any;
+    event.jump = vmi_event_jump_any;
     event.motions = VMI_ALL_MOTIONS;
     return event;
 }
@@ -198,7 +198,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vm_body body, added, whole;
     int status;
     if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
-    vmi_scene_load(e->scene, t, y);
+    vmi_scene_evaluate(e->scene, t, y);
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
@@ -212,7 +212,7 @@ VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
     event.check = vmi_scene_check_jump;
-    event.jump = vmi_jump_on_line;
+    event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
     event.jump_body = body;
     event.other = added;
@@ -225,7 +225,7 @@ VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
-    event.jump = vmi_jump_in_plane;
+    event.jump = vmi_event_jump_in_plane;
     event.motions = 1 << VM_PLANE;
     return event;
 }
@@ -234,7 +234,7 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
-    event.jump = vmi_jump_any;
+    event.jump = vmi_event_jump_any;
     event.motions = VMI_ALL_MOTIONS;
     return event;
 }

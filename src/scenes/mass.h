@@ -30,7 +30,7 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 }
 
 /* The mass is now that of the law; M' = by_t + by_x v + by_v v' */
-VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
+VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
                                 const vm_real *u, vm_real share)
 {
     vm_load *load = e->load;
@@ -45,7 +45,7 @@ VM_INLINE void vmi_scene_follow(const vm_effect *e, const vm_real *y, vm_scene *
 VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_mass_now now = e->law(t, y[e->x], y[e->v], e->ctx);
-    vmi_scene_follow(e, y, s, &now, e->p, e->p[3]);
+    vmi_scene_apply_law(e, y, s, &now, e->p, e->p[3]);
 }
 
 /* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
@@ -81,7 +81,7 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
         now.mass += c * v * v;
         now.by_v = 2 * c * v;
     }
-    vmi_scene_follow(e, y, s, &now, e->p, e->p[3]);
+    vmi_scene_apply_law(e, y, s, &now, e->p, e->p[3]);
 }
 
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)

@@ -48,7 +48,7 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
 
 /* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
    body may be a rod, whose spin about itself then stays. */
-VM_API vm_scene_body vm_scene_line(vm_real mass, vm_real x, vm_real v)
+VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
     b.start.mass = mass;
@@ -74,8 +74,8 @@ VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->inertia.zz = now->mass;
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_axle(vm_real inertia, vm_real angle, vm_real omega)
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
     b.start.mass = inertia;
@@ -121,8 +121,8 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
                                     vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_PLANE, 3, 3);
@@ -140,14 +140,14 @@ VM_API vm_scene_body vm_scene_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm
     return b;
 }
 
-VM_API int vmi_point_check(const vm_body *start)
+VM_API int vmi_point_body_check(const vm_body *start)
 {
     const vm_inertia *i = &start->inertia;
     const int none = i->xx == 0 && i->yy == 0 && i->zz == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     return none ? VM_OK : VM_BAD_INERTIA;
 }
 
-VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
     for (i = 0; i < 3; i++) rates[i] = state[b->positions + i];
@@ -155,7 +155,7 @@ VM_API int vmi_point_accelerate(const vm_scene_body *b, const vm_real *state, vm
     return VM_OK;
 }
 
-VM_API void vmi_point_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
+VM_API void vmi_point_body_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vm_real *v = state + b->positions;
     (void)angle;
@@ -167,24 +167,24 @@ VM_API void vmi_point_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     v[2] = now->v.z;
 }
 
-VM_API void vmi_point_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
+VM_API void vmi_point_body_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     const vm_real *v = state + b->positions;
     now->r = vmi_vec3(state[0], state[1], state[2]);
     now->v = vmi_vec3(v[0], v[1], v[2]);
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_point(vm_real mass, vm_vec3 r, vm_vec3 v)
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
     b.start.mass = mass;
     b.start.r = r;
     b.start.v = v;
-    b.put = vmi_point_put;
-    b.get = vmi_point_get;
-    b.accelerate = vmi_point_accelerate;
-    b.check = vmi_point_check;
+    b.put = vmi_point_body_put;
+    b.get = vmi_point_body_get;
+    b.accelerate = vmi_point_body_accelerate;
+    b.check = vmi_point_body_check;
     return b;
 }
 
@@ -216,7 +216,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     spin.y = w.y / 2;
     spin.z = w.z / 2;
     turn = vmi_quat_times(q, spin);
-    vmi_point_accelerate(b, state, rates);
+    vmi_point_body_accelerate(b, state, rates);
     rates[3] = turn.w + pull * q.w;
     rates[4] = turn.x + pull * q.x;
     rates[5] = turn.y + pull * q.y;
@@ -252,7 +252,7 @@ VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm
     const vmi_mat3 turn = vmi_rotation(now->q);
     const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
     b->filled = vmi_free_filled(&now->inertia);
-    vmi_point_put(b, now, angle, state);
+    vmi_point_body_put(b, now, angle, state);
     state[3] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
     state[4] = now->q.x;
     state[5] = now->q.y;
@@ -265,14 +265,14 @@ VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm
 VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     vmi_mat3 turn;
-    vmi_point_get(b, state, now);
+    vmi_point_body_get(b, state, now);
     now->q = vmi_free_quat(state);
     turn = vmi_rotation(now->q);
     now->omega = vmi_times(&turn, vmi_vec3(state[10], state[11], state[12]));
 }
 
-/* Documented with vm_scene_line. */
-VM_API vm_scene_body vm_scene_free(const vm_body *start)
+/* Documented with vm_scene_body_line. */
+VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
     b.status = start ? VM_OK : VM_BAD_ARGUMENT;
@@ -286,14 +286,14 @@ VM_API vm_scene_body vm_scene_free(const vm_body *start)
 }
 
 /* the same, its mass a state */
-VM_API vm_scene_body vm_scene_with_mass_state(vm_scene_body body)
+VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
 /* the same, not yet there */
-VM_API vm_scene_body vm_scene_absent(vm_scene_body body)
+VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;

@@ -33,7 +33,7 @@ typedef struct VM_TAG(vmi_scene_pace) {
 
 /* What has happened at t happens to y: events at this time, and those that the integrator has counted anew; in the
    order of the events */
-VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
+VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
@@ -62,14 +62,14 @@ VM_API int vmi_scene_happen(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *
 /* All events of an instant, since events may cause events. Events that follow one another faster and faster, as the
    contacts of a ball that comes to rest, are the end of the run where the time no longer resolves them; until then
    the step after such an event is short enough to see the next. */
-VM_API int vmi_scene_settle(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
+VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
     const long most = 10000; /* at one instant */
     const vm_real resolved = 256 * VM_EPSILON * span;
     int status = VM_OK;
     for (pace->happened = 0, pace->gap = VM_MAX; status == VM_OK;) {
         const long before = pace->happened;
-        status = vmi_scene_happen(s, r->t, r->y, pace);
+        status = vmi_scene_fire_events(s, r->t, r->y, pace);
         if (pace->happened == before) break;
         if (rk45_restart(r, r->t, r->y) < 0 && status >= 0) status = VM_NOT_FINITE;
         if (pace->happened > most && status >= 0) status = VM_TOO_MANY_EVENTS;
@@ -88,7 +88,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
         if (*next >= s->n_times || t < s->times[*next]) return VM_OK;
         while (*next < s->n_times && s->times[*next] <= t) ++*next;
     }
-    vmi_scene_load(s, t, y);
+    vmi_scene_evaluate(s, t, y);
     return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
 }
 
@@ -139,7 +139,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
                                 const rk45_options *options_or_NULL)
 {
     rk45_options o = rk45_defaults(options_or_NULL);
-    const int n = vm_scene_size(s), booked = s->book ? VM_BOOK : 0;
+    const int n = vm_scene_size(s), booked = s->book ? VM_BUDGET : 0;
     vm_real *atol = work + RK45_WORK(n);
     int i;
     for (i = 0; i < n; i++) atol[i] = i >= n - booked ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
@@ -179,7 +179,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     span = VM_FABS(*t) > VM_FABS(t_end) ? VM_FABS(*t) : VM_FABS(t_end);
     while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
     for (;;) {
-        status = vmi_scene_settle(scene, &r, span, &pace);
+        status = vmi_scene_run_events(scene, &r, span, &pace);
         if (status == VM_OK) status = vmi_scene_output(scene, r.t, r.y, &next);
         if (status != VM_OK || r.t == t_end) break;
         status = vmi_scene_step(scene, &r, t_end, next);
@@ -187,7 +187,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     }
     *t = r.t;
     vmi_copy(r.n, r.y, y);
-    vmi_scene_load(scene, *t, y);
+    vmi_scene_evaluate(scene, *t, y);
     return status;
 }
 

@@ -15,12 +15,12 @@
    side goes through the effects that are listed, and nothing else; what is not listed is not linked either, since
    each constructor below binds the one function that it needs. All arrays are the caller's.
 
-       vm_scene_body bodies[] = {vm_scene_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
+       vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
        vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
-       vm_culprit culprit;
+       vm_scene_fault culprit;
        int status;
        memset(&scene, 0, sizeof scene);                                      // what is not set is zero: not there
        scene.bodies = bodies;
@@ -112,7 +112,7 @@ struct VM_TAG(vm_effect) {
     int body, coordinate;        /* on what it acts */
     int other, other_coordinate; /* against what: another body or VM_GROUND */
     vm_real p[6];                /* parameters, in the order of the constructor's arguments */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_user, N or N m */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force, N or N m */
     vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
     vm_moving_point point;                                          /* of vm_effect_link */
     const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
@@ -153,10 +153,10 @@ struct VM_TAG(vm_event) {
     int status; /* VM_OK, or why a constructor could not make it */
 };
 
-/* What came in from outside, and whether it balances: vm_scene_keep_book asks for it */
-typedef struct VM_TAG(vm_book) vm_book;
+/* What came in from outside, and whether it balances: vm_scene_keep_budget asks for it */
+typedef struct VM_TAG(vm_budget) vm_budget;
 
-struct VM_TAG(vm_book) {
+struct VM_TAG(vm_budget) {
     vm_vec3 impulse, angular_impulse;        /* of the effects, about the origin */
     vm_vec3 brought, brought_angular;        /* momentum and angular momentum that streams and mass laws brought */
     vm_real work, brought_energy, mixing;    /* of the effects; of the streams; lost as they mix */
@@ -168,7 +168,7 @@ struct VM_TAG(vm_book) {
     /* by pointers, so that without a book they are not linked */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
-    void (*totals)(const vm_scene *scene, const vm_real *y, vm_book *book);
+    void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *book);
 };
 
 struct VM_TAG(vm_scene) {
@@ -179,7 +179,7 @@ struct VM_TAG(vm_scene) {
     vm_event *events;
     ode_event *located; /* n_events of them too, for the integrator */
     int n_events;
-    vm_book *book; /* of vm_scene_keep_book: what was there at the start; VM_BOOK numbers join the state */
+    vm_budget *book; /* of vm_scene_keep_budget: what was there at the start; VM_BUDGET numbers join the state */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene,
                   void *ctx); /* null, or called as a run starts and after each step; nonzero stops */
     const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */

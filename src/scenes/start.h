@@ -59,7 +59,7 @@ VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 }
 
 /* Checks the scene, and makes the state at the start: vm_scene_size numbers */
-VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *culprit)
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *culprit)
 {
     int i, k, at = 0, status = vm_scene_check(scene, culprit);
     if (status) return status;
@@ -85,7 +85,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_culprit *cu
         vmi_scene_locate(scene, i);
     }
     vmi_scene_presence(scene);
-    vmi_scene_load(scene, t, y);
+    vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
     if (scene->book) scene->book->open(scene, y, y + at);
     return VM_OK;

@@ -9,13 +9,13 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-enum { VM_BOOK = 15 };
+enum { VM_BUDGET = 15 };
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
 /* numbers in the state; VM_BAD_ARGUMENT for null pointers */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
-    int i, size = scene && scene->book ? VM_BOOK : 0;
+    int i, size = scene && scene->book ? VM_BUDGET : 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
     return size;

@@ -251,7 +251,7 @@ static void check_inverse(void)
     vm_body moving, rest;
     int status;
     STAIN(moving);
-    status = vm_separate_for(&whole, &part, NULL, asked & 1 ? &v : NULL, asked & 2 ? &omega : NULL, &moving);
+    status = vm_separation_for_rest(&whole, &part, NULL, asked & 1 ? &v : NULL, asked & 2 ? &omega : NULL, &moving);
     if (status < 0) {
         HOLDS(UNTOUCHED(moving));
         return;
@@ -329,7 +329,7 @@ static void check_plane(void)
                       64 * EPS * scale * (1 + fabs((double)rest.x) + fabs((double)rest.y)));
             HOLDS(vm_kinetic_energy2(&rest) >= 0);
         }
-        in_space = vm_in_space(&rest);
+        in_space = vm_body_from_body2(&rest);
         if (is_finite(rest.inertia) && (rest.inertia == 0 || rest.inertia > VM_MIN / VM_EPSILON))
             HOLDS(vm_inertia_possible(&in_space.inertia));
     }
@@ -349,10 +349,10 @@ static void check_plane(void)
     STAIN(again);
     if (vm_attach_relative2(&whole, &relative, external, &again) < 0) HOLDS(UNTOUCHED(again));
     STAIN(moving);
-    status = vm_separate_for2(&whole, &part, external, v, &spin, &moving);
+    status = vm_separation_for_rest2(&whole, &part, external, v, &spin, &moving);
     if (status < 0) HOLDS(UNTOUCHED(moving));
     STAIN(moving);
-    status = vm_separate_for_spin2(&whole, &part, external, spin, &moving);
+    status = vm_separation_for_spin2(&whole, &part, external, spin, &moving);
     if (status < 0) HOLDS(UNTOUCHED(moving));
     else if (status == VM_OK && tame(whole.mass) && tame(whole.vx) && tame(whole.omega) && tame(part.omega) &&
              tame(moving.vx) && tame(moving.vy) && (!external || tame(external->couple)) &&

@@ -54,7 +54,7 @@ static void check_hit(void)
     if (tame_body(&body) && body.mass > 0 && vm_inertia_possible(&body.inertia))
         check_quadratic(&body, matrix, rates, p);
     STAIN(after);
-    status = vm_lagrange_hit(6, matrix, rates, Q, after, work);
+    status = vm_lagrange_impact(6, matrix, rates, Q, after, work);
     if (status) {
         HOLDS(status < 0 && UNTOUCHED(after));
         return;
@@ -70,7 +70,7 @@ static void check_hit(void)
     if (status == 0)
         for (i = 0; i < 3; i++)
             HOLDS(within(other[i], after[i], 64 * EPS * (double)(VM_FABS(rates[i]) + VM_FABS(Q[i] / body.mass))));
-    HOLDS(vm_lagrange_hit(6, matrix, rates, null, after, work) == 0 && close_to(after[0], rates[0], 4));
+    HOLDS(vm_lagrange_impact(6, matrix, rates, null, after, work) == 0 && close_to(after[0], rates[0], 4));
 }
 
 static void check_singular(void)
@@ -161,7 +161,7 @@ static int forces_of(vm_real t, const vm_real *q, const vm_real *rates, const vm
     weight.y = -VM_C(9.81) * masses[1];
     dr[0].y = p[3] * VM_LIBM(sin)(q[0]);
     dr[1].y = p[4] * VM_LIBM(sin)(q[1]);
-    vm_add_force(2, weight, dr, none, NULL, Q);
+    vm_lagrange_add_force(2, weight, dr, none, NULL, Q);
     return p[5] > R(0.99) ? 3 : 0;
 }
 
@@ -169,7 +169,7 @@ static void check_equations(void)
 {
     vm_real p[6], work[VM_LAGRANGE_RHS_WORK(2, 2)], q[2], rates[2], y[4], back[2], dydt[4], derivative;
     const vm_real t = MOSTLY(draw_in(0, 2));
-    vm_lagrange l;
+    vm_lagrange_system l;
     volatile int outside = 2 + draw_below(9); /* gcc would warn of what is not done */
     int i, status, all_tame = tame(t);
     memset(&l, 0, sizeof l);
@@ -213,10 +213,10 @@ static void check_equations(void)
         status = vm_lagrange_rhs(t, y, dydt, &l);
         HOLDS(status == 3 ? p[5] > R(0.99) : status == 0 && vmi_all_finite(4, dydt));
     }
-    derivative = vm_frozen_derivative(&l, t, q, rates, draw_below(2));
+    derivative = vm_lagrange_partial_q(&l, t, q, rates, draw_below(2));
     if (all_tame) HOLDS(is_finite(derivative));
-    HOLDS(is_nan(vm_frozen_derivative(&l, t, q, rates, outside)) &&
-          is_nan(vm_frozen_derivative(&l, t, q, rates, -1 - outside)));
+    HOLDS(is_nan(vm_lagrange_partial_q(&l, t, q, rates, outside)) &&
+          is_nan(vm_lagrange_partial_q(&l, t, q, rates, -1 - outside)));
 }
 
 static void fuzz_lagrange(void)

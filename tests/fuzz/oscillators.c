@@ -34,10 +34,10 @@ static void check_constants(void)
 {
     const vm_real alpha = MOSTLY(draw_byte() & 1 ? draw_in(0, 9) : draw_log(1e-6, 1e6)),
                   ratio = MOSTLY(draw_log(1e-3, 1e3));
-    const vm_real trig = vm_osc_omega_trig(alpha), m = vm_osc_m_jacobi(alpha), jacobi = vm_osc_omega_jacobi(alpha);
+    const vm_real trig = vm_osc_omega_trig(alpha), m = vm_osc_jacobi_parameter(alpha), jacobi = vm_osc_omega_jacobi(alpha);
     const vm_real r = MOSTLY(draw_in(0, 1)), law = vm_osc_amplitude_law(ratio, draw_in(-1, 1), r, alpha);
     const vm_real v_law = vm_osc_velocity_law(ratio, draw_in(-1, 1), r, alpha);
-    const vm_osc_comparison c = vm_osc_compare(alpha);
+    const vm_osc_errors c = vm_osc_approximation_errors(alpha);
     if (!(alpha >= 0) || !is_finite(alpha)) {
         HOLDS(is_nan(trig) && is_nan(m) && is_nan(jacobi) && is_nan(law) && is_nan(c.trig_vmax) &&
               is_nan(c.jacobi_x) && is_nan(v_law));
@@ -45,7 +45,7 @@ static void check_constants(void)
     }
     if (alpha > R(1e6)) return;
     HOLDS(trig > 0 && jacobi > 0 && m > R(-1.8080) && m < R(0.8063));
-    HOLDS(vm_osc_m_jacobi(neighbour(alpha, 1)) >= m - 16 * VM_EPSILON);
+    HOLDS(vm_osc_jacobi_parameter(neighbour(alpha, 1)) >= m - 16 * VM_EPSILON);
     HOLDS(c.trig_vmax > 0 && c.jacobi_vmax > 0 && c.trig_x >= 0 && c.jacobi_x >= 0 && c.trig_v >= 0 &&
           c.jacobi_v >= 0);
     if (ratio > R(1e-4) && ratio < R(1e4) && r >= 0 && r <= 1) {
@@ -175,14 +175,14 @@ static int takes_long(const vm_osc_plan *plan, vm_real t)
 static int by_name(const vm_osc_problem *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *m)
 {
     switch (route) {
-    case VM_ROUTE_TRIG: return vm_osc_by_trig(p, t, m);
-    case VM_ROUTE_JACOBI: return vm_osc_by_jacobi(p, t, m);
-    case VM_ROUTE_ATEB: return vm_osc_by_ateb(p, t, m);
-    case VM_ROUTE_SECOND: return vm_osc_by_second(p, t, m);
-    case VM_ROUTE_VARIATION: return vm_osc_by_variation(p, t, tolerance, m);
-    case VM_ROUTE_RK45: return vm_osc_by_rk45(p, t, tolerance, m);
-    case VM_ROUTE_RK87: return vm_osc_by_rk87(p, t, tolerance, m);
-    default: return vm_osc_by(p, route, t, tolerance, m);
+    case VM_ROUTE_TRIG: return vm_osc_by_route(p, VM_ROUTE_TRIG, t, 0, m);
+    case VM_ROUTE_JACOBI: return vm_osc_by_route(p, VM_ROUTE_JACOBI, t, 0, m);
+    case VM_ROUTE_ATEB: return vm_osc_by_route(p, VM_ROUTE_ATEB, t, 0, m);
+    case VM_ROUTE_SECOND: return vm_osc_by_route(p, VM_ROUTE_SECOND, t, 0, m);
+    case VM_ROUTE_VARIATION: return vm_osc_by_route(p, VM_ROUTE_VARIATION, t, tolerance, m);
+    case VM_ROUTE_RK45: return vm_osc_by_route(p, VM_ROUTE_RK45, t, tolerance, m);
+    case VM_ROUTE_RK87: return vm_osc_by_route(p, VM_ROUTE_RK87, t, tolerance, m);
+    default: return vm_osc_by_route(p, route, t, tolerance, m);
     }
 }
 
@@ -205,7 +205,7 @@ static void check_routes(void)
     planned = vm_osc_plan_init(&plan, &p);
     if (planned) HOLDS(planned < 0 && UNTOUCHED(plan));
     else if (takes_long(&plan, t)) return;
-    status = vm_osc_by(&p, route, t, tolerance, &m);
+    status = vm_osc_by_route(&p, route, t, tolerance, &m);
     if (route < 0 || route > VM_ROUTE_RK87) HOLDS(status < 0);
     if (status < 0) HOLDS(UNTOUCHED(m));
     else {
@@ -221,7 +221,7 @@ static void check_routes(void)
     }
     STAIN(n);
     if (planned == 0) {
-        by = vm_osc_plan_by(&plan, route, t, tolerance, &n);
+        by = vm_osc_plan_by_route(&plan, route, t, tolerance, &n);
         HOLDS(by == status && (by >= 0 || UNTOUCHED(n)));
         if (by >= 0 && same_work) HOLDS(within(n.x, m.x, 8 * EPS * (double)m.amplitude));
     }
@@ -240,11 +240,11 @@ static void check_at(void)
     planned = vm_osc_plan_init(&plan, &p);
     if (planned == 0 && takes_long(&plan, t)) return;
     STAIN(m);
-    status = vm_osc_at(&p, t, tolerance, &m);
+    status = vm_osc_within(&p, t, tolerance, &m);
     if (status < 0) HOLDS(UNTOUCHED(m));
     else HOLDS(is_finite(m.x) && is_finite(m.v) && m.route >= 0 && m.route <= VM_ROUTE_RK87);
     if (planned) return;
-    HOLDS(vm_osc_plan_at(&plan, t, tolerance, &n) == status);
+    HOLDS(vm_osc_plan_within(&plan, t, tolerance, &n) == status);
     if (status >= 0 && route_is_law(m.route) && tame_law(&p.mass) && tame_law(&p.stiffness))
         HOLDS(within(n.x, m.x, 8 * EPS * (double)m.amplitude)); /* as check_routes */
     method = draw_below(8) - 1;

@@ -68,7 +68,7 @@ plant "inertia: a product of a point's" jumps varmass.h \
 plant "inertia: the part's mass for the reduced one" jumps varmass.h \
     '/^VM_API int vmi_join(/,/^}/s/b->inertia), reduced, moved/b->inertia), sign * b->mass, moved/'
 plant "inertia: not turned" jumps varmass.h \
-    '/^VM_API vmi_load vmi_load_of(/,/^}/s/load.inertia = vmi_inertia_along(.*;/load.inertia = body->inertia;/'
+    '/^VM_API vmi_lump vmi_lump_of(/,/^}/s/load.inertia = vmi_inertia_along(.*;/load.inertia = body->inertia;/'
 plant "inertia: of the plane, sizes of its terms" jumps varmass.h \
     's/b.inertia = load.inertia.zz, b.angle/b.inertia = load.sizes.zz, b.angle/'
 plant "inertia: of streams, without the place" streams varmass.h \
@@ -80,7 +80,7 @@ plant "inertia: of the drum's band" drum varmass.h \
 plant "inertia: of the scenes' band" scenes varmass.h \
     '/^VM_API vm_band_now vm_band_at(/,/^}/s/inertia = line/inertia = VM_C(0.9) * line/'
 plant "inertia: of the broken rotor" rotor varmass.h \
-    '/^VM_API int vmi_rotor_rest(/,/^}/s/share \* whole->mass/share * p->mass/'
+    '/^VM_API int vmi_broken_rotor_rest(/,/^}/s/share \* whole->mass/share * p->mass/'
 plant "inertia: of the cut pendulum" lagrange varmass.h \
     '/^VM_API int vm_pendulum_separate(/,/^}/s/part \* part \* c.rate \/ 12/part * part * c.rate \/ 3/'
 plant "inertia: Lagrange's matrix" lagrange varmass.h \

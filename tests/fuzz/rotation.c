@@ -13,29 +13,29 @@ static void check_free(void)
     const vm_vec3 origin = {0, 0, 0};
     vm_body body = draw_body(1), later, again;
     const vm_real t0 = MOSTLY(draw_in(-2, 2)), t = MOSTLY(draw_byte() & 1 ? draw_in(-5, 5) : draw_log(1, 1e5));
-    vm_free_motion motion;
+    vm_torque_free motion;
     vm_vec3 L, L2, omega;
     vm_quat q;
     double size, turns;
     int status;
     STAIN(motion);
     STAIN(later);
-    status = vm_free_init(&motion, &body, t0);
+    status = vm_torque_free_init(&motion, &body, t0);
     if (status) {
         HOLDS(status < 0 && UNTOUCHED(motion));
-        HOLDS(!is_finite(t0) || (vm_free_rotation(&body, t, &later) < 0 && UNTOUCHED(later)));
+        HOLDS(!is_finite(t0) || (vm_torque_free_rotation(&body, t, &later) < 0 && UNTOUCHED(later)));
         return;
     }
     HOLDS(body.mass > 0 && vm_inertia_possible(&body.inertia) && finite_body(&body) && is_finite(t0));
     STAIN(q);
     STAIN(omega);
-    status = vm_free_at(&motion, t, &later);
+    status = vm_torque_free_at(&motion, t, &later);
     if (status) {
-        HOLDS(status == VM_NOT_FINITE && UNTOUCHED(later) && vm_free_attitude(&motion, t, &q, &omega) <= 0);
+        HOLDS(status == VM_NOT_FINITE && UNTOUCHED(later) && vm_torque_free_attitude(&motion, t, &q, &omega) <= 0);
         return;
     }
     HOLDS(finite_body(&later) && is_finite(t));
-    HOLDS(vm_free_attitude(&motion, t, &q, &omega) == VM_OK);
+    HOLDS(vm_torque_free_attitude(&motion, t, &q, &omega) == VM_OK);
     if (!tame_body(&body) || !tame(t) || !tame(t0)) return;
     size = norm4(body.q);
     size = size > 0 ? size : 1;
@@ -48,7 +48,7 @@ static void check_free(void)
     HOLDS(fabs((double)vm_kinetic_energy(&body) - (double)vm_kinetic_energy(&later)) <=
           64 * EPS * turns * size3(body.omega));
     if (body.inertia.xy == 0 && VM_FABS(t - t0) * R(size3(body.omega)) < 10 &&
-        vm_free_rotation(&later, t0 - t, &again) == VM_OK)
+        vm_torque_free_rotation(&later, t0 - t, &again) == VM_OK)
         HOLDS(within3(vm_angular_momentum(&again, again.r), L, 128 * EPS * turns));
 }
 
@@ -59,20 +59,20 @@ static void check_principal(void)
     const vm_real t = MOSTLY(draw_in(-50, 50));
     vm_vec3 moments, omega = draw_vector(4), now;
     vm_quat q = draw_attitude(), q_now;
-    vm_free_motion motion;
+    vm_torque_free motion;
     double L = 0, L_now = 0, scale, size = norm4(q);
     moments.x = R(y * y + z * z);
     moments.y = R(z * z + x * x);
     moments.z = R(x * x + y * y);
     if (draw_byte() % 16 == 0) moments.x = draw_any();
     STAIN(motion);
-    if (vm_free_init_principal(&motion, moments, q, omega, 0)) {
+    if (vm_torque_free_init_principal(&motion, moments, q, omega, 0)) {
         HOLDS(UNTOUCHED(motion));
         return;
     }
     STAIN(q_now);
     STAIN(now);
-    if (vm_free_attitude(&motion, t, &q_now, &now)) {
+    if (vm_torque_free_attitude(&motion, t, &q_now, &now)) {
         HOLDS(UNTOUCHED(q_now) && UNTOUCHED(now));
         return;
     }

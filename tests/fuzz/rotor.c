@@ -2,9 +2,9 @@
    eigenvalues are roots; right-hand sides agree in both coordinates. */
 #include "bodies.h"
 
-static vm_rotor draw_rotor(void)
+static vm_broken_rotor draw_rotor(void)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     r.mass = MOSTLY(draw_log(1e-2, 1e2));
     r.inertia = MOSTLY(draw_log(1e-2, 1e2));
     r.stiffness = MOSTLY(draw_byte() % 8 ? draw_log(1e-2, 1e3) : 0);
@@ -14,7 +14,7 @@ static vm_rotor draw_rotor(void)
     return r;
 }
 
-static int tame_rotor(const vm_rotor *r)
+static int tame_rotor(const vm_broken_rotor *r)
 {
     return tame(r->mass) && tame(r->inertia) && tame(r->stiffness) && tame(r->damping) && tame(r->torque) &&
            tame(r->s) && r->mass > R(1e-3) && r->inertia > R(1e-3) && r->stiffness >= 0 && r->damping >= 0 &&
@@ -34,7 +34,7 @@ static int all_tame(int n, const vm_real *y)
     return 1;
 }
 
-static double energy_of_rotor(const vm_rotor *r, const vm_real *y)
+static double energy_of_rotor(const vm_broken_rotor *r, const vm_real *y)
 {
     return ((double)r->mass * ((double)y[3] * (double)y[3] + (double)y[4] * (double)y[4]) +
             (double)r->stiffness * ((double)y[0] * (double)y[0] + (double)y[1] * (double)y[1])) /
@@ -43,23 +43,23 @@ static double energy_of_rotor(const vm_rotor *r, const vm_real *y)
 
 static void check_rotor_free(void)
 {
-    vm_rotor r = draw_rotor();
+    vm_broken_rotor r = draw_rotor();
     const vm_real t = MOSTLY(draw_in(-10, 10));
     vm_real start[6], end[6], abcd[4], back[6];
     int status;
     draw_state(start);
     STAIN(end);
-    status = vm_rotor_free(t, &r, start, end);
+    status = vm_broken_rotor_free_motion(t, &r, start, end);
     HOLDS(status <= 0 && (status == 0 || UNTOUCHED(end)));
     if (r.s != 0) HOLDS(status < 0);
     STAIN(abcd);
-    if (vm_rotor_orbit(&r, start, abcd) < 0) HOLDS(UNTOUCHED(abcd));
+    if (vm_broken_rotor_orbit(&r, start, abcd) < 0) HOLDS(UNTOUCHED(abcd));
     if (status || !tame_rotor(&r) || !all_tame(6, start) || !tame(t)) return;
     HOLDS(vmi_all_finite(6, end));
     HOLDS(fabs(energy_of_rotor(&r, end) - energy_of_rotor(&r, start)) <=
           64 * EPS * energy_of_rotor(&r, start) * (1 + fabs((double)t) * sqrt((double)(r.stiffness / r.mass))) +
               1e-30);
-    if (r.damping == 0 && vm_rotor_free(-t, &r, end, back) == 0)
+    if (r.damping == 0 && vm_broken_rotor_free_motion(-t, &r, end, back) == 0)
         HOLDS(within(back[0], start[0],
                      256 * EPS * (1 + fabs((double)t)) * (1 + sqrt((double)(r.stiffness / r.mass))) *
                          (4 + fabs((double)end[0]) + 2 * fabs((double)end[3]) * (1 + fabs((double)t)))));
@@ -67,17 +67,17 @@ static void check_rotor_free(void)
 
 static void check_linear(void)
 {
-    const vm_rotor r = draw_rotor();
+    const vm_broken_rotor r = draw_rotor();
     const vm_real t = MOSTLY(draw_in(-3, 3));
     vm_real start[6], end[6], at_start[6];
     int k, status;
     draw_state(start);
     for (k = 0; k < 2; k++) {
         STAIN(end);
-        status = k ? vm_rotor_linear(t, &r, start, end) : vm_rotor_linear_uncoupled(t, &r, start, end);
+        status = k ? vm_broken_rotor_linear(t, &r, start, end) : vm_broken_rotor_linear_uncoupled(t, &r, start, end);
         HOLDS(status <= 0 && (status == 0 ? vmi_all_finite(6, end) : UNTOUCHED(end)));
         if (status) continue;
-        status = k ? vm_rotor_linear(0, &r, start, at_start) : vm_rotor_linear_uncoupled(0, &r, start, at_start);
+        status = k ? vm_broken_rotor_linear(0, &r, start, at_start) : vm_broken_rotor_linear_uncoupled(0, &r, start, at_start);
         if (!tame_rotor(&r) || !all_tame(6, start)) continue;
         HOLDS(status == 0 && within(at_start[0], start[0], 8 * EPS * (1 + fabs((double)start[0]))));
         HOLDS(within(at_start[3], start[3], 64 * EPS * (1 + fabs((double)start[3]))));
@@ -97,8 +97,8 @@ static double moment_about(const vm_real *state, const vm_real *origin, double m
 }
 
 /* Inertias about the whole's mass centre add up, and so do angular momenta about it, relative to its motion */
-static void check_break_turning(const vm_rotor *whole, const vm_real *before, const vm_rotor_piece *piece,
-                                const vm_rotor_break *b)
+static void check_break_turning(const vm_broken_rotor *whole, const vm_real *before, const vm_broken_rotor_piece *piece,
+                                const vm_broken_rotor_break *b)
 {
     const double d = fabs((double)piece->distance), s = fabs((double)b->rest.s), m = (double)piece->mass,
                  M = (double)whole->mass, m1 = (double)b->rest.mass, J1 = (double)b->rest.inertia,
@@ -115,9 +115,9 @@ static void check_break_turning(const vm_rotor *whole, const vm_real *before, co
 
 static void check_break(void)
 {
-    const vm_rotor whole = draw_rotor();
-    vm_rotor_piece piece;
-    vm_rotor_break result;
+    const vm_broken_rotor whole = draw_rotor();
+    vm_broken_rotor_piece piece;
+    vm_broken_rotor_break result;
     vm_real before[6];
     int status;
     draw_state(before);
@@ -128,7 +128,7 @@ static void check_break(void)
     piece.radius = MOSTLY(draw_in(0.5, 2));
     piece.contact = MOSTLY(draw_in(-4, 4));
     STAIN(result);
-    status = vm_rotor_break_off(&whole, before, &piece, &result);
+    status = vm_broken_rotor_break_off(&whole, before, &piece, &result);
     if (status) {
         HOLDS(status < 0 && UNTOUCHED(result));
         return;
@@ -155,13 +155,13 @@ static void check_break(void)
 
 static void check_motion(void)
 {
-    vm_rotor r = draw_rotor();
+    vm_broken_rotor r = draw_rotor();
     vm_real y[6], dydt[6], polar[6], dpolar[6], back[6];
     int status, i;
     draw_state(y);
-    status = vm_rotor_rhs(0, y, dydt, &r);
+    status = vm_broken_rotor_rhs(0, y, dydt, &r);
     STAIN(polar);
-    if (vm_rotor_to_polar(y, polar)) {
+    if (vm_broken_rotor_to_polar(y, polar)) {
         const vm_real radius = vmi_hypot(y[0], y[1]), v = VM_FABS(y[3]) + VM_FABS(y[4]);
         HOLDS(UNTOUCHED(polar) && (!vmi_all_finite(6, y) || radius == 0 || v / radius > VM_MAX / 2 ||
                                    v > VM_MAX / 2 || radius > VM_MAX / 2));
@@ -169,7 +169,7 @@ static void check_motion(void)
     }
     HOLDS(polar[0] > 0 && VM_FABS(polar[1]) <= VM_PI);
     STAIN(back);
-    if (vm_rotor_from_polar(polar, back)) {
+    if (vm_broken_rotor_from_polar(polar, back)) {
         HOLDS(UNTOUCHED(back));
         return;
     }
@@ -178,7 +178,7 @@ static void check_motion(void)
     for (i = 0; i < 6; i++)
         HOLDS(within(back[i], y[i], 32 * EPS * (1 + fabs((double)y[3]) + fabs((double)y[4]) + fabs((double)y[i]))));
     if (polar[0] < R(1e-3)) return;
-    status = vm_rotor_polar_rhs(0, polar, dpolar, &r); /* psi'' is the same */
+    status = vm_broken_rotor_polar_rhs(0, polar, dpolar, &r); /* psi'' is the same */
     HOLDS(
         status == 0 &&
         within(dpolar[5], dydt[5],
@@ -186,7 +186,7 @@ static void check_motion(void)
                    (1 + (double)((r.stiffness * VM_FABS(r.s) * 4 + r.damping * VM_FABS(y[5]) + VM_FABS(r.torque)) /
                                  r.inertia))));
     polar[0] = 0;
-    HOLDS(vm_rotor_polar_rhs(0, polar, dpolar, &r) == VM_DOMAIN);
+    HOLDS(vm_broken_rotor_polar_rhs(0, polar, dpolar, &r) == VM_DOMAIN);
 }
 
 /* a root of the polynomial but for so many eps of each of its terms, of whatever multiplicity it is */
@@ -206,17 +206,17 @@ static void check_root(const vm_real *c, double x, double y)
 
 static void check_steady(void)
 {
-    const vm_rotor r = draw_rotor();
+    const vm_broken_rotor r = draw_rotor();
     const vm_real Omega = MOSTLY(draw_in(-30, 30));
-    vm_real c[6], re[5], im[5], column[6], steady = vm_rotor_steady(&r, Omega), growth;
-    int i, status, stable = vm_rotor_stable(&r, Omega);
+    vm_real c[6], re[5], im[5], column[6], steady = vm_broken_rotor_steady_radius(&r, Omega), growth;
+    int i, status, stable = vm_broken_rotor_is_stable(&r, Omega);
     STAIN(c);
     STAIN(re);
     STAIN(im);
     STAIN(column);
-    if (vm_rotor_char_poly(&r, Omega, c)) HOLDS(UNTOUCHED(c));
-    status = vm_rotor_eigenvalues(&r, Omega, re, im);
-    if (vm_rotor_routh(&r, Omega, column)) HOLDS(UNTOUCHED(column));
+    if (vm_broken_rotor_characteristic(&r, Omega, c)) HOLDS(UNTOUCHED(c));
+    status = vm_broken_rotor_eigenvalues(&r, Omega, re, im);
+    if (vm_broken_rotor_routh(&r, Omega, column)) HOLDS(UNTOUCHED(column));
     if (status) HOLDS(UNTOUCHED(re) && UNTOUCHED(im) && !(stable && tame_rotor(&r) && tame(Omega)));
     else {
         HOLDS(vmi_all_finite(5, re) && vmi_all_finite(5, im));
@@ -242,7 +242,7 @@ static void check_steady(void)
     }
     if (r.s == 0 && tame_rotor(&r) && Omega * Omega * r.mass != r.stiffness && is_finite(Omega))
         HOLDS(steady == 0 || is_nan(steady));
-    growth = vm_rotor_growth(MOSTLY(draw_in(0, 100)), &r, Omega);
+    growth = vm_broken_rotor_resonance_radius(MOSTLY(draw_in(0, 100)), &r, Omega);
     HOLDS(is_nan(growth) || growth >= 0);
 }
 

@@ -2,7 +2,7 @@
    came in balances with what is there; a run ends, where it is told to or with a status. */
 #include "bodies.h"
 
-enum { BODIES = 4, EFFECTS = 6, EVENTS = 3, STATE = (13 + 10) * BODIES + VM_BOOK };
+enum { BODIES = 4, EFFECTS = 6, EVENTS = 3, STATE = (13 + 10) * BODIES + VM_BUDGET };
 
 static vm_real push(vm_real t, vm_real x, vm_real v, void *ctx) { return *(const vm_real *)ctx * (1 + t) - x - v; }
 
@@ -76,28 +76,28 @@ static vm_scene_body draw_scene_body(void)
     vm_scene_body made;
     vm_body free_body;
     switch (draw_below(6)) {
-    case 0: made = vm_scene_axle(mass, a, b); break;
-    case 1: made = vm_scene_plane(mass, inertia, r, a, v, b); break;
-    case 2: made = vm_scene_point(mass, r, v); break;
+    case 0: made = vm_scene_body_axle(mass, a, b); break;
+    case 1: made = vm_scene_body_plane(mass, inertia, r, a, v, b); break;
+    case 2: made = vm_scene_body_point(mass, r, v); break;
     case 3:
         free_body = draw_body(1);
-        made = vm_scene_free(&free_body);
+        made = vm_scene_body_free(&free_body);
         break;
-    default: made = vm_scene_line(mass, a, b);
+    default: made = vm_scene_body_line(mass, a, b);
     }
     switch (draw_byte() % 8) { /* of what does not fit a body the check says so */
     case 0:
-    case 1: made = vm_scene_with_mass_state(made); break;
+    case 1: made = vm_scene_body_with_mass_state(made); break;
     case 2:
     case 3:
     case 4:
-        if (made.motion == VM_PLANE) made = vm_scene_growing_plane(made);
-        if (made.motion == VM_FREE) made = vm_scene_growing_free(made);
+        if (made.motion == VM_PLANE) made = vm_scene_body_growing_plane(made);
+        if (made.motion == VM_FREE) made = vm_scene_body_growing_free(made);
         break;
-    case 5: made = draw_byte() & 1 ? vm_scene_growing_plane(made) : vm_scene_growing_free(made); break;
+    case 5: made = draw_byte() & 1 ? vm_scene_body_growing_plane(made) : vm_scene_body_growing_free(made); break;
     default: break;
     }
-    if (draw_byte() % 8 == 0) made = vm_scene_absent(made);
+    if (draw_byte() % 8 == 0) made = vm_scene_body_absent(made);
     return made;
 }
 
@@ -191,15 +191,15 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 17:
     case 18: return draw_crossing(body, data);
     case 19: data->band = draw_band(); return vm_effect_band(body, draw_byte() % 64 ? &data->band : NULL);
-    case 20: return vm_effect_user_between(body, coordinate, other, other_coordinate, push_between, ctx);
+    case 20: return vm_effect_force_between(body, coordinate, other, other_coordinate, push_between, ctx);
     case 21: return vm_effect_varying(vm_effect_gravity(body, coordinate, p), vary, ctx); /* no stream: refused */
     case 0: return vm_effect_gravity(body, coordinate, p);
     case 1: return vm_effect_damper(body, coordinate, other, other_coordinate, positive);
     case 2: return vm_effect_van_der_pol(body, coordinate, p, positive);
-    case 3: return vm_effect_drive(body, coordinate, p, positive);
+    case 3: return vm_effect_motor(body, coordinate, p, positive);
     case 4: return vm_effect_harmonic(body, coordinate, p, positive, alpha);
-    case 5: return vm_effect_user(body, coordinate, push, ctx);
-    case 6: return vm_effect_callback(body, other, callback, ctx);
+    case 5: return vm_effect_force(body, coordinate, push, ctx);
+    case 6: return vm_effect_custom(body, other, callback, ctx);
     case 7: return vm_effect_shaft(body, positive, alpha);
     case 8: return vm_effect_unbalance(body, p, positive, alpha);
     case 9: return vm_effect_gyroscopic(body, p);
@@ -266,7 +266,7 @@ static void check_forces(void)
     HOLDS(vm_force_spring(k, alpha, -x) == -vm_force_spring(k, alpha, x) &&
           (double)x * (double)vm_force_spring(k, alpha, x) <= 0);
     HOLDS(vm_force_damper(k, v) == -k * v && vm_force_van_der_pol(k, 0, x, v) == k * v &&
-          vm_force_drive(k, 0, v) == k);
+          vm_force_motor(k, 0, v) == k);
     if (VM_FABS(x) < 1000) HOLDS(VM_FABS(vm_force_harmonic(k, 2, x, v)) <= k);
     HOLDS(vm_force_stream(k, 0, 1, v) == 0 &&
           within(vm_force_stream(k, x, 0, v), k * (x - v), 4 * EPS * (double)(k * (VM_FABS(x) + VM_FABS(v)))));
@@ -295,8 +295,8 @@ static void check_scene(void)
     const vm_real t_end = MOSTLY(draw_in(0, 2));
     rk45_options options;
     vm_scene scene;
-    vm_book book, now;
-    vm_culprit culprit;
+    vm_budget book, now;
+    vm_scene_fault culprit;
     vm_body body;
     int i, status, checked, size, wild = 0;
     memset(&scene, 0, sizeof scene);
@@ -311,7 +311,7 @@ static void check_scene(void)
     scene.effects = effects;
     scene.events = events;
     scene.located = located;
-    if (draw_byte() & 1) vm_scene_keep_book(&scene, &book);
+    if (draw_byte() & 1) vm_scene_keep_budget(&scene, &book);
     STAIN(culprit);
     STAIN(y);
     checked = vm_scene_check(&scene, &culprit);
@@ -340,9 +340,9 @@ static void check_scene(void)
         wild |= !tame_body(&body);
     }
     STAIN(now);
-    if (!scene.book) HOLDS(vm_scene_balance(&scene, t, y, &now) == VM_BAD_ARGUMENT && UNTOUCHED(now));
+    if (!scene.book) HOLDS(vm_scene_budget_at(&scene, t, y, &now) == VM_BAD_ARGUMENT && UNTOUCHED(now));
     else {
-        status = vm_scene_balance(&scene, t, y, &now);
+        status = vm_scene_budget_at(&scene, t, y, &now);
         HOLDS(status == VM_OK);
         if (!wild && status == VM_OK) HOLDS(is_finite(now.energy) && finite3(now.momentum));
     }

@@ -39,7 +39,7 @@ static void check_van_der_pol(void)
     HOLDS(v.alpha >= 0 && v.k > 0 && v.a1 > 0 &&
           (!tame(v.k) || !tame(v.alpha) || (is_finite(v.a2) && is_finite(v.a3))));
     A = vm_vdp_amplitude(&v, t, A0, m);
-    steady = vm_vdp_steady(&v, m.rate, &stable);
+    steady = vm_vdp_limit_cycle(&v, m.rate, &stable);
     HOLDS(is_nan(steady) || steady >= 0);
     if (fuzz.wild || !tame_mass(m) || !tame(v.b) || !tame(v.c) || !tame(t) || !tame(A0) || !tame(v.alpha) ||
         !tame(v.reactive) || VM_FABS(v.b) > 1 || VM_FABS(v.c) > 1 || v.reactive < 0 || v.reactive > 1 || A0 < 0 ||
@@ -82,7 +82,7 @@ static void check_laval(void)
 {
     vm_linear_mass m = draw_mass();
     vm_power_force spring;
-    vm_laval r;
+    vm_jeffcott r;
     vm_real load = draw_in(-0.1, 0.1), y[5], dydt[5], motion[4], state[5], rho, phi, slope, W, A;
     vm_complex z, v;
     const vm_real t = draw_in(0, 2);
@@ -92,7 +92,7 @@ static void check_laval(void)
     spring.alpha = MOSTLY(draw_byte() & 1 ? R(1) : draw_in(0, 5));
     r.mass = vm_slow_mass_linear;
     r.mass_ctx = &m;
-    r.stiffness = vm_laval_power;
+    r.stiffness = vm_jeffcott_power;
     r.stiffness_ctx = &spring;
     if (draw_byte() & 1) {
         r.force = turning_load;
@@ -107,29 +107,29 @@ static void check_laval(void)
     z.im = y[1];
     v.re = y[2];
     v.im = y[3];
-    vm_laval_polar(z, &rho, &phi);
+    vm_jeffcott_polar(z, &rho, &phi);
     HOLDS(rho >= 0 && VM_FABS(phi) <= VM_PI);
     all_tame = tame_mass(m) && tame(spring.k) && spring.k > R(0.01) && tame(spring.alpha) && spring.alpha >= 0 &&
                spring.alpha < 10 && tame(r.gyro) && VM_FABS(r.gyro) <= 1 && tame(r.reactive) &&
                VM_FABS(r.reactive) <= 1 && rho > R(0.01);
-    HOLDS(!all_tame || is_finite(vm_laval_momentum(&r, m.mass, z, v)));
-    if (all_tame) HOLDS(vm_laval_power(rho, &slope, &spring) > 0);
-    if (vm_laval_rhs(t, y, dydt, &r) == 0 && all_tame)
+    HOLDS(!all_tame || is_finite(vm_jeffcott_momentum(&r, m.mass, z, v)));
+    if (all_tame) HOLDS(vm_jeffcott_power(rho, &slope, &spring) > 0);
+    if (vm_jeffcott_rhs(t, y, dydt, &r) == 0 && all_tame)
         HOLDS(vmi_all_finite(4, dydt) && dydt[0] == y[2] && dydt[1] == y[3]);
     STAIN(state);
-    if (vm_laval_split(&r, t, y, y[4], state)) HOLDS(UNTOUCHED(state));
+    if (vm_jeffcott_to_averaged(&r, t, y, y[4], state)) HOLDS(UNTOUCHED(state));
     else {
         HOLDS(vmi_all_finite(5, state));
-        status = vm_laval_join(&r, t, state, motion);
+        status = vm_jeffcott_from_averaged(&r, t, state, motion);
         HOLDS(status == 0 || (status == VM_NOT_FINITE && !all_tame));
         if (all_tame && spring.alpha == 1) check_split_back(y, motion, &spring, vm_slow_mass_linear(t, &slope, &m));
         if (all_tame && spring.alpha == 1) {
-            HOLDS(vm_laval_exact_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
-            HOLDS(vm_laval_averaged_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
+            HOLDS(vm_jeffcott_exact_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
+            HOLDS(vm_jeffcott_averaged_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
         }
     }
     A = MOSTLY(draw_in(0.1, 2));
-    W = vm_laval_frequency(&r, A, m.mass, sense);
+    W = vm_jeffcott_frequency(&r, A, m.mass, sense);
     if (all_tame && tame(A) && A > R(0.05) && A < 3) { /* m W^2 - 2 g W = F_e/A */
         const double w = (double)W, F = (double)spring.k * pow((double)A, (double)spring.alpha - 1),
                      g = (double)r.gyro, mass = (double)m.mass;
@@ -137,13 +137,13 @@ static void check_laval(void)
         HOLDS(fabs(mass * w * w - 2 * g * w - F) <= 64 * EPS * (mass * w * w + 2 * fabs(g * w) + F));
         y[0] = A;
         y[1] = draw_in(-3, 3);
-        if ((sense > 0 ? vm_laval_forward_rhs(t, y, dydt, &r) : vm_laval_backward_rhs(t, y, dydt, &r)) == 0)
+        if ((sense > 0 ? vm_jeffcott_forward_whirl_rhs(t, y, dydt, &r) : vm_jeffcott_backward_whirl_rhs(t, y, dydt, &r)) == 0)
             HOLDS(vmi_all_finite(2, dydt));
-        HOLDS(within(vm_laval_amplitude(&r, A, m.mass, m.mass), A, 256 * EPS * (double)A) ||
+        HOLDS(within(vm_jeffcott_amplitude(&r, A, m.mass, m.mass), A, 256 * EPS * (double)A) ||
               (r.gyro != 0 && r.reactive != 1));
         if (r.gyro == 0) {
             const vm_real mass2 = m.mass * R(1.5);
-            HOLDS(within(vm_laval_amplitude(&r, A, m.mass, mass2),
+            HOLDS(within(vm_jeffcott_amplitude(&r, A, m.mass, mass2),
                          A * vm_osc_amplitude_law(R(1.5), 0, r.reactive, spring.alpha), 1e3 * EPS * (double)A));
         }
     }
@@ -179,11 +179,11 @@ static void check_pair(void)
     for (i = 0; i < 4; i++) all_tame = all_tame && tame(y[i]) && VM_FABS(y[i]) < 3;
     if (vm_pair_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(4, dydt));
     STAIN(modes);
-    status = vm_pair_split(&p, t, y, modes);
+    status = vm_pair_to_averaged(&p, t, y, modes);
     if (status) HOLDS(status < 0 && UNTOUCHED(modes));
     else {
         HOLDS(vmi_all_finite(4, modes));
-        if (vm_pair_join(&p, t, modes, back) == 0 && all_tame && m.rate == 0 && VM_FABS(y[0] - y[1]) > R(0.05))
+        if (vm_pair_from_averaged(&p, t, modes, back) == 0 && all_tame && m.rate == 0 && VM_FABS(y[0] - y[1]) > R(0.05))
             check_pair_back(&p, m.mass, y, modes[0], back);
         if (vm_pair_averaged_rhs(t, modes, dydt, &p) == 0 && all_tame && modes[0] > R(0.05))
             HOLDS(vmi_all_finite(4, dydt));
@@ -198,7 +198,7 @@ static void check_pair(void)
     }
 }
 
-static void drifting(vm_real t, vm_forced_now *now, void *ctx)
+static void drifting(vm_real t, vm_forced_parameters *now, void *ctx)
 {
     now->nu += *(const vm_real *)ctx * t;
     now->nu_rate = *(const vm_real *)ctx;
@@ -209,7 +209,7 @@ static void check_forced(void)
     vm_real drift = draw_in(-0.01, 0.01), y[3], motion[3], back[3], dydt[3], A, peak;
     const vm_real t = draw_in(0, 3);
     vm_forced f, before;
-    vm_steady steady[3], curve[2];
+    vm_steady_state steady[3], curve[2];
     vm_passage passage;
     int i, n, status, all_tame;
     memset(&f, 0, sizeof f);
@@ -243,9 +243,9 @@ static void check_forced(void)
     motion[2] = draw_in(-4, 4);
     if (vm_forced_rhs(t, motion, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt) && dydt[0] == motion[1]);
     STAIN(y);
-    status = vm_forced_split(&f, t, motion, y);
+    status = vm_forced_to_averaged(&f, t, motion, y);
     if (status) HOLDS(status < 0 && UNTOUCHED(y));
-    else if (vm_forced_join(&f, t, y, back) == 0 && all_tame && f.now.force == 0 && f.b == 0 &&
+    else if (vm_forced_from_averaged(&f, t, y, back) == 0 && all_tame && f.now.force == 0 && f.b == 0 &&
              f.now.mass_rate == 0 && VM_FABS(motion[0]) > R(0.1))
         for (i = 0; i < 2; i++) HOLDS(within(back[i], motion[i], IS_FLOAT ? 1e-2 : 1e-8));
     y[0] = draw_in(0.1, 2);
@@ -253,7 +253,7 @@ static void check_forced(void)
     y[2] = draw_in(-3, 3);
     if (vm_forced_exact_rhs(t, y, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
     if (vm_forced_averaged_rhs(t, y, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
-    n = vm_forced_steady(&f, t, steady);
+    n = vm_forced_steady_states(&f, t, steady);
     HOLDS(n <= 3);
     for (i = 0; i < n; i++) {
         if (tame(f.now.force) && all_tame)
@@ -308,12 +308,12 @@ static void check_diagnostics(void)
             work[RK45_WORK(2)];
     const vm_real y0[2] = {1, 0}, step = MOSTLY(draw_in(-0.3, 0.3));
     const int kind = draw_byte() % 32 ? draw_below(2) : 5;
-    vm_point points[8];
+    vm_sample points[8];
     rk45 s;
     long n, i, found = 0;
     STAIN(points);
     if (step != 0 && VM_FABS(span / step) > R(1e6)) return;
-    n = vm_find_points(cosine_motion, &w, kind, t0, t0 + span, step, 8, points);
+    n = vm_find_samples(cosine_motion, &w, kind, t0, t0 + span, step, 8, points);
     if (n < 0) HOLDS(UNTOUCHED(points));
     else if (VM_FABS(step) * w < 1 && tame(span) && VM_FABS(span) <= 20) {
         HOLDS(fabs((double)n - fabs((double)(span * w)) / 3.141592653589793) <= 1.001);
@@ -326,7 +326,7 @@ static void check_diagnostics(void)
         const int steps = 1 + draw_below(30);
         int k;
         for (k = 0; k < steps && rk45_step(&s) >= 0; k++) {
-            n = vm_find_points_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 8, points);
+            n = vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 8, points);
             HOLDS(n >= 0 && n <= 3);
             found += n;
         }

@@ -113,7 +113,7 @@ static void check_flow(void)
     vm_store store;
     vm_stream streams[STREAMS];
     vm_flow flow;
-    vm_real y[VM_RHS_BALANCED], dydt[VM_RHS_BALANCED], other[VM_RHS_BALANCED];
+    vm_real y[VM_FLOW_BALANCED_STATES], dydt[VM_FLOW_BALANCED_STATES], other[VM_FLOW_BALANCED_STATES];
     vm_body back;
     int i, status, all_tame = tame_body(&body);
     memset(&flow, 0, sizeof flow);
@@ -126,35 +126,35 @@ static void check_flow(void)
     flow.moment = draw_vector(5);
     flow.centre = draw_vector(0.3);
     memset(y, 0, sizeof y);
-    fuzz_stain(y, VM_RHS * sizeof *y);
+    fuzz_stain(y, VM_FLOW_STATES * sizeof *y);
     status = vm_flow_start(&flow, &body, y);
     if (status) {
-        HOLDS(status < 0 && fuzz_stained(y, VM_RHS * sizeof *y));
+        HOLDS(status < 0 && fuzz_stained(y, VM_FLOW_STATES * sizeof *y));
         return;
     }
-    HOLDS(vmi_all_finite(VM_RHS, y) && y[VM_Y_MASS] == body.mass);
+    HOLDS(vmi_all_finite(VM_FLOW_STATES, y) && y[VM_Y_MASS] == body.mass);
     for (i = 0; i < flow.n; i++) all_tame &= tame_stream(streams + i);
     all_tame = all_tame && tame3(flow.force) && tame3(flow.moment) && tame3(flow.centre) && tame3(store.at);
     STAIN(back);
-    status = vm_flow_body(&flow, VM_RHS, y, &back);
+    status = vm_flow_body(&flow, VM_FLOW_STATES, y, &back);
     if (all_tame) HOLDS(status == VM_OK);
     if (all_tame) HOLDS(within3(back.v, body.v, 8 * EPS * size3(body.v)) && within3(back.r, body.r, 0));
     HOLDS(vm_flow_mass_left(0, y, &flow) == y[VM_Y_MASS] - flow.least_mass);
     HOLDS(!is_nan(vm_flow_inertia_left(0, y, &flow)) || !all_tame);
-    if (vm_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) {
+    if (vm_flow_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) {
         double rate = 0, rates = 0;
-        HOLDS(vmi_all_finite(VM_RHS, dydt));
+        HOLDS(vmi_all_finite(VM_FLOW_STATES, dydt));
         for (i = 0; i < flow.n; i++) {
             rate += (double)streams[i].rate;
             rates += fabs((double)streams[i].rate);
         }
         HOLDS(fabs((double)dydt[VM_Y_MASS] - rate) <= 4 * EPS * rates);
         {
-            const vm_inertia of_streams = vmi_stream_load_inertia(dydt + VM_Y_INERTIA);
-            check_inertia_rate(flow.n, streams, vmi_load3(y + VM_Y_CENTRE), &of_streams);
+            const vm_inertia of_streams = vmi_get_inertia(dydt + VM_Y_INERTIA);
+            check_inertia_rate(flow.n, streams, vmi_get3(y + VM_Y_CENTRE), &of_streams);
         }
-        HOLDS(vm_rhs_balanced(0, y, other, &flow) == 0);
-        for (i = 0; i < VM_RHS; i++) HOLDS(within(other[i], dydt[i], 16 * EPS * (1 + fabs((double)dydt[i]))));
+        HOLDS(vm_flow_balanced_rhs(0, y, other, &flow) == 0);
+        for (i = 0; i < VM_FLOW_STATES; i++) HOLDS(within(other[i], dydt[i], 16 * EPS * (1 + fabs((double)dydt[i]))));
         for (i = 0; i < 3; i++) /* momentum and what was carried off stay */
             HOLDS(within(
                 other[VM_Y_BALANCE + i], -dydt[VM_Y_P + i],
@@ -164,24 +164,24 @@ static void check_flow(void)
     flow.inertia = body.inertia;
     flow.drift = draw_vector(0.1);
     flow.status = 0;
-    if (vm_rhs_given(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0)
-        HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
+    if (vm_flow_given_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0)
+        HOLDS(vmi_all_finite(VM_FLOW_GIVEN_STATES, dydt));
     flow.status = 0;
-    if (vm_rhs_carried(0, y, dydt, &flow) == 0 && all_tame && tame3(flow.drift) && flow.status == 0)
-        HOLDS(vmi_all_finite(VM_RHS_GIVEN, dydt));
+    if (vm_flow_carried_rhs(0, y, dydt, &flow) == 0 && all_tame && tame3(flow.drift) && flow.status == 0)
+        HOLDS(vmi_all_finite(VM_FLOW_GIVEN_STATES, dydt));
     flow.status = 0;
     for (i = 0; i < 7; i++) y[i] = i < 6 ? draw_in(-2, 2) : MOSTLY(draw_in(-1, 5));
-    if (vm_rhs_translation(0, y, dydt, &flow) == 0 && all_tame && y[6] > R(1e-3) && flow.status == 0)
-        HOLDS(vmi_all_finite(VM_RHS_TRANSLATION, dydt));
+    if (vm_translation_rhs(0, y, dydt, &flow) == 0 && all_tame && y[6] > R(1e-3) && flow.status == 0)
+        HOLDS(vmi_all_finite(VM_TRANSLATION_STATES, dydt));
     y[VM_Y_MASS] = -1;
     flow.status = 0;
-    if (vm_rhs(0, y, dydt, &flow) == 0) HOLDS(flow.status < 0 && !vmi_all_finite(VM_RHS, dydt));
+    if (vm_flow_rhs(0, y, dydt, &flow) == 0) HOLDS(flow.status < 0 && !vmi_all_finite(VM_FLOW_STATES, dydt));
 }
 
 /* The same in the plane: I' = sum M' (kappa + d^2), and of what moves on with the body H' = I' omega + M_S */
 static void check_inertia_rate2(vm_flow2 *flow, const vm_real *y, const vm_real *dydt)
 {
-    vm_real quiet[VM_RHS2];
+    vm_real quiet[VM_FLOW2_STATES];
     double sum = 0, scale = 0, omega = (double)y[5] / (double)y[9];
     int i;
     for (i = 0; i < flow->n; i++) {
@@ -193,7 +193,7 @@ static void check_inertia_rate2(vm_flow2 *flow, const vm_real *y, const vm_real 
         s->vx = s->vy = s->spin = 0;
     }
     HOLDS(fabs(sum - (double)dydt[9]) <= 16 * EPS * scale);
-    HOLDS(vm_rhs2(0, y, quiet, flow) == 0);
+    HOLDS(vm_flow2_rhs(0, y, quiet, flow) == 0);
     HOLDS(fabs((double)quiet[5] - (double)flow->moment - sum * omega) <=
           16 * EPS * (scale * fabs(omega) + fabs((double)flow->moment)));
 }
@@ -204,7 +204,7 @@ static void check_plane_and_line(void)
     vm_stream1 line[STREAMS];
     vm_flow2 flow;
     vm_flow1 flow1;
-    vm_real y[VM_RHS2], dydt[VM_RHS2];
+    vm_real y[VM_FLOW2_STATES], dydt[VM_FLOW2_STATES];
     int i, all_tame = 1;
     memset(&flow, 0, sizeof flow);
     memset(&flow1, 0, sizeof flow1);
@@ -228,18 +228,18 @@ static void check_plane_and_line(void)
     flow.fx = MOSTLY(draw_in(-5, 5));
     flow1.force = flow.fx;
     flow.moment = draw_in(-5, 5);
-    for (i = 0; i < VM_RHS2; i++) y[i] = draw_in(-2, 2);
+    for (i = 0; i < VM_FLOW2_STATES; i++) y[i] = draw_in(-2, 2);
     y[6] = MOSTLY(draw_in(0.1, 10));
     y[9] = MOSTLY(draw_in(0.1, 10));
     all_tame = all_tame && tame(flow.fx) && tame(y[6]) && tame(y[9]) && y[6] > R(1e-3) && y[9] > R(1e-3);
-    if (vm_rhs2(0, y, dydt, &flow) == 0 && all_tame) {
-        HOLDS(vmi_all_finite(VM_RHS2, dydt) && flow.status == 0);
+    if (vm_flow2_rhs(0, y, dydt, &flow) == 0 && all_tame) {
+        HOLDS(vmi_all_finite(VM_FLOW2_STATES, dydt) && flow.status == 0);
         check_inertia_rate2(&flow, y, dydt);
     }
     y[2] = y[6];
-    if (vm_rhs1(0, y, dydt, &flow1) == 0 && all_tame) HOLDS(vmi_all_finite(VM_RHS1, dydt) && flow1.status == 0);
+    if (vm_flow1_rhs(0, y, dydt, &flow1) == 0 && all_tame) HOLDS(vmi_all_finite(VM_FLOW1_STATES, dydt) && flow1.status == 0);
     y[2] = -y[2];
-    if (vm_rhs1(0, y, dydt, &flow1) == 0 && y[2] <= 0) HOLDS(!vmi_all_finite(VM_RHS1, dydt));
+    if (vm_flow1_rhs(0, y, dydt, &flow1) == 0 && y[2] <= 0) HOLDS(!vmi_all_finite(VM_FLOW1_STATES, dydt));
 }
 
 /* A rocket: what it throws backwards drives it forward, and momentum stays: m v - m0 v0 is the integral of the
@@ -269,7 +269,7 @@ static void check_closed_forms(void)
     const vm_real v0 = MOSTLY(draw_in(-5, 5)), m0 = MOSTLY(draw_log(1e-2, 1e2)), m = MOSTLY(draw_log(1e-2, 1e2));
     const vm_real u = MOSTLY(draw_in(-5, 5)), impulse = MOSTLY(draw_in(-5, 5)), t = MOSTLY(draw_in(0, 10));
     const vm_real force = MOSTLY(draw_in(-5, 5));
-    const vm_real levi = vm_levi_civita(v0, m0, m, u, impulse), tsiolkovsky = vm_tsiolkovsky(v0, m0, m, u);
+    const vm_real levi = vm_velocity_by_momentum(v0, m0, m, u, impulse), tsiolkovsky = vm_tsiolkovsky(v0, m0, m, u);
     vm_stream1 stream;
     vm_real x, v;
     int status;

@@ -7,9 +7,9 @@ static void try_lambert(void)
         const vm_real x = uniform(VM_C(-0.36), 3), l = uniform(-600, 600);
         fold(vm_lambert_w0(x));
         fold(vm_lambert_wm1(x < 0 ? x : -x / 9));
-        fold(vm_lambert_w0_exp(l));
-        fold(vm_lambert_w0_mexp(-1 - VM_FABS(l) / 32));
-        fold(vm_lambert_wm1_mexp(-1 - l * l));
+        fold(vm_wright_omega(l));
+        fold(vm_lambert_w0_neg_exp(-1 - VM_FABS(l) / 32));
+        fold(vm_lambert_wm1_neg_exp(-1 - l * l));
     }
     fold(vm_lambert_w0(-1)); /* outside the domain */
 }

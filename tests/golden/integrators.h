@@ -106,7 +106,7 @@ static void fold_run(const rk45 *s)
 }
 
 /* y' = rhs from 0 to the end, by rk45 with its defaults: y becomes y(end) */
-enum { LARGEST_SYSTEM = VM_RHS_BALANCED };
+enum { LARGEST_SYSTEM = VM_FLOW_BALANCED_STATES };
 static void integrate(ode_rhs rhs, void *ctx, int n, vm_real end, vm_real *y)
 {
     vm_real work[RK45_WORK(LARGEST_SYSTEM)];

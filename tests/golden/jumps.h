@@ -105,7 +105,7 @@ static void try_jumps(void)
         fold_int(vm_attach(&body, &part, NULL, after));
         fold_body(after);
         fold(vm_energy_loss(&body, 1, &part, NULL, after));
-        fold_int(vm_separate_for(&body, &part, NULL, &v, &omega, after));
+        fold_int(vm_separation_for_rest(&body, &part, NULL, &v, &omega, after));
         fold_body(after);
         relative = part;
         relative.v = v;
@@ -176,7 +176,7 @@ static void try_jumps_in_the_plane(void)
         result = relative = body;
         fold(vm_angular_momentum2(&body, 1, omega));
         fold(vm_kinetic_energy2(&body));
-        lamina = vm_in_space(&body);
+        lamina = vm_body_from_body2(&body);
         fold_body(&lamina);
         fold_int(vm_separate2(&body, parts, &impulse, &result));
         fold_body2(&result);
@@ -194,9 +194,9 @@ static void try_jumps_in_the_plane(void)
         fold_body2(&result);
         fold_int(vm_to_absolute2(&body, &relative, &result));
         fold_body2(&result);
-        fold_int(vm_separate_for2(&body, parts, &impulse, v, &omega, &result));
+        fold_int(vm_separation_for_rest2(&body, parts, &impulse, v, &omega, &result));
         fold_body2(&result);
-        fold_int(vm_separate_for_spin2(&body, parts, NULL, omega, &result));
+        fold_int(vm_separation_for_spin2(&body, parts, NULL, omega, &result));
         fold_body2(&result);
     }
 }

@@ -33,10 +33,10 @@ static void try_lagrange_jumps(void)
         fold_all(6, result);
         fold_int(vm_lagrange_separate(6, after, before, rates, part, NULL, result, work));
         fold_all(6, result);
-        fold_int(vm_lagrange_hit(6, before, rates, blow, result, work));
+        fold_int(vm_lagrange_impact(6, before, rates, blow, result, work));
         fold_all(6, result);
         memset(before, 0, sizeof before);
-        fold_int(vm_lagrange_hit(6, before, rates, blow, result, work));
+        fold_int(vm_lagrange_impact(6, before, rates, blow, result, work));
         fold_all(6, result); /* singular */
     }
 }
@@ -102,7 +102,7 @@ static int forces_on_two(vm_real t, const vm_real *q, const vm_real *rates, cons
     memset(dr, 0, sizeof dr);
     weight.y = VM_C(-9.81) * masses[1];
     dr[1].y = q[1];
-    vm_add_force(2, weight, dr, none, NULL, Q);
+    vm_lagrange_add_force(2, weight, dr, none, NULL, Q);
     Q[0] -= 5 * q[0];
     return 0;
 }
@@ -111,7 +111,7 @@ static void try_mechanism(void)
 {
     const vm_real q[2] = {VM_C(0.5), VM_C(0.25)}, rates[2] = {-1, 2};
     vm_real y[4], back[2] = {1, 2}, work[VM_LAGRANGE_RHS_WORK(2, 2)];
-    vm_lagrange l;
+    vm_lagrange_system l;
     memset(&l, 0, sizeof l);
     l.n = 2;
     l.n_masses = 2;
@@ -121,7 +121,7 @@ static void try_mechanism(void)
     l.work = work;
     fold_int(vm_lagrange_start(&l, 0, q, rates, y));
     fold_all(4, y);
-    fold(vm_frozen_derivative(&l, 0, q, rates, 1));
+    fold(vm_lagrange_partial_q(&l, 0, q, rates, 1));
     integrate(vm_lagrange_rhs, &l, 4, 3, y);
     fold_int(vm_lagrange_rates(&l, 3, y, back));
     fold_all(2, back);

@@ -26,7 +26,7 @@ static void try_oscillators(void)
         fold(x);
         fold(v);
         fold(vm_osc_omega_trig(alpha));
-        fold(vm_osc_m_jacobi(alpha));
+        fold(vm_osc_jacobi_parameter(alpha));
         fold(vm_osc_omega_jacobi(alpha));
         fold(vm_osc_amplitude_law(ratio, damping, 1, alpha));
         fold(vm_osc_velocity_law(ratio, damping, 0, alpha));
@@ -38,7 +38,7 @@ static void try_comparison(void)
     static const vm_real alphas[3] = {VM_C(0.5), 2, 5};
     int i;
     for (i = 0; i < 3; i++) {
-        const vm_osc_comparison c = vm_osc_compare(alphas[i]);
+        const vm_osc_errors c = vm_osc_approximation_errors(alphas[i]);
         fold(c.trig_vmax);
         fold(c.jacobi_vmax);
         fold(c.trig_x);
@@ -132,15 +132,15 @@ static void try_routes(void)
         const vm_real t = uniform(1, 10);
         vm_osc_motion m;
         memset(&m, 0, sizeof m);
-        fold_int(vm_osc_by_trig(&p, t, &m));
+        fold_int(vm_osc_by_route(&p, VM_ROUTE_TRIG, t, 0, &m));
         fold_motion(&m);
-        fold_int(vm_osc_by_jacobi(&p, t, &m));
+        fold_int(vm_osc_by_route(&p, VM_ROUTE_JACOBI, t, 0, &m));
         fold_motion(&m);
-        fold_int(vm_osc_by_ateb(&p, t, &m));
+        fold_int(vm_osc_by_route(&p, VM_ROUTE_ATEB, t, 0, &m));
         fold_motion(&m);
-        fold_int(vm_osc_by_second(&p, t, &m));
+        fold_int(vm_osc_by_route(&p, VM_ROUTE_SECOND, t, 0, &m));
         fold_motion(&m);
-        fold_int(vm_osc_at(&p, t, VM_C(0.1), &m));
+        fold_int(vm_osc_within(&p, t, VM_C(0.1), &m));
         fold_motion(&m);
     }
     for (i = -1; i < 8; i++) fold_text(vm_osc_route_name(i));
@@ -152,11 +152,11 @@ static void try_integrated_routes(void)
     const vm_real tolerance = VM_C(0.001);
     vm_osc_motion m;
     memset(&m, 0, sizeof m);
-    fold_int(vm_osc_by_variation(&p, 2, tolerance, &m));
+    fold_int(vm_osc_by_route(&p, VM_ROUTE_VARIATION, 2, tolerance, &m));
     fold_motion(&m);
-    fold_int(vm_osc_by_rk45(&p, 2, tolerance, &m));
+    fold_int(vm_osc_by_route(&p, VM_ROUTE_RK45, 2, tolerance, &m));
     fold_motion(&m);
-    fold_int(vm_osc_by_rk87(&p, 2, tolerance, &m));
+    fold_int(vm_osc_by_route(&p, VM_ROUTE_RK87, 2, tolerance, &m));
     fold_motion(&m);
 }
 
@@ -171,11 +171,11 @@ static void try_osc_plans(void)
         memset(&m, 0, sizeof m);
         if (i % 2) p.force = small_force;
         fold_int(vm_osc_plan_init(&plan, &p));
-        fold_int(vm_osc_plan_by(&plan, VM_ROUTE_ATEB, 3, 0, &m));
+        fold_int(vm_osc_plan_by_route(&plan, VM_ROUTE_ATEB, 3, 0, &m));
         fold_motion(&m);
-        fold_int(vm_osc_plan_at(&plan, 1, VM_C(0.01), &m));
+        fold_int(vm_osc_plan_within(&plan, 1, VM_C(0.01), &m));
         fold_motion(&m);
-        fold_int(vm_osc_by(&p, VM_ROUTE_SECOND, 2, 0, &m));
+        fold_int(vm_osc_by_route(&p, VM_ROUTE_SECOND, 2, 0, &m));
         fold_motion(&m); /* refused with a force */
         fold_int(vm_osc_averaged(&plan, i % 3, 1, uniform(1, 2), rates, rates + 1, rates + 2));
         fold_all(3, rates);

@@ -6,20 +6,20 @@ static void try_rotation(void)
     for (i = 0; i < COUNT / 8; i++) {
         const vm_body body = some_body();
         const vm_real t = uniform(-2, 2), far = i % 3 ? 100 : 100000;
-        vm_free_motion motion;
+        vm_torque_free motion;
         vm_body later;
         vm_quat q;
         vm_vec3 omega;
-        fold_int(vm_free_init(&motion, &body, 1));
-        fold_int(vm_free_at(&motion, t, &later));
+        fold_int(vm_torque_free_init(&motion, &body, 1));
+        fold_int(vm_torque_free_at(&motion, t, &later));
         fold_body(&later);
-        fold_int(vm_free_at(&motion, far * t, &later));
+        fold_int(vm_torque_free_at(&motion, far * t, &later));
         fold_body(&later);
-        fold_int(vm_free_attitude(&motion, far + t, &q, &omega));
+        fold_int(vm_torque_free_attitude(&motion, far + t, &q, &omega));
         fold_quat(q);
         fold3(omega);
         if (i % 4 == 0) {
-            fold_int(vm_free_rotation(&body, t, &later));
+            fold_int(vm_torque_free_rotation(&body, t, &later));
             fold_body(&later);
         }
     }
@@ -38,12 +38,12 @@ static void try_principal_rotation(void)
         const vm_vec3 moments = {kinds[i][0], kinds[i][1], kinds[i][2]};
         const vm_vec3 spin = {kinds[i][3], kinds[i][4], kinds[i][5]};
         const vm_quat straight = {1, 0, 0, 0};
-        vm_free_motion motion;
-        fold_int(vm_free_init_principal(&motion, moments, straight, spin, 0));
+        vm_torque_free motion;
+        fold_int(vm_torque_free_init_principal(&motion, moments, straight, spin, 0));
         for (k = 1; k < 8; k++) {
             vm_quat q;
             vm_vec3 omega;
-            fold_int(vm_free_attitude(&motion, (vm_real)(k * k * k), &q, &omega));
+            fold_int(vm_torque_free_attitude(&motion, (vm_real)(k * k * k), &q, &omega));
             fold_quat(q);
             fold3(omega);
         }

@@ -1,8 +1,8 @@
 /* varmass.h, chapter 3.3.2: the rotor before and after it breaks */
 
-static vm_rotor some_rotor(vm_real s)
+static vm_broken_rotor some_rotor(vm_real s)
 {
-    vm_rotor r;
+    vm_broken_rotor r;
     r.mass = uniform(1, 5);
     r.inertia = uniform(1, 3);
     r.stiffness = uniform(10, 40);
@@ -16,10 +16,10 @@ static void try_rotor(void)
 {
     int i;
     for (i = 0; i < COUNT / 8; i++) {
-        const vm_rotor whole = some_rotor(0), rest = some_rotor(VM_C(0.125));
+        const vm_broken_rotor whole = some_rotor(0), rest = some_rotor(VM_C(0.125));
         const vm_real t = uniform(0, 3), Omega = uniform(0, 6);
-        vm_rotor_piece piece;
-        vm_rotor_break broken;
+        vm_broken_rotor_piece piece;
+        vm_broken_rotor_break broken;
         vm_real y[6], z[6], im[6];
         piece.mass = whole.mass / 8;
         piece.inertia = uniform(0, VM_C(0.1));
@@ -30,32 +30,32 @@ static void try_rotor(void)
         draw_all(6, -1, 1, y);
         CLEAR(z);
         CLEAR(im);
-        fold_int(vm_rotor_free(t, &whole, y, z));
+        fold_int(vm_broken_rotor_free_motion(t, &whole, y, z));
         fold_all(6, z);
-        fold_int(vm_rotor_orbit(&whole, y, z));
+        fold_int(vm_broken_rotor_orbit(&whole, y, z));
         fold_all(4, z);
-        fold_int(vm_rotor_linear(t / 4, &rest, y, z));
+        fold_int(vm_broken_rotor_linear(t / 4, &rest, y, z));
         fold_all(6, z);
-        fold_int(vm_rotor_linear_uncoupled(t, &rest, y, z));
+        fold_int(vm_broken_rotor_linear_uncoupled(t, &rest, y, z));
         fold_all(6, z);
-        fold_int(vm_rotor_to_polar(y, z));
+        fold_int(vm_broken_rotor_to_polar(y, z));
         fold_all(6, z);
-        fold_int(vm_rotor_from_polar(z, z));
+        fold_int(vm_broken_rotor_from_polar(z, z));
         fold_all(6, z);
-        fold_int(vm_rotor_char_poly(&rest, Omega, z));
+        fold_int(vm_broken_rotor_characteristic(&rest, Omega, z));
         fold_all(6, z);
-        fold_int(vm_rotor_eigenvalues(&rest, Omega, z, im));
+        fold_int(vm_broken_rotor_eigenvalues(&rest, Omega, z, im));
         fold_all(5, z);
         fold_all(5, im);
-        fold_int(vm_rotor_routh(&rest, Omega, z));
+        fold_int(vm_broken_rotor_routh(&rest, Omega, z));
         fold_all(6, z);
-        fold(vm_rotor_steady(&rest, Omega));
-        fold_int(vm_rotor_stable(&rest, Omega));
-        fold(vm_rotor_growth(10 * t, &rest, Omega + 7));
-        fold_int(vm_rotor_free(t, &rest, y, z));
+        fold(vm_broken_rotor_steady_radius(&rest, Omega));
+        fold_int(vm_broken_rotor_is_stable(&rest, Omega));
+        fold(vm_broken_rotor_resonance_radius(10 * t, &rest, Omega + 7));
+        fold_int(vm_broken_rotor_free_motion(t, &rest, y, z));
         fold_all(6, z); /* refused: s != 0 */
         CLEAR(broken);
-        fold_int(vm_rotor_break_off(&whole, y, &piece, &broken));
+        fold_int(vm_broken_rotor_break_off(&whole, y, &piece, &broken));
         fold_all(6, broken.state);
         fold_all(6, broken.piece);
         fold(broken.rest.inertia);
@@ -72,11 +72,11 @@ static void try_rotor(void)
 
 static void try_rotor_runs(void)
 {
-    vm_rotor r = some_rotor(VM_C(0.125));
+    vm_broken_rotor r = some_rotor(VM_C(0.125));
     vm_real y[6] = {VM_C(0.25), 0, 0, 0, VM_C(0.5), 3}, polar[6];
-    fold_int(vm_rotor_to_polar(y, polar));
-    integrate(vm_rotor_rhs, &r, 6, 4, y);
-    integrate(vm_rotor_polar_rhs, &r, 6, 2, polar);
+    fold_int(vm_broken_rotor_to_polar(y, polar));
+    integrate(vm_broken_rotor_rhs, &r, 6, 4, y);
+    integrate(vm_broken_rotor_polar_rhs, &r, 6, 2, polar);
 }
 
 static void golden_rotor(void) {

@@ -10,7 +10,7 @@ static void try_forces(void)
         fold(vm_force_spring(k, alpha, x));
         fold(vm_force_damper(k, v));
         fold(vm_force_van_der_pol(k, alpha, x, v));
-        fold(vm_force_drive(k, alpha, v));
+        fold(vm_force_motor(k, alpha, v));
         fold(vm_force_harmonic(k, alpha, x, v));
         fold(vm_force_gravity(k, alpha));
         fold(vm_force_stream(k, alpha, x, v));
@@ -52,7 +52,7 @@ static void add_body(vm_scene_body body) { g.bodies[g.scene.n_bodies++] = body; 
 static void add_effect(vm_effect effect) { g.effects[g.scene.n_effects++] = effect; }
 static void add_event(vm_event event) { g.events[g.scene.n_events++] = event; }
 
-static void fold_book(const vm_book *b)
+static void fold_book(const vm_budget *b)
 {
     fold3(b->impulse);
     fold3(b->angular_impulse);
@@ -73,8 +73,8 @@ static void fold_book(const vm_book *b)
 static void run_scene(vm_real t_end)
 {
     vm_scene *scene = &g.scene;
-    vm_culprit culprit;
-    vm_book book;
+    vm_scene_fault culprit;
+    vm_budget book;
     vm_body now;
     vm_real t = 0;
     int i, size = vm_scene_size(scene);
@@ -102,7 +102,7 @@ static void run_scene(vm_real t_end)
         fold(g.events[i].time);
     }
     if (!scene->book) return;
-    fold_int(vm_scene_balance(scene, t, g.y, &book));
+    fold_int(vm_scene_budget_at(scene, t, g.y, &book));
     fold_book(&book);
 }
 
@@ -142,24 +142,24 @@ static void try_scene_on_a_line(void)
 {
     static const vm_real times[3] = {VM_C(0.5), 1, VM_C(1.75)};
     vm_real friction = VM_C(0.25);
-    vm_book book;
+    vm_budget book;
     clear_scene();
-    add_body(vm_scene_line(2, 1, 0));
-    add_body(vm_scene_with_mass_state(vm_scene_line(1, 0, 1)));
-    add_body(vm_scene_line(3, -1, 0));
+    add_body(vm_scene_body_line(2, 1, 0));
+    add_body(vm_scene_body_with_mass_state(vm_scene_body_line(1, 0, 1)));
+    add_body(vm_scene_body_line(3, -1, 0));
     add_effect(vm_effect_mass(0, VM_MASS_OF_T, VM_C(-0.125), 0, 1));
     add_effect(vm_effect_spring(0, 0, VM_GROUND, 0, 3, VM_C(1.5), 0));
-    add_effect(vm_effect_user(0, 0, bristles, &friction));
+    add_effect(vm_effect_force(0, 0, bristles, &friction));
     add_effect(vm_effect_stream(1, VM_C(0.25), vmi_vec3(VM_C(0.5), 0, 0), 0));
     add_effect(vm_effect_harmonic(1, 0, 1, 2, VM_C(0.5)));
-    add_effect(vm_effect_user_between(1, 0, 2, 0, bristles, &friction));
+    add_effect(vm_effect_force_between(1, 0, 2, 0, bristles, &friction));
     add_effect(vm_effect_gravity(2, 0, -1));
     add_effect(vm_effect_linear_spring(2, 0, 0, 0, 4, VM_C(0.5)));
     add_event(vm_then_user(vm_event_user(late, NULL, 1), kicked, NULL));
     add_event(vm_then_switch(vm_event_mass(1, VM_C(1.25), 1), 4, 1));
     add_event(vm_then_switch(vm_event_position(0, 0, 0, -1), 6, 1));
     add_event(vm_then_stop(vm_event_at(VM_C(2.75))));
-    vm_scene_keep_book(&g.scene, &book);
+    vm_scene_keep_budget(&g.scene, &book);
     g.scene.output = recorded;
     g.scene.times = times;
     g.scene.n_times = 3;
@@ -174,8 +174,8 @@ static void try_scene_of_parts_on_a_line(void)
     memset(&part, 0, sizeof part);
     part.mass = VM_C(0.5);
     part.v.x = 1;
-    add_body(vm_scene_line(2, 1, 0));
-    add_body(vm_scene_absent(vm_scene_line(1, 0, 0)));
+    add_body(vm_scene_body_line(2, 1, 0));
+    add_body(vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
     add_effect(vm_effect_mass(0, VM_MASS_OF_X, VM_C(0.125), 1, 0));
     add_effect(vm_effect_van_der_pol(0, 0, 1, 1));
     add_effect(vm_effect_spring(0, 0, VM_GROUND, 0, 2, 3, 0));
@@ -204,7 +204,7 @@ static void try_scene_of_axles(void)
     static const vm_band band = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, VM_C(0.25), 0};
     static const vm_band layers = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, 1, 1};
     const vm_vec3 u = {VM_C(0.5), 0, 0};
-    vm_book book;
+    vm_budget book;
     int i;
     for (i = 0; i < 16; i++) {
         const vm_band_now now = vm_band_at(uniform(0, 50), i % 2 ? &band : &layers);
@@ -214,16 +214,16 @@ static void try_scene_of_axles(void)
         fold(now.inertia);
     }
     clear_scene();
-    add_body(vm_scene_axle(1, 0, 2));
-    add_body(vm_scene_axle(2, 0, 1));
-    add_body(vm_scene_axle(1, VM_C(0.5), 3));
+    add_body(vm_scene_body_axle(1, 0, 2));
+    add_body(vm_scene_body_axle(2, 0, 1));
+    add_body(vm_scene_body_axle(1, VM_C(0.5), 3));
     add_effect(vm_effect_band(0, &band));
-    add_effect(vm_effect_drive(0, 0, 2, VM_C(0.25)));
+    add_effect(vm_effect_motor(0, 0, 2, VM_C(0.25)));
     add_effect(vm_effect_mass_law(1, swelling, NULL, u, VM_C(0.5)));
     add_effect(vm_effect_rotational_damper(1, VM_C(0.125)));
     add_effect(vm_effect_mass(2, VM_MASS_OF_V2, VM_C(0.0625), 1, VM_C(0.25)));
     add_effect(vm_effect_linear_spring(2, 0, 1, 0, 2, 0));
-    vm_scene_keep_book(&g.scene, &book);
+    vm_scene_keep_budget(&g.scene, &book);
     run_scene(2);
 }
 
@@ -241,15 +241,15 @@ static void varying(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 static void try_scene_in_the_plane(void)
 {
     const vm_vec3 at = {1, VM_C(0.25), 0}, still = {0, 0, 0};
-    vm_book book;
+    vm_budget book;
     vm_stream stream;
     clear_scene();
     draw_streams(1, &stream);
     stream.at.z = 0;
     stream.velocity.z = 0;
     stream.motion = VM_ABSOLUTE;
-    add_body(vm_scene_growing_plane(vm_scene_plane(2, 1, still, VM_C(0.5), at, 1)));
-    add_body(vm_scene_plane(1, VM_C(0.5), at, 0, still, 2));
+    add_body(vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, still, VM_C(0.5), at, 1)));
+    add_body(vm_scene_body_plane(1, VM_C(0.5), at, 0, still, 2));
     add_effect(vm_effect_varying(vm_effect_stream_mass(0, &stream), varying, NULL));
     add_effect(vm_effect_varying(vm_effect_stream_force(0, &stream), varying, NULL));
     add_effect(vm_effect_varying(vm_effect_stream_moment(0, &stream), varying, NULL));
@@ -257,7 +257,7 @@ static void try_scene_in_the_plane(void)
     add_effect(vm_effect_shaft(1, 3, VM_C(2.5)));
     add_effect(vm_effect_unbalance(1, VM_C(0.25), 3, VM_C(0.5)));
     add_effect(vm_effect_gyroscopic(1, VM_C(0.25)));
-    vm_scene_keep_book(&g.scene, &book);
+    vm_scene_keep_budget(&g.scene, &book);
     run_scene(2);
 }
 
@@ -285,8 +285,8 @@ static void try_scene_of_parts_in_the_plane(void)
     part.r.x = VM_C(0.125);
     part.v.y = 2;
     part.omega.z = 1;
-    add_body(vm_scene_plane(2, 1, still, VM_C(0.5), v, 1));
-    add_body(vm_scene_absent(vm_scene_plane(1, 1, still, 0, still, 0)));
+    add_body(vm_scene_body_plane(2, 1, still, VM_C(0.5), v, 1));
+    add_body(vm_scene_body_absent(vm_scene_body_plane(1, 1, still, 0, still, 0)));
     add_effect(vm_effect_gravity(0, 1, -2));
     add_effect(vm_effect_link(0, VM_GROUND, moving_point, NULL, 1, 0, 4));
     add_event(vm_then_separate_in_plane(vm_event_at(VM_C(0.5)), 0, 1, &part, 1));
@@ -308,16 +308,16 @@ static void try_scene_in_space(void)
 {
     const vm_body body = some_free_body();
     vm_stream stream;
-    vm_book book;
+    vm_budget book;
     clear_scene();
     draw_streams(1, &stream);
-    add_body(vm_scene_growing_free(vm_scene_free(&body)));
+    add_body(vm_scene_body_growing_free(vm_scene_body_free(&body)));
     add_effect(vm_effect_stream_mass(0, &stream));
     add_effect(vm_effect_stream_force(0, &stream));
     add_effect(vm_effect_stream_moment(0, &stream));
     add_effect(vm_effect_stream_torque(0, &stream));
     add_effect(vm_effect_rotational_damper(0, VM_C(0.25)));
-    vm_scene_keep_book(&g.scene, &book);
+    vm_scene_keep_budget(&g.scene, &book);
     run_scene(1);
 }
 
@@ -336,11 +336,11 @@ static void try_scene_of_parts_in_space(void)
     vm_body part = some_part(&body);
     clear_scene();
     part.r = vmi_vec3(VM_C(0.25), 0, 0);
-    add_body(vm_scene_free(&body));
-    add_body(vm_scene_absent(vm_scene_free(&body)));
-    add_body(vm_scene_point(1, at, v));
+    add_body(vm_scene_body_free(&body));
+    add_body(vm_scene_body_absent(vm_scene_body_free(&body)));
+    add_body(vm_scene_body_point(1, at, v));
     add_effect(vm_effect_gravity(0, 2, -2));
-    add_effect(vm_effect_callback(0, VM_GROUND, pulled, &pull));
+    add_effect(vm_effect_custom(0, VM_GROUND, pulled, &pull));
     add_effect(vm_effect_gravity(2, 2, -2));
     add_effect(vm_effect_link(2, 0, NULL, NULL, VM_C(1.5), 1, 4));
     add_event(vm_then_separate(vm_event_at(VM_C(0.25)), 0, 1, &part, 1));
@@ -354,10 +354,10 @@ static void try_scene_of_parts_in_space(void)
 static void try_refused_scenes(void)
 {
     clear_scene();
-    add_body(vm_scene_line(1, 0, 0));
+    add_body(vm_scene_body_line(1, 0, 0));
     add_effect(vm_effect_linear_spring(0, 1, VM_GROUND, 0, 1, 0));
     {
-        vm_culprit culprit;
+        vm_scene_fault culprit;
         fold_int(vm_scene_start(&g.scene, 0, g.y, &culprit));
         fold_text(culprit.kind);
         fold_int(culprit.index);
@@ -365,7 +365,7 @@ static void try_refused_scenes(void)
     }
     g.effects[0] = vm_effect_stream(0, 1, vmi_vec3(0, 0, 0), 0);
     fold_int(vm_scene_check(&g.scene, NULL));
-    g.effects[0] = vm_effect_drive(0, 0, 1, 1);
+    g.effects[0] = vm_effect_motor(0, 0, 1, 1);
     add_event(vm_then_switch(vm_event_at(1), 7, 1));
     fold_int(vm_scene_check(&g.scene, NULL));
 }

@@ -39,7 +39,7 @@ static void try_van_der_pol(void)
         fold(v.a2);
         fold(v.a3);
         fold(vm_vdp_amplitude(&v, 5, 1, m));
-        fold(vm_vdp_steady(&v, m.rate, &stable));
+        fold(vm_vdp_limit_cycle(&v, m.rate, &stable));
         fold_int(stable);
         fold(vm_slow_mass_linear(3, &rate, &m));
         fold(rate);
@@ -65,7 +65,7 @@ static void try_laval(void)
     for (i = 0; i < 4; i++) {
         vm_linear_mass m = some_mass();
         vm_power_force spring;
-        vm_laval r;
+        vm_jeffcott r;
         vm_complex z, v;
         vm_real y[4], state[5], back[4], rho, phi, slope;
         memset(&r, 0, sizeof r);
@@ -73,7 +73,7 @@ static void try_laval(void)
         spring.alpha = i % 2 ? 1 : uniform(1, 4);
         r.mass = vm_slow_mass_linear;
         r.mass_ctx = &m;
-        r.stiffness = vm_laval_power;
+        r.stiffness = vm_jeffcott_power;
         r.stiffness_ctx = &spring;
         r.force = turning_load;
         r.gyro = uniform(-1, 1) / 8;
@@ -84,29 +84,29 @@ static void try_laval(void)
         z.im = y[1];
         v.re = y[2];
         v.im = y[3];
-        vm_laval_polar(z, &rho, &phi);
+        vm_jeffcott_polar(z, &rho, &phi);
         fold(rho);
         fold(phi);
-        fold(vm_laval_power(rho, &slope, &spring));
+        fold(vm_jeffcott_power(rho, &slope, &spring));
         fold(slope);
-        fold(vm_laval_momentum(&r, m.mass, z, v));
-        integrate_from(y, vm_laval_rhs, &r, 4, 2);
-        fold(vm_laval_frequency(&r, rho, m.mass, 1));
-        fold(vm_laval_frequency(&r, rho, m.mass, -1));
+        fold(vm_jeffcott_momentum(&r, m.mass, z, v));
+        integrate_from(y, vm_jeffcott_rhs, &r, 4, 2);
+        fold(vm_jeffcott_frequency(&r, rho, m.mass, 1));
+        fold(vm_jeffcott_frequency(&r, rho, m.mass, -1));
         back[0] = rho;
         back[1] = phi;
-        integrate_from(back, vm_laval_forward_rhs, &r, 2, 2);
-        integrate_from(back, vm_laval_backward_rhs, &r, 2, 2);
+        integrate_from(back, vm_jeffcott_forward_whirl_rhs, &r, 2, 2);
+        integrate_from(back, vm_jeffcott_backward_whirl_rhs, &r, 2, 2);
         if (i % 2) {
-            fold_int(vm_laval_split(&r, 0, y, 1, state));
+            fold_int(vm_jeffcott_to_averaged(&r, 0, y, 1, state));
             fold_all(5, state);
-            fold_int(vm_laval_join(&r, 0, state, back));
+            fold_int(vm_jeffcott_from_averaged(&r, 0, state, back));
             fold_all(4, back);
-            integrate_from(state, vm_laval_exact_rhs, &r, 5, 1);
-            integrate_from(state, vm_laval_averaged_rhs, &r, 5, 1);
+            integrate_from(state, vm_jeffcott_exact_rhs, &r, 5, 1);
+            integrate_from(state, vm_jeffcott_averaged_rhs, &r, 5, 1);
         }
         r.reactive = 1;
-        fold(vm_laval_amplitude(&r, rho, m.mass, m.mass / 2));
+        fold(vm_jeffcott_amplitude(&r, rho, m.mass, m.mass / 2));
     }
 }
 
@@ -124,9 +124,9 @@ static void try_pair(void)
         p.mass = vm_slow_mass_linear;
         p.mass_ctx = &m;
         draw_all(4, -1, 1, y);
-        fold_int(vm_pair_split(&p, 1, y, modes));
+        fold_int(vm_pair_to_averaged(&p, 1, y, modes));
         fold_all(4, modes);
-        fold_int(vm_pair_join(&p, 1, modes, back));
+        fold_int(vm_pair_from_averaged(&p, 1, modes, back));
         fold_all(4, back);
         fold_int(vm_pair_at(&p, 4, y, m, back));
         fold_all(4, back);
@@ -137,7 +137,7 @@ static void try_pair(void)
     }
 }
 
-static void drifting(vm_real t, vm_forced_now *now, void *ctx)
+static void drifting(vm_real t, vm_forced_parameters *now, void *ctx)
 {
     now->nu += *(const vm_real *)ctx * t;
     now->nu_rate = *(const vm_real *)ctx;
@@ -158,7 +158,7 @@ static vm_forced some_forced(void)
     return f;
 }
 
-static void fold_steady(const vm_steady *s)
+static void fold_steady(const vm_steady_state *s)
 {
     fold(s->nu);
     fold(s->A);
@@ -186,9 +186,9 @@ static void try_forced(void)
             f.drift = drifting;
             f.drift_ctx = &drift;
         }
-        fold_int(vm_forced_split(&f, 1, motion, y));
+        fold_int(vm_forced_to_averaged(&f, 1, motion, y));
         fold_all(3, y);
-        fold_int(vm_forced_join(&f, 1, y, back));
+        fold_int(vm_forced_from_averaged(&f, 1, y, back));
         fold_all(3, back);
         integrate_from(motion, vm_forced_rhs, &f, 3, 3);
         integrate_from(motion, vm_forced_exact_rhs, &f, 3, 2);
@@ -204,12 +204,12 @@ static void try_steady(void)
     int i, k, n;
     for (i = 0; i < 6; i++) {
         vm_forced f = some_forced();
-        vm_steady steady[3];
+        vm_steady_state steady[3];
         vm_passage passage;
         memset(&passage, 0, sizeof passage);
         fold_int(vm_forced_init(&f));
         f.now.nu_rate = VM_C(0.001);
-        n = vm_forced_steady(&f, 1, steady);
+        n = vm_forced_steady_states(&f, 1, steady);
         fold_int(n);
         for (k = 0; k < n; k++) fold_steady(steady + k);
         n = vm_forced_curve(&f, 1, uniform(VM_C(0.5), 1), steady);
@@ -234,7 +234,7 @@ static vm_real falling(vm_real t, void *ctx)
     return 1 - t / 64;
 }
 
-static void fold_points(long n, const vm_point *points)
+static void fold_points(long n, const vm_sample *points)
 {
     long i;
     fold_int(n);
@@ -249,18 +249,18 @@ static void try_diagnostics(void)
 {
     const vm_real y0[2] = {1, 0};
     vm_real omega0 = 2, work[RK45_WORK(2)], buffer[2];
-    vm_point points[8];
+    vm_sample points[8];
     rk45 s;
     long n;
     int i, kind;
     for (kind = VM_TURNING_POINTS; kind <= VM_ZERO_CROSSINGS; kind++) {
-        n = vm_find_points(exact_motion, &omega0, kind, 0, 8, VM_C(0.125), 8, points);
+        n = vm_find_samples(exact_motion, &omega0, kind, 0, 8, VM_C(0.125), 8, points);
         fold_points(n, points);
         fold(vm_envelope_error(kind, n < 8 ? n : 8, points, falling, NULL));
         fold_int(rk45_init(&s, duffing, NULL, 2, 0, y0, NULL, work));
         for (i = 0; i < 30; i++) {
             fold_int(rk45_step(&s));
-            n = vm_find_points_of_step(&s, 0, 1, kind, buffer, 8, points);
+            n = vm_find_samples_of_step(&s, 0, 1, kind, buffer, 8, points);
             fold_points(n, points);
         }
     }

@@ -77,7 +77,7 @@ static void flow_of(ode_rhs rhs, int n, int streams_used, vm_real t)
     vm_store store;
     vm_flow flow;
     vm_body now = body;
-    vm_real y[VM_RHS_BALANCED];
+    vm_real y[VM_FLOW_BALANCED_STATES];
     memset(&flow, 0, sizeof flow);
     memset(y, 0, sizeof y);
     draw_streams(4, streams);
@@ -94,41 +94,41 @@ static void flow_of(ode_rhs rhs, int n, int streams_used, vm_real t)
     fold_int(flow.status);
     fold(vm_flow_mass_left(t, y, &flow));
     fold(vm_flow_inertia_left(t, y, &flow));
-    if (rhs == vm_rhs_carried) return; /* whose states are not those of a flow's body */
-    fold_int(vm_flow_body(&flow, n < VM_RHS ? VM_RHS_GIVEN : VM_RHS, y, &now));
+    if (rhs == vm_flow_carried_rhs) return; /* whose states are not those of a flow's body */
+    fold_int(vm_flow_body(&flow, n < VM_FLOW_STATES ? VM_FLOW_GIVEN_STATES : VM_FLOW_STATES, y, &now));
     fold_body(&now);
 }
 
 static void try_flows(void)
 {
-    flow_of(vm_rhs, VM_RHS, 4, 1);
-    flow_of(vm_rhs_balanced, VM_RHS_BALANCED, 3, 1);
+    flow_of(vm_flow_rhs, VM_FLOW_STATES, 4, 1);
+    flow_of(vm_flow_balanced_rhs, VM_FLOW_BALANCED_STATES, 3, 1);
 }
 
 static void try_given_flows(void)
 {
-    flow_of(vm_rhs_given, VM_RHS_GIVEN, 3, 1);
-    flow_of(vm_rhs_carried, VM_RHS_GIVEN, 0, 1);
+    flow_of(vm_flow_given_rhs, VM_FLOW_GIVEN_STATES, 3, 1);
+    flow_of(vm_flow_carried_rhs, VM_FLOW_GIVEN_STATES, 0, 1);
 }
 
 static void try_flow_of_translation(void)
 {
     vm_stream streams[3];
     vm_flow flow;
-    vm_real y[VM_RHS_TRANSLATION] = {0, 1, 2, 3, -2, 1, 4};
+    vm_real y[VM_TRANSLATION_STATES] = {0, 1, 2, 3, -2, 1, 4};
     memset(&flow, 0, sizeof flow);
     draw_streams(3, streams);
     flow.n = 3;
     flow.streams = streams;
     flow.force.x = 1;
-    integrate(vm_rhs_translation, &flow, VM_RHS_TRANSLATION, 2, y);
+    integrate(vm_translation_rhs, &flow, VM_TRANSLATION_STATES, 2, y);
 }
 
 static void try_flow_in_the_plane(void)
 {
     vm_stream2 streams[3];
     vm_flow2 flow;
-    vm_real y[VM_RHS2] = {0, 1, VM_C(0.5), 2, -1, VM_C(0.25), 3, 0, 0, 2};
+    vm_real y[VM_FLOW2_STATES] = {0, 1, VM_C(0.5), 2, -1, VM_C(0.25), 3, 0, 0, 2};
     int i;
     memset(&flow, 0, sizeof flow);
     for (i = 0; i < 3; i++) {
@@ -145,19 +145,19 @@ static void try_flow_in_the_plane(void)
     flow.streams = streams;
     flow.fy = -5;
     flow.moment = VM_C(0.5);
-    integrate(vm_rhs2, &flow, VM_RHS2, 2, y);
+    integrate(vm_flow2_rhs, &flow, VM_FLOW2_STATES, 2, y);
 }
 
 static void try_flow_on_a_line(void)
 {
     vm_stream1 streams[2] = {{VM_C(-0.25), 3, VM_RELATIVE}, {VM_C(0.125), -1, VM_ABSOLUTE}};
     vm_flow1 flow;
-    vm_real y[VM_RHS1] = {0, 1, 2};
+    vm_real y[VM_FLOW1_STATES] = {0, 1, 2};
     memset(&flow, 0, sizeof flow);
     flow.n = 2;
     flow.streams = streams;
     flow.force = VM_C(0.5);
-    integrate(vm_rhs1, &flow, VM_RHS1, 2, y);
+    integrate(vm_flow1_rhs, &flow, VM_FLOW1_STATES, 2, y);
 }
 
 static void try_closed_flows(void)
@@ -171,7 +171,7 @@ static void try_closed_flows(void)
         vm_jet jet;
         vm_vec3 omega = omega0;
         vm_real x = 1, v = 2;
-        fold(vm_levi_civita(v0, m0, m, u, t));
+        fold(vm_velocity_by_momentum(v0, m0, m, u, t));
         fold(vm_tsiolkovsky(v0, m0, m, u));
         stream.rate = i % 5 ? uniform(-1, 1) / 8 : 0;
         stream.velocity = u;

@@ -208,9 +208,9 @@ static vm_real start_velocity_naive(const vm_real *x)
 static vm_real broken_rotor_ours(const vm_real *x)
 {
     const vm_real start[6] = {0, 0, 1, 0, 0, 0};
-    vm_rotor rotor = {1, 1, 4, 1, 0, VM_C(0.125)};
+    vm_broken_rotor rotor = {1, 1, 4, 1, 0, VM_C(0.125)};
     vm_real end[6];
-    return vm_rotor_linear_uncoupled(x[0], &rotor, start, end) == VM_OK ? end[1] : VM_NAN;
+    return vm_broken_rotor_linear_uncoupled(x[0], &rotor, start, end) == VM_OK ? end[1] : VM_NAN;
 }
 static vm_real broken_rotor_naive(const vm_real *x) { return -VM_C(0.125) * (1 - COS(2 * x[0])); }
 

@@ -92,7 +92,7 @@ static vm_real wanted_spin_ours(const vm_real *x)
 {
     vm_body2 whole = {5, 2, 0, 0, 0, 0, 0, VM_C(1.7)}, part = {1, 0, 0, 0, 0, 0, 0, 0}, moving;
     part.inertia = x[0];
-    return vm_separate_for2(&whole, &part, NULL, NULL, &whole.omega, &moving) == VM_OK ? moving.omega : VM_NAN;
+    return vm_separation_for_rest2(&whole, &part, NULL, NULL, &whole.omega, &moving) == VM_OK ? moving.omega : VM_NAN;
 }
 static vm_real wanted_spin_naive(const vm_real *x) { return (2 * VM_C(1.7) - (2 - x[0]) * VM_C(1.7)) / x[0]; }
 
@@ -128,7 +128,7 @@ static vm_real no_lever_ours(const vm_real *x)
 {
     vm_body2 whole = {5, 2, 0, 0, 0, 0, 0, 1}, part = {1, VM_C(0.125), 0, 0, 0, 0, 0, 1}, moving;
     part.x = x[0];
-    return (vm_real)vm_separate_for_spin2(&whole, &part, NULL, 2, &moving);
+    return (vm_real)vm_separation_for_spin2(&whole, &part, NULL, 2, &moving);
 }
 static vm_real no_lever_naive(const vm_real *x)
 {
@@ -142,7 +142,7 @@ static vm_real hit_or_not_ours(const vm_real *x)
     vm_real matrix[4], after[2], work[VM_LAGRANGE_WORK(2)];
     int status;
     matrix[0] = x[0], matrix[1] = matrix[2] = x[1], matrix[3] = x[2];
-    status = vm_lagrange_hit(2, matrix, rest, impulse, after, work);
+    status = vm_lagrange_impact(2, matrix, rest, impulse, after, work);
     return status ? (vm_real)status : after[0];
 }
 static vm_real hit_or_not_naive(const vm_real *x) { return x[2] / (x[0] * x[2] - x[1] * x[1]); }

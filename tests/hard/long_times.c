@@ -34,13 +34,13 @@ static vm_real free_body_late_naive(const vm_real *x) { return free_body_naive(x
    t = x4 */
 static vm_real precession_ours(const vm_real *x)
 {
-    vm_free_motion motion;
+    vm_torque_free motion;
     vm_vec3 moments, omega;
     vm_quat q = {1, 0, 0, 0};
     moments.x = moments.y = x[0], moments.z = x[1];
     omega.x = x[2], omega.y = 0, omega.z = x[3];
-    if (vm_free_init_principal(&motion, moments, q, omega, 0)) return VM_NAN;
-    if (vm_free_attitude(&motion, x[4], &q, &omega)) return VM_NAN;
+    if (vm_torque_free_init_principal(&motion, moments, q, omega, 0)) return VM_NAN;
+    if (vm_torque_free_attitude(&motion, x[4], &q, &omega)) return VM_NAN;
     return 1 - 2 * (q.x * q.x + q.y * q.y);
 }
 static vm_real precession_naive(const vm_real *x)
@@ -59,12 +59,12 @@ static vm_real attitude_length_ours(const vm_real *x)
 {
     vm_body body = {1, {1, 1, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 2}};
     vm_flow flow;
-    vm_real y[VM_RHS], work[RK4_WORK(VM_RHS)], t = 0, *q = y + VM_Y_Q;
+    vm_real y[VM_FLOW_STATES], work[RK4_WORK(VM_FLOW_STATES)], t = 0, *q = y + VM_Y_Q;
     memset(&flow, 0, sizeof flow);
     flow.update = coasting;
     if (vm_flow_start(&flow, &body, y)) return VM_NAN;
     flow.mass = 1, flow.inertia = body.inertia;
-    if (rk4_solve(vm_rhs_given, &flow, VM_RHS_GIVEN, &t, x[1], (long)x[0], y, work)) return VM_NAN;
+    if (rk4_solve(vm_flow_given_rhs, &flow, VM_FLOW_GIVEN_STATES, &t, x[1], (long)x[0], y, work)) return VM_NAN;
     return SQRT(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
 }
 static void turning(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
@@ -170,7 +170,7 @@ static vm_real adiabatic_late_ours(const vm_real *x)
 {
     const vm_osc_problem p = adiabatic_problem(x);
     vm_osc_motion motion;
-    return vm_osc_by_second(&p, x[0], &motion) == VM_OK ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_SECOND, x[0], 0, &motion) == VM_OK ? motion.x : VM_NAN;
 }
 static void adiabatic_equations(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
 {
@@ -197,13 +197,13 @@ static vm_real bessel_ours(const vm_real *x)
 {
     const vm_osc_problem p = bessel_problem(x);
     vm_osc_motion motion;
-    return vm_osc_by_rk87(&p, x[0], R(VM_C(1e-13), VM_C(1e-5)), &motion) >= 0 ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_RK87, x[0], R(VM_C(1e-13), VM_C(1e-5)), &motion) >= 0 ? motion.x : VM_NAN;
 }
 static vm_real bessel_naive(const vm_real *x)
 {
     const vm_osc_problem p = bessel_problem(x);
     vm_osc_motion motion;
-    return vm_osc_by_trig(&p, x[0], &motion) == VM_OK ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_TRIG, x[0], 0, &motion) == VM_OK ? motion.x : VM_NAN;
 }
 
 static const hard_case long_times_cases[] = {

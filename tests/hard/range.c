@@ -80,17 +80,17 @@ static vm_real modulus_naive(const vm_real *x) /* Newton's method, f' = (E - K)/
 }
 
 /* Lambert's W where its argument is no number: of e^x0, and of -e^x0 */
-static vm_real w0_exp_ours(const vm_real *x) { return vm_lambert_w0_exp(x[0]); }
+static vm_real w0_exp_ours(const vm_real *x) { return vm_wright_omega(x[0]); }
 static vm_real w0_exp_naive(const vm_real *x) { return vm_lambert_w0(EXP(x[0])); }
-static vm_real wm1_mexp_ours(const vm_real *x) { return vm_lambert_wm1_mexp(x[0]); }
+static vm_real wm1_mexp_ours(const vm_real *x) { return vm_lambert_wm1_neg_exp(x[0]); }
 static vm_real wm1_mexp_naive(const vm_real *x) { return vm_lambert_wm1(-EXP(x[0])); }
 
 /* Radius of steady motion for stiffness x0, s = 1, mass 1, damping 0, Omega = x1 */
 static vm_real steady_ours(const vm_real *x)
 {
-    vm_rotor rotor = {1, 1, 0, 0, 0, 1};
+    vm_broken_rotor rotor = {1, 1, 0, 0, 0, 1};
     rotor.stiffness = x[0];
-    return vm_rotor_steady(&rotor, x[1]);
+    return vm_broken_rotor_steady_radius(&rotor, x[1]);
 }
 static vm_real steady_naive(const vm_real *x)
 {
@@ -124,7 +124,7 @@ static vm_real distance_ours(const vm_real *x)
     vm_complex z;
     vm_real rho, phi;
     z.re = x[0], z.im = x[1];
-    vm_laval_polar(z, &rho, &phi);
+    vm_jeffcott_polar(z, &rho, &phi);
     return rho;
 }
 static vm_real distance_naive(const vm_real *x) { return SQRT(x[0] * x[0] + x[1] * x[1]); }
@@ -143,7 +143,7 @@ static vm_real scaled_attitude_naive(const vm_real *x)
 }
 static vm_real rocket_speed_ours(const vm_real *x) { return vm_tsiolkovsky(0, x[0], x[1], 3); }
 static vm_real rocket_speed_naive(const vm_real *x) { return 3 * LOG(x[1] / x[0]); }
-static vm_real levi_civita_ours(const vm_real *x) { return vm_levi_civita(x[0], x[1], x[2], 2, 0); }
+static vm_real levi_civita_ours(const vm_real *x) { return vm_velocity_by_momentum(x[0], x[1], x[2], 2, 0); }
 static vm_real levi_civita_naive(const vm_real *x) { return (x[1] * x[0] + (x[2] - x[1]) * 2) / x[2]; }
 /* Two coordinates, mass matrix x0 (3 1; 1 2), hit by x0 (1, 0), from rest, by determinants */
 static vm_real hit_ours(const vm_real *x)
@@ -151,7 +151,7 @@ static vm_real hit_ours(const vm_real *x)
     const vm_real rest[2] = {0, 0};
     vm_real matrix[4], impulse[2], after[2], work[VM_LAGRANGE_WORK(2)];
     matrix[0] = 3 * x[0], matrix[1] = matrix[2] = x[0], matrix[3] = 2 * x[0], impulse[0] = x[0], impulse[1] = 0;
-    return vm_lagrange_hit(2, matrix, rest, impulse, after, work) == VM_OK ? after[0] : VM_NAN;
+    return vm_lagrange_impact(2, matrix, rest, impulse, after, work) == VM_OK ? after[0] : VM_NAN;
 }
 static vm_real hit_naive(const vm_real *x) { return x[0] * (2 * x[0]) / ((3 * x[0]) * (2 * x[0]) - x[0] * x[0]); }
 static vm_real beta_ours(const vm_real *x) { return ateb_beta(x[0], x[1]); }

@@ -135,20 +135,20 @@ static vm_real vdp_naive(const vm_real *x) /* (422) corrected */
 static vm_real spin_up_ours(const vm_real *x)
 {
     const vm_real start[6] = {0, 0, 0, 0, 0, 0};
-    vm_rotor rotor = {1, 1, 1, 0, 1, 0};
+    vm_broken_rotor rotor = {1, 1, 1, 0, 1, 0};
     vm_real end[6];
     rotor.damping = x[0];
-    return vm_rotor_free(x[1], &rotor, start, end) == VM_OK ? end[2] : VM_NAN;
+    return vm_broken_rotor_free_motion(x[1], &rotor, start, end) == VM_OK ? end[2] : VM_NAN;
 }
 static vm_real spin_up_naive(const vm_real *x) { return x[1] / x[0] - (1 - EXP(-x[0] * x[1])) / (x[0] * x[0]); }
 /* Place after t = x1 on a shaft of stiffness x0, from the velocity 1 */
 static vm_real free_shaft_ours(const vm_real *x)
 {
     const vm_real start[6] = {0, 0, 0, 1, 0, 0};
-    vm_rotor rotor = {1, 1, 0, 1, 1, 0};
+    vm_broken_rotor rotor = {1, 1, 0, 1, 1, 0};
     vm_real end[6];
     rotor.stiffness = x[0];
-    return vm_rotor_free(x[1], &rotor, start, end) == VM_OK ? end[0] : VM_NAN;
+    return vm_broken_rotor_free_motion(x[1], &rotor, start, end) == VM_OK ? end[0] : VM_NAN;
 }
 static vm_real free_shaft_naive(const vm_real *x) { return SIN(SQRT(x[0]) * x[1]) / SQRT(x[0]); }
 
@@ -156,13 +156,13 @@ static vm_real free_shaft_naive(const vm_real *x) { return SIN(SQRT(x[0]) * x[1]
    at t = x5. The textbook has it from the energy and the angular momentum. */
 static vm_real free_body_ours(const vm_real *x)
 {
-    vm_free_motion motion;
+    vm_torque_free motion;
     vm_vec3 moments, omega;
     vm_quat q = {1, 0, 0, 0};
     moments.x = x[0], moments.y = x[1], moments.z = x[2];
     omega.x = x[3], omega.y = 0, omega.z = x[4];
-    if (vm_free_init_principal(&motion, moments, q, omega, 0)) return VM_NAN;
-    return vm_free_attitude(&motion, x[5], &q, &omega) == VM_OK ? omega.x : VM_NAN;
+    if (vm_torque_free_init_principal(&motion, moments, q, omega, 0)) return VM_NAN;
+    return vm_torque_free_attitude(&motion, x[5], &q, &omega) == VM_OK ? omega.x : VM_NAN;
 }
 static vm_real free_body_naive(const vm_real *x)
 {
@@ -200,7 +200,7 @@ static vm_real integral_sa2_naive(const vm_real *x)
 static vm_real amplitude_law_ours(const vm_real *x) { return vm_osc_amplitude_law(x[0], 0, 0, x[1]); }
 static vm_real amplitude_law_naive(const vm_real *x) { return POW(x[0], 1 / (5 - x[1])); }
 
-/* x(t) and its period, m and k constant by a law of no rate: vm_osc_at's phase, t = x0, rate of both x1 */
+/* x(t) and its period, m and k constant by a law of no rate: vm_osc_within's phase, t = x0, rate of both x1 */
 static vm_real frozen_motion_ours(const vm_real *x)
 {
     vm_osc_problem p;
@@ -211,7 +211,7 @@ static vm_real frozen_motion_ours(const vm_real *x)
     p.stiffness = vm_law_power(1, x[1], -1);
     p.reactive = 1;
     p.x = 1;
-    return vm_osc_by_second(&p, x[0], &motion) == VM_OK ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_SECOND, x[0], 0, &motion) == VM_OK ? motion.x : VM_NAN;
 }
 static vm_real frozen_motion_naive(const vm_real *x)
 {
@@ -226,7 +226,7 @@ static vm_real mean_phase_ours(const vm_real *x)
     memset(&p, 0, sizeof p);
     p.alpha = x[0], p.reactive = x[1], p.x = 1;
     p.mass = vm_law_linear(1, x[2]), p.stiffness = vm_law_linear(1, 0);
-    return vm_osc_by_ateb(&p, x[3], &motion) == VM_OK ? motion.x : VM_NAN;
+    return vm_osc_by_route(&p, VM_ROUTE_ATEB, x[3], 0, &motion) == VM_OK ? motion.x : VM_NAN;
 }
 static vm_real mean_phase_naive(const vm_real *x)
 {

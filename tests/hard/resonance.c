@@ -1,16 +1,16 @@
 /* Resonance: next to it, caught by it, and at the border of being caught. */
 
 /* Steady radius of a rotor of mass x0, stiffness x1, s = 1/8, at Omega = x2 (76) */
-static vm_rotor resonant_rotor(const vm_real *x)
+static vm_broken_rotor resonant_rotor(const vm_real *x)
 {
-    vm_rotor rotor = {1, 2, 1, VM_C(0.5), 1, VM_C(0.125)};
+    vm_broken_rotor rotor = {1, 2, 1, VM_C(0.5), 1, VM_C(0.125)};
     rotor.mass = x[0], rotor.stiffness = x[1];
     return rotor;
 }
 static vm_real near_resonance_ours(const vm_real *x)
 {
-    const vm_rotor rotor = resonant_rotor(x);
-    return vm_rotor_steady(&rotor, x[2]);
+    const vm_broken_rotor rotor = resonant_rotor(x);
+    return vm_broken_rotor_steady_radius(&rotor, x[2]);
 }
 static vm_real near_resonance_naive(const vm_real *x)
 {
@@ -20,9 +20,9 @@ static vm_real near_resonance_naive(const vm_real *x)
 /* The slowest rate of what is left of a disturbance, by Newton's method from 0 on (81) */
 static vm_real slowest_rate_ours(const vm_real *x)
 {
-    const vm_rotor rotor = resonant_rotor(x);
+    const vm_broken_rotor rotor = resonant_rotor(x);
     vm_real re[5], im[5];
-    return vm_rotor_eigenvalues(&rotor, x[2], re, im) == VM_OK ? re[0] : VM_NAN;
+    return vm_broken_rotor_eigenvalues(&rotor, x[2], re, im) == VM_OK ? re[0] : VM_NAN;
 }
 static vm_real slowest_rate_naive(const vm_real *x)
 {
@@ -41,9 +41,9 @@ static vm_real slowest_rate_naive(const vm_real *x)
 /* The last entry of Routh's column, k* D^2 */
 static vm_real routh_ours(const vm_real *x)
 {
-    const vm_rotor rotor = resonant_rotor(x);
+    const vm_broken_rotor rotor = resonant_rotor(x);
     vm_real column[6];
-    return vm_rotor_routh(&rotor, x[2], column) == VM_OK ? column[5] : VM_NAN;
+    return vm_broken_rotor_routh(&rotor, x[2], column) == VM_OK ? column[5] : VM_NAN;
 }
 static vm_real routh_naive(const vm_real *x)
 {
@@ -53,8 +53,8 @@ static vm_real routh_naive(const vm_real *x)
 /* Stable or not: 1 for Omega < omega */
 static vm_real stable_ours(const vm_real *x)
 {
-    const vm_rotor rotor = resonant_rotor(x);
-    return (vm_real)vm_rotor_stable(&rotor, x[2]);
+    const vm_broken_rotor rotor = resonant_rotor(x);
+    return (vm_real)vm_broken_rotor_is_stable(&rotor, x[2]);
 }
 static vm_real stable_naive(const vm_real *x) { return x[2] < SQRT(x[1] / x[0]) ? 1 : 0; }
 
@@ -63,10 +63,10 @@ static vm_real stable_naive(const vm_real *x) { return x[2] < SQRT(x[1] / x[0]) 
 static vm_real caught_ours(const vm_real *x)
 {
     vm_real point[2];
-    vm_rotor rotor;
+    vm_broken_rotor rotor;
     point[0] = 1, point[1] = x[1];
     rotor = resonant_rotor(point);
-    return vm_rotor_growth(x[0], &rotor, x[2]);
+    return vm_broken_rotor_resonance_radius(x[0], &rotor, x[2]);
 }
 static vm_real caught_naive(const vm_real *x)
 {
@@ -83,13 +83,13 @@ static vm_real caught_naive(const vm_real *x)
 static vm_real caught_path_ours(const vm_real *x)
 {
     const vm_real y[6] = {0, 0, 0, 0, 0, 0};
-    vm_rotor rotor = {1, 2, 1, VM_C(0.5), 1, VM_C(0.125)};
+    vm_broken_rotor rotor = {1, 2, 1, VM_C(0.5), 1, VM_C(0.125)};
     vm_real work[RK87_WORK(6)];
     rk87_options o;
     rk87 s;
     memset(&o, 0, sizeof o);
     o.rtol = R(VM_C(1e-13), VM_C(4e-5)), rotor.torque = x[0];
-    if (rk87_init(&s, vm_rotor_rhs, &rotor, 6, 0, y, &o, work) < 0 || rk87_solve(&s, x[1]) < 0) return VM_NAN;
+    if (rk87_init(&s, vm_broken_rotor_rhs, &rotor, 6, 0, y, &o, work) < 0 || rk87_solve(&s, x[1]) < 0) return VM_NAN;
     return s.y[0];
 }
 static void caught_equations(vm_real t, const vm_real *y, vm_real *dydt, const vm_real *x)
@@ -118,9 +118,9 @@ static vm_forced hard_spring(vm_real force, vm_real nu)
 static vm_real folded_ours(const vm_real *x)
 {
     vm_forced f = hard_spring(x[0], x[1]);
-    vm_steady steady[3];
+    vm_steady_state steady[3];
     if (vm_forced_init(&f)) return VM_NAN;
-    return vm_forced_steady(&f, 0, steady) > (int)x[2] ? steady[(int)x[2]].A : VM_NAN;
+    return vm_forced_steady_states(&f, 0, steady) > (int)x[2] ? steady[(int)x[2]].A : VM_NAN;
 }
 static vm_real folded_naive(const vm_real *x)
 {
@@ -138,7 +138,7 @@ static vm_real folded_naive(const vm_real *x)
 
 /* Passage through a resonance: m = k = 1, alpha = x0, damping x1, force x2, frequency 1/2 + x3 t, at rest at t = 0; x
    at t = x4. Naive: rk4, 6 steps a period */
-static void sweep(vm_real t, vm_forced_now *now, void *ctx)
+static void sweep(vm_real t, vm_forced_parameters *now, void *ctx)
 {
     const vm_real *x = (const vm_real *)ctx;
     now->mass = now->k = 1, now->mass_rate = now->k_rate = 0;

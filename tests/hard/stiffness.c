@@ -54,7 +54,7 @@ static void unforced_wagon(vm_real t, const vm_real *y, vm_real *dydt, const vm_
     (void)x;
     dydt[0] = y[0] / (1 - t);
 }
-static vm_real last_mass_ours(const vm_real *x) { return vm_levi_civita(1, 1, x[0], 0, 0); }
+static vm_real last_mass_ours(const vm_real *x) { return vm_velocity_by_momentum(1, 1, x[0], 0, 0); }
 static vm_real last_mass_naive(const vm_real *x)
 {
     vm_real v = 1;
