@@ -2,6 +2,7 @@
 # the system's package manager where it may, and says so where it may not.
 #
 #   make headers  write the four headers from src/                make part PARTS="mechanics/jumps"   build/parts/jumps.h
+#   make parts-table   lines and flash of each chapter taken alone, docs/parts.md
 #   make run      build and run the examples, draw their figures        make bench   time everything (minutes)
 #   make bench-quick   the same, roughly       make bench-count   count instructions       make cost   write docs/cost.md
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
@@ -49,6 +50,11 @@ PARTS = mechanics/jumps
 part:
 	@mkdir -p build && echo '*' >build/.gitignore
 	sh src/part.sh build/parts/$(notdir $(firstword $(PARTS))).h $(PARTS)
+
+# docs/parts.md: lines and flash of each chapter taken alone
+parts-table:
+	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
+	sh src/parts_table.sh build >build/parts.md && mv build/parts.md docs/parts.md
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
