@@ -476,7 +476,7 @@ enum {
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
     VM_NO_LAW = -7,              /* the chosen route does not exist for this oscillator */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: no body moves like this, or an effect or event cannot act on one that does */
+    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
