@@ -136,7 +136,7 @@ check "docs/changes.md: every public name of version 0.1 still exists or is list
 check "docs/changes.md: every new name exists" new_names_exist
 renames() { # the commands of docs/changes.md, run on a line of a program written for version 0.1
     sed -n '/^    sed -n /,/^$/p' docs/changes.md | sed -n '1s/^    //p' >"$build/rename.sh"
-    ( . "./$build/rename.sh" ) || return 1
+    sh "$build/rename.sh" || return 1
     mv names.sed "$build" && echo 'vm_culprit who; vm_rhs(t, y, d, &f); my_vm_rhs();' | sed -f "$build/names.sed" |
         grep -qx 'vm_scene_fault who; vm_flow_rhs(t, y, d, &f); my_vm_rhs();'
 }
