@@ -43,7 +43,8 @@ run() { # run SUITE..., without optimisation, with which they take minutes to co
 
 valgrind_runs() { # forty times slower: on what is quickest
     sh tests/install.sh "command -v valgrind" valgrind || return
-    for test in events varmass dissertation refusals; do
+    for test in events varmass dissertation refusals_numerics refusals_bodies refusals_streams refusals_oscillators \
+        refusals_slow refusals_scenes null_pointers; do
         gcc -std=c99 -g -O1 -fno-inline tests/test_$test.c -o "$build/valgrind.$test" -lm
         check "valgrind: $test" valgrind -q --error-exitcode=9 "$build/valgrind.$test"
     done
