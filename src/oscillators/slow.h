@@ -1,4 +1,14 @@
-/* oscillators/slow.h - what oscillators with slowly varying mass share */
+/* oscillators/slow.h - laws that oscillators with slowly varying mass share
+
+   The amplitude and the largest velocity of an oscillator m x'' + k x|x|^(alpha-1) = -(r m' + b) x' whose mass m(t)
+   varies slowly, that is little within a period, in closed form: (325), (326), (344), (364), (367), (389), (395).
+   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on it.
+
+       vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
+
+   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, r = reactive, q the rate at which mass,
+   damping and stiffness change the vibration (vmi_slow_q). Averaging needs q much smaller than Om.
+   Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
 
@@ -8,40 +18,46 @@
 #include "../base/status.h"
 #include "constant_mass.h"
 
-/* A mass, and in this chapter's last sections all that depends on it, at time t: kg, and its rate in kg/s. Slow: it
-   changes little in a period. vm_slow_mass_linear is one, whose ctx is a vm_linear_mass. */
+/* A mass that varies slowly: returns the mass, kg, at time t, s, and writes its rate, kg/s. ctx is the user's.
+   vm_slow_mass_linear is one, whose ctx is a vm_linear_mass. */
 typedef vm_real (*vm_slow_mass)(vm_real t, vm_real *rate, void *ctx);
 
+/* The mass `mass` + `rate` t: kg at t = 0, and kg/s */
 typedef struct VM_TAG(vm_linear_mass) {
-    vm_real mass, rate; /* mass + rate t */
+    vm_real mass, rate;
 } vm_linear_mass;
 
-VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Whether the arguments of vm_osc_amplitude_law and vm_osc_velocity_law are in their domain */
+VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(damping) &&
+    return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(decay) &&
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
-   damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
-   reactive force; r = 0 where it has the body's, as what leaks out. To first order in m' and b:
-     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 damping/(alpha+3))      [(325), (344), (367), (389) corrected]
-   All three averaging methods give it, once (335)'s sign is mended. */
-VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
+   (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)), (325), (344), (367), (389) corrected. All three averaging methods
+   give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
+   reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full reactive force, 0 where it has
+   the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the damping; the rounding error is
+   some eps. NaN outside the domain and for infinite arguments. Time: a power and an exponential. */
+VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
+    if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Documented with vm_osc_amplitude_law. */
-/* xdot_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected */
-VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Largest velocity over its first value, of an oscillator whose mass varies slowly.
+   It follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected.
+   Arguments, accuracy and errors are those of vm_osc_amplitude_law. */
+VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    vm_real share = (alpha + 1) / (alpha + 3);
-    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
+    const vm_real share = (alpha + 1) / (alpha + 3); /* exponent of the velocity over twice that of the amplitude */
+    if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
+/* The linear mass `mass` + `rate` t, as a vm_slow_mass.
+   linear_mass points to a vm_linear_mass. Returns the mass, kg, and writes its rate, kg/s; NaN for null pointers. */
 VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
 {
     if (!rate || !linear_mass) return VM_NAN;
@@ -50,16 +66,18 @@ VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
     return m->mass + m->rate * t;
 }
 
-/* The mass at t; VM_BAD_ARGUMENT where there is no law, VM_BAD_MASS, VM_NOT_FINITE */
+/* The mass and its rate at t. VM_BAD_ARGUMENT where there is no law; VM_BAD_MASS, VM_NOT_FINITE. */
 VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
 {
     if (!law) return VM_BAD_ARGUMENT;
     *mass = law(t, rate, ctx);
     if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
-    return *mass > 0 ? VM_OK : VM_BAD_MASS;
+    if (!(*mass > 0)) return VM_BAD_MASS;
+    return VM_OK;
 }
 
-/* ln(m/m0) and the integral of dt/m for the linear mass, smooth through m' = 0; 0 where a mass is not positive */
+/* 1, ln(m/m0) and the integral of dt/m from 0 to t for the linear mass, smooth through m' = 0; 0 where a mass is not
+   positive */
 VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
 {
     const vm_real growth = m.rate * t / m.mass;
@@ -71,18 +89,31 @@ VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_re
     return 1;
 }
 
-/* Om, the rate of the Ateb phase; 0 at rest, where it may be infinite */
-VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
+/* (2r - 1) m' + 2 b, kg/s: what the reactive force and the damping b together take from the vibration. Where mass
+   joins at rest (r = 1) it is m' + 2 b, where it joins with the body's velocity (r = 0) -m' + 2 b. */
+VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real damping)
 {
-    return A == 0 && alpha < 1 ? 0 : vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
+    return (2 * reactive - 1) * mass_rate + 2 * damping;
 }
 
-/* x = A ca(psi), x' = -vmax(A) sa(psi), and back */
+/* q = ((2r - 1) m' + 2 b)/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration. The mean
+   amplitude follows A' = -q A/(alpha + 3). */
+VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
+
+/* Om, the rate of the Ateb phase at amplitude A; 0 at rest, where the formula may give infinity */
+VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
+{
+    if (A == 0 && alpha < 1) return 0;
+    return vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
+}
+
+/* x = A ca(psi) and x' = -vmax(A) sa(psi) */
 VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_real alpha, vm_real *x, vm_real *v)
 {
     vmi_osc_at_phase(A, psi, VM_SQRT(k / mass), alpha, x, v);
 }
 
+/* A and psi from x and x' = v, the inverse of vmi_slow_motion */
 VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
 {
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
