@@ -3,7 +3,7 @@
 # UndefinedBehaviorSanitizer; skipped, loudly, where the compiler has none.
 # usage: CC=compiler test_sanitize.sh BUILD_FOLDER, from the top of the project
 refusals="refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow refusals_scenes"
-tests="$refusals null_pointers jacobi ateb rk4 pairs adaptive dense varmass"
+tests="$refusals null_pointers jacobi ateb rk4 pairs adaptive dense constant_mass"
 mkdir -p "$1"
 echo 'int main(void) { return 0; }' >"$1/empty.c"
 for compiler in "${CC:-cc}" gcc clang; do

@@ -183,7 +183,6 @@ static void try_rk87(void)
         fold_run(&s);
     }
     fold_watched(&w);
-    for (i = -6; i < 5; i++) fold_text(ode_strerror(i));
 }
 
 static void golden_integrators(void)

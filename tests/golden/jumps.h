@@ -80,7 +80,6 @@ static void try_bodies(void)
         fold3(moved.v);
         fold3(moved.omega);
     }
-    for (i = -32; i < 5; i++) fold_text(vm_strerror(i));
 }
 
 static void try_jumps(void)

@@ -14,7 +14,7 @@ static void check_vector(const char *what, vm_vec3 a, const double *sum, double 
 }
 
 /* Momenta and energy of one body, and the balance between two, against sums over their particles */
-static void test_momenta(int unequal)
+static void test_bodies(int unequal)
 {
     int i;
     for (i = 0; i < 2000; i++) {
@@ -135,11 +135,11 @@ static void test_possible_inertia(void)
 int main(int argc, char **argv)
 {
     draw_anew(argc, argv);
-    test_momenta(0);
-    test_momenta(1);
+    test_bodies(0);
+    test_bodies(1);
     test_scales();
     test_quaternion_length();
     test_combined_inertia();
     test_possible_inertia();
-    return check_finish("momenta");
+    return check_finish("bodies");
 }
