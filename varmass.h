@@ -281,14 +281,13 @@
      oscillators/slow: laws that oscillators with slowly varying mass share
        vm_osc_amplitude_law           Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly
        vm_osc_velocity_law            Largest velocity over its first value, of an oscillator whose mass varies slowly
-       vm_slow_mass_linear            The linear mass `mass` + `rate` t, as a vm_slow_mass
 
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
        vm_vdp_init                    Prepare a Van der Pol oscillator
        vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
-       vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any mass
+       vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
@@ -329,7 +328,7 @@
        vm_find_samples                Turning points or zero crossings of a trajectory in (t0, t1]
        vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step
        vm_envelope_error              Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples
-       vm_adiabaticity                Adiabaticity of an oscillator at amplitude A
+       vm_adiabaticity                Adiabaticity q/Om of an oscillator at time t and amplitude A
 
      scenes/motions: how each kind of body moves
        vm_scene_body_line             Bodies
@@ -8084,6 +8083,23 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
 }
 
 #endif
+/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+
+   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), x); // N s/m; the force is feed times the velocity
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
+#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
+#define VARMASS_OSCILLATORS_FORCE_TERMS_H
+
+/* Van der Pol's term (404): the force over the velocity at position x, feed - c x^2, N s/m. feed > 0 (N s/m) feeds the
+   vibration, c > 0 (N s/m^3) limits it. */
+VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
+
+/* The gyroscopic force over the velocity, 2 gyro, kg/s: the force is this times the velocity, turned by +90 degrees.
+   gyro is g of the remark after (516), kg/s. */
+VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
+
+#endif
 /* oscillators/slow.h - laws that oscillators with slowly varying mass share
 
    The amplitude and the largest velocity of an oscillator m x'' + k x|x|^(alpha-1) = -(r m' + b) x' whose mass m(t)
@@ -8097,15 +8113,6 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
-
-/* A mass that varies slowly: returns the mass, kg, at time t, s, and writes its rate, kg/s. ctx is the user's.
-   vm_slow_mass_linear is one, whose ctx is a vm_linear_mass. */
-typedef vm_real (*vm_slow_mass)(vm_real t, vm_real *rate, void *ctx);
-
-/* The mass `mass` + `rate` t: kg at t = 0, and kg/s */
-typedef struct VM_TAG(vm_linear_mass) {
-    vm_real mass, rate;
-} vm_linear_mass;
 
 /* Whether the arguments of vm_osc_amplitude_law and vm_osc_velocity_law are in their domain */
 VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
@@ -8136,37 +8143,29 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real re
     return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-/* The linear mass `mass` + `rate` t, as a vm_slow_mass.
-   linear_mass points to a vm_linear_mass. Returns the mass, kg, and writes its rate, kg/s; NaN for null pointers. */
-VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
-{
-    if (!rate || !linear_mass) return VM_NAN;
-    const vm_linear_mass *m = (const vm_linear_mass *)linear_mass;
-    *rate = m->rate;
-    return m->mass + m->rate * t;
-}
+/* A linear mass m0 + rate t between 0 and t */
+typedef struct VM_TAG(vmi_linear_mass) {
+    vm_real m0, m, rate; /* at 0 and at t, kg; kg/s */
+    vm_real ln_ratio;    /* ln(m/m0) */
+    vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
+} vmi_linear_mass;
 
-/* The mass and its rate at t. VM_BAD_ARGUMENT where there is no law; VM_BAD_MASS, VM_NOT_FINITE. */
-VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
+/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that is
+   not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
-    if (!law) return VM_BAD_ARGUMENT;
-    *mass = law(t, rate, ctx);
-    if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
-    if (!(*mass > 0)) return VM_BAD_MASS;
-    return VM_OK;
-}
-
-/* 1, ln(m/m0) and the integral of dt/m from 0 to t for the linear mass, smooth through m' = 0; 0 where a mass is not
-   positive */
-VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
-{
-    const vm_real growth = m.rate * t / m.mass;
-    vm_real mean;
-    if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth)) return 0;
+    vm_real growth, mean, base, rate;
+    int status = vmi_law_at(law, VM_BAD_MASS, 0, &linear->m0, &linear->rate);
+    if (!status) status = vmi_law_at(law, VM_BAD_MASS, t, &linear->m, &rate);
+    if (status) return status;
+    if (!vmi_law_exponential_form(law, &base, &rate) || base != rate) return VM_NO_LAW;
+    growth = linear->rate * t / linear->m0;
+    if (!VM_IS_FINITE(growth)) return VM_NOT_FINITE;
+    if (!(growth > -1)) return VM_BAD_MASS;
     mean = vmi_log_ratio(growth); /* of m0/m */
-    *ln_ratio = growth * mean;
-    *integral = t / m.mass * mean;
-    return 1;
+    linear->ln_ratio = growth * mean;
+    linear->integral = t / linear->m0 * mean;
+    return VM_OK;
 }
 
 /* (2r - 1) m' + 2 b, kg/s: what the reactive force and the damping b together take from the vibration. Where mass
@@ -8203,14 +8202,18 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
-       m x'' + k x|x|^(alpha-1) = (b - c x^2) x' - r m' x'
-   b > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. Here are the equation of motion,
-   the averaged equations (410), the amplitude in closed form for a linear mass, and that of the limit cycle:
+       m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
+   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. Here are the equation of
+   motion, the averaged equations (410), the amplitude in closed form for a linear mass, and that of the limit cycle:
    (403) to (440), corrected.
 
-       vm_vdp v = {1, 1, VM_C(0.1), VM_C(0.1), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0}; // alpha, k, b, c, r, method
+       vm_vdp v;
+       memset(&v, 0, sizeof v);
+       v.alpha = v.k = v.reactive = 1;
+       v.feed = v.c = VM_C(0.1);
+       v.mass = vm_law_linear(1, VM_C(0.02)); // 1 kg, and 0.02 kg/s joins at rest
        int status = vm_vdp_init(&v);
-       vm_real A = vm_vdp_limit_cycle(&v, 0, NULL); // 2 m, if the mass is constant
+       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // at t = 100 s, where it was 0.3 m at t = 0
 
    Tests: tests/test_van_der_pol.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
@@ -8223,25 +8226,18 @@ enum {
     VM_VDP_TRIGONOMETRIC = 2 /* the cosine: the limit cycle's amplitude does not depend on alpha */
 };
 
-/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. b and c are the dissertation's
-   eps b and eps c; both may have either sign. */
+/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c of
+   the dissertation; both may have either sign. */
 typedef struct VM_TAG(vm_vdp) {
     vm_real alpha;      /* exponent of the spring, >= 0 */
     vm_real k;          /* stiffness, N/m^alpha, > 0 */
-    vm_real b;          /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
+    vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* of averaging, VM_VDP_... */
-    vm_slow_mass mass;  /* for the equations of motion only */
-    void *mass_ctx;     /* handed to mass */
+    vm_law mass;        /* kg, > 0, slow; vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values, pure numbers; vm_vdp_init writes them */
 } vm_vdp;
-
-/* The net damping coefficient with the sign of feeding, b - c x^2 - r m', N s/m */
-VM_API vm_real vmi_vdp_feed(const vm_vdp *v, vm_real mass_rate, vm_real x)
-{
-    return v->b - v->c * x * x - v->reactive * mass_rate;
-}
 
 /* The mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
 VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
@@ -8254,17 +8250,18 @@ VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
     v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
 }
 
-/* Prepare a Van der Pol oscillator: checks alpha, k, b, c, reactive and method, writes a1, a2, a3.
+/* Prepare a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, writes a1, a2, a3.
    The functions below need it; the mass may be set and changed later. Mean values are within 20 eps. VM_BAD_ARGUMENT
-   for a null pointer or an unknown method, VM_NOT_FINITE, VM_DOMAIN where alpha < 0 or k <= 0; then v is left as it
-   was. (411)-(413). */
+   for a null pointer or an unknown method, VM_NOT_FINITE, VM_BAD_STIFFNESS where k <= 0, VM_DOMAIN where alpha < 0;
+   then v is left as it was. (411)-(413). */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->b) || !VM_IS_FINITE(v->c) ||
+    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->feed) || !VM_IS_FINITE(v->c) ||
         !VM_IS_FINITE(v->reactive))
         return VM_NOT_FINITE;
-    if (!(v->alpha >= 0) || !(v->k > 0)) return VM_DOMAIN;
+    if (!(v->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(v->alpha >= 0)) return VM_DOMAIN;
     v->a1 = 1;
     v->a2 = 2 / (v->alpha + 3);
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
@@ -8273,30 +8270,39 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* 2 b - (2r - 1) m', N s/m: what feeds a small vibration on average */
+/* 2 feed - (2r - 1) m', N s/m: what feeds a small vibration on average */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
-    return -vmi_slow_drag(v->reactive, mass_rate, -v->b);
+    return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
-   first_A is the amplitude, m, at t = 0, of either sign; the mass m.mass + m.rate t must be positive at 0 and at t;
-   m.rate may be 0. One formula for (422), (424), (427), (429), (431)-(435), (437), as corrected, without a
-   singularity where terms cancel. v->mass is not used. The error is that of averaging (see `method`) and some 12 eps.
-   NaN for a null pointer, an oscillator that is not prepared, infinite arguments or a mass that is not positive; with
-   c < 0 also from the time on when the amplitude becomes infinite.
-   Method: the solution of (416) is 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m), where
-   F = drive a2/a1 times the integral of dt/m. For a linear mass F is proportional to that integral, hence the integral
-   of e^F dt/m is (e^F - 1)/F times the integral of dt/m. It is evaluated with e^-|F| and with the larger of the two
-   terms divided out, so that nothing overflows. */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m)
+/* The averaged Van der Pol term and reactive force: a1 m A'/A at amplitude A, N s/m (410). Its zero is the amplitude
+   of the limit cycle; the closed form of vm_vdp_amplitude solves A' = A (p - s A^2)/(a1 m), of which it is the
+   bracket. */
+VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
+{
+    return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
+}
+
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
+   t = 0, of either sign. One formula for (422), (424), (427), (429), (431)-(435), (437), as corrected, without a
+   singularity where terms cancel. The error is that of averaging (see `method`) and some 12 eps. NaN for a null
+   pointer, an oscillator that is not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a
+   law of mass that is neither linear nor constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the
+   time on when the amplitude becomes infinite. Method: the solution of (416) is 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1
+   times the integral of e^F dt/m), where F = drive a2/a1 times the integral of dt/m. For a linear mass F is
+   proportional to that integral, hence the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. It is
+   evaluated with e^-|F| and with the larger of the two terms divided out, so that nothing overflows. */
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
-    vm_real ln_ratio, integral, F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
-    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
+    vmi_linear_mass m;
+    vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
+    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
+        (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
-    limit = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
+    limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(limit));
     size = VM_FABS(first_A) * root; /* its square, with the sign of limit, stands beside free_term */
     if (F > 0) {
@@ -8334,32 +8340,33 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 }
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
-   y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where there is no mass,
-   VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
+   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, feed;
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
+    feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
-    dydt[1] = (vmi_vdp_feed(v, rate, y[0]) * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
+    dydt[1] = (feed * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any mass.
-   y = (A, psi): mean amplitude, m, and Ateb phase; x = A ca(psi), at the turning points x = A. vdp points to a vm_vdp
-   that is prepared. From rest A errs by the square of (b, c A^2, m')/(m Om) over times of m/b, psi by the first power
-   (method VM_VDP_ATEB). VM_BAD_ARGUMENT for null pointers or where there is no mass, VM_BAD_MASS, VM_NOT_FINITE. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
+   amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
+   prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
+   (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
-    dydt[0] = y[0] / (v->a1 * mass) * (vmi_vdp_drive(v, rate) * v->a2 / 2 - v->c * y[0] * y[0] * v->a3);
+    dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
     return VM_OK;
 }
@@ -8378,6 +8385,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
        memset(&rotor, 0, sizeof rotor); // a zero field means that there is none
        rotor.stiffness = vm_jeffcott_power;
        rotor.stiffness_ctx = &cubic;
+       rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
        rotor.reactive = 1;
        vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of whirl, when the mass has doubled
 
@@ -8399,16 +8407,15 @@ typedef struct VM_TAG(vm_power_force) {
 
 /* A rotor. mass and stiffness must be there; any other field may be zero. */
 typedef struct VM_TAG(vm_jeffcott) {
-    vm_slow_mass mass;
-    void *mass_ctx; /* handed to mass */
-    vm_jeffcott_stiffness stiffness;
+    vm_law mass;                     /* kg, > 0 */
+    vm_jeffcott_stiffness stiffness; /* of the shaft */
     void *stiffness_ctx;     /* handed to stiffness */
     vm_jeffcott_force force; /* F_z; null for none; small where equations are averaged */
     void *force_ctx;         /* handed to force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
-    int samples;             /* evaluations in the mean over a period; 0 means 32, exact for polynomials of degree 15 */
+    int nodes;               /* phases in the mean over a period; 0 means 32, exact for polynomials of degree 15 */
 } vm_jeffcott;
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
@@ -8468,12 +8475,12 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
 /* F_z + r m' u + 2 i g z' */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
-    return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
 }
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
    y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass or no stiffness, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -8481,9 +8488,9 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
-    if (status) return status;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
     if (!r->stiffness) return VM_BAD_ARGUMENT;
+    if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_jeffcott_loads(r, t, rate, z, v);
     dydt[0] = v.re;
@@ -8500,14 +8507,19 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
 
-/* VM_DOMAIN where small vibrations have no frequency, as for F_e = rho^3 */
+/* The rotor at time t. VM_BAD_STIFFNESS where small vibrations have no frequency, as for F_e = rho^3; VM_BAD_ARGUMENT
+   where there is no stiffness, VM_BAD_MASS, VM_NOT_FINITE. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
-    vm_real slope;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
+    vm_real stiffness, slope;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &now->mass, &now->rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
-    now->omega = VM_SQRT(vmi_jeffcott_stiffness(r, 0, &slope) / now->mass);
-    if (!(now->omega > 0) || !VM_IS_FINITE(now->omega)) return VM_DOMAIN;
+    stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
+    if (stiffness <= 0) return VM_BAD_STIFFNESS;
+    now->omega = VM_SQRT(stiffness / now->mass);
+    if (!VM_IS_FINITE(now->omega)) return VM_NOT_FINITE;
+    if (!(now->omega > 0)) return VM_DOMAIN; /* underflow */
     return VM_OK;
 }
 
@@ -8517,8 +8529,8 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
    vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where
-   A1 or A2 is 0. VM_BAD_ARGUMENT for null pointers or where there is no mass, VM_BAD_MASS, VM_NOT_FINITE, VM_DOMAIN
-   where F_e'(0) is not positive. y may be motion. */
+   A1 or A2 is 0. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. y may be motion. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -8586,24 +8598,23 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 }
 
 /* How many phases of a period enter a mean value */
-VM_API int vmi_jeffcott_samples(const vm_jeffcott *r)
+VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
     const int usual = 32; /* the mean is exact for polynomials of degree 15 in z and z' */
-    if (r->samples > 0) return r->samples;
+    if (r->nodes > 0) return r->nodes;
     return usual;
 }
 
-/* The mean of P' and N' over `samples` phases of a period, evenly spaced, the first of them the phase in y */
-VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int samples)
+/* The mean of P' and N' over `nodes` phases of a period, evenly spaced, the first of them the phase in y */
+VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int nodes)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
-    const vm_real share = 1 / (vm_real)samples;
+    const vm_real share = 1 / (vm_real)nodes;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
     vmi_jeffcott_state now;
     const int status = vmi_jeffcott_now(r, t, &now);
     int j;
     if (status) return status;
-    for (j = 0; j < samples; j++) {
+    for (j = 0; j < nodes; j++) {
         vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
@@ -8619,7 +8630,7 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87.
    y = (Re P, Im P, Re N, Im N, phi), see vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. They hold for any
    force, but are of use where F_z, u, g and F_e'(rho) - F_e'(0) are small. VM_BAD_ARGUMENT for null pointers or where
-   there is no mass or no stiffness, VM_BAD_MASS, VM_NOT_FINITE, VM_DOMAIN where F_e'(0) is not positive. */
+   there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -8630,12 +8641,12 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
    separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
    resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
-   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `samples` forces. */
+   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_jeffcott *r = (const vm_jeffcott *)rotor;
-    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_samples(r));
+    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_nodes(r));
 }
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
@@ -8669,31 +8680,32 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
-    const int samples = vmi_jeffcott_samples(r);
+    const int nodes = vmi_jeffcott_nodes(r);
     vm_complex sum = {0, 0};
     int j;
-    for (j = 0; j < samples; j++) {
-        const vm_complex turn = vmi_c_turn(psi + 2 * VM_PI * (vm_real)j / (vm_real)samples);
+    for (j = 0; j < nodes; j++) {
+        const vm_complex turn = vmi_c_turn(psi + 2 * VM_PI * (vm_real)j / (vm_real)nodes);
         const vm_complex z = vmi_c_scale(A, turn);
         const vm_complex D = vmi_jeffcott_drive(r, t, rate, z, vmi_c_times_i(W, z));
         sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
     }
-    return vmi_c_scale(1 / (vm_real)samples, sum);
+    return vmi_c_scale(1 / (vm_real)nodes, sum);
 }
 
 /* (504), (505) averaged, y = (A, psi). With the mean load L, the tangential balance is (A^2 (m W - g))' = (1 - r) m'
    A^2 W + A Im L, the radial balance is psi' - W = -Re L/(2 A (m W - g)); m W - g = +-S with S^2 = g^2 + m F_e'. */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex load;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
     S = mass * W - r->gyro;
-    if (!(S * S > 0)) return VM_DOMAIN;
+    if (S != S && !VM_IS_FINITE(stiffness)) return VM_NOT_FINITE;
+    if (!(S * S > 0)) return VM_BAD_STIFFNESS;
     load = vmi_jeffcott_mean_load(r, t, rate, y[0], y[1], W);
     growth = ((1 - r->reactive) * rate * W + load.im / y[0]) / S - rate * stiffness / (2 * S * S);
     dydt[0] = y[0] * growth / (2 + mass * slope * y[0] / (2 * S * S));
@@ -8706,8 +8718,8 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
    accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
    order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
-   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_BAD_MASS, VM_NOT_FINITE,
-   VM_DOMAIN where g^2 + m F_e' is not positive. Time: `samples` forces. */
+   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -8808,10 +8820,13 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
    The sum q = x + y drifts and the difference p = y - x vibrates (520)-(522). Here are the equations of motion, the
    averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
 
-       vm_pair p = {3, 1, 1, NULL, NULL}; // cubic spring of 1 N/m^3, mass joins at rest
-       vm_linear_mass mass = {1, VM_C(0.01)};
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
-       int status = vm_pair_at(&p, 50, y, mass, y); // the motion at t = 50 s
+       vm_pair p;
+       p.alpha = 3;
+       p.k = 1; // cubic spring of 1 N/m^3
+       p.reactive = 1;
+       p.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins at rest
+       int status = vm_pair_at(&p, 50, y, y); // the motion at t = 50 s
 
    Tests: tests/test_pair.c. */
 #ifndef VARMASS_OSCILLATORS_PAIR_H
@@ -8819,11 +8834,10 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 
 /* Two bodies of equal mass and the spring between them */
 typedef struct VM_TAG(vm_pair) {
-    vm_real alpha;     /* exponent of the spring, >= 0 */
-    vm_real k;         /* stiffness, N/m^alpha, > 0 */
-    vm_real reactive;  /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
-    vm_slow_mass mass; /* of each body; not needed by vm_pair_at */
-    void *mass_ctx;    /* handed to mass */
+    vm_real alpha;    /* exponent of the spring, >= 0 */
+    vm_real k;        /* stiffness, N/m^alpha, > 0 */
+    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_law mass;      /* of each body, kg, > 0, slow */
 } vm_pair;
 
 /* Slots of the modes: mean amplitude A of p = y - x, m; its Ateb phase psi; q = x + y, m; q', m/s */
@@ -8835,41 +8849,37 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
+/* The mass and its rate at time t; whether they, the pair and the four numbers of a state are in their domain. A
+   right-hand side gives no state: a trial step of an integrator may overflow, and is then repeated. */
+VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
+{
+    const int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive)) return VM_NOT_FINITE;
+    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) return VM_NOT_FINITE;
+    if (status) return status;
+    if (!(p->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(p->alpha >= 0)) return VM_DOMAIN;
+    return VM_OK;
+}
+
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
+   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
+   run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
-    const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, force;
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
+    force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     dydt[0] = y[2];
     dydt[1] = y[3];
     dydt[2] = (-force - p->reactive * rate * y[2]) / mass;
     dydt[3] = (force - p->reactive * rate * y[3]) / mass;
     return VM_OK;
-}
-
-/* Whether a pair, a mass and its rate are in their domain */
-VM_API int vmi_pair_check(const vm_pair *p, vm_real mass, vm_real rate)
-{
-    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive) || !VM_IS_FINITE(mass) ||
-        !VM_IS_FINITE(rate))
-        return VM_NOT_FINITE;
-    if (!(mass > 0)) return VM_BAD_MASS;
-    if (!(p->alpha >= 0) || !(p->k > 0)) return VM_DOMAIN;
-    return VM_OK;
-}
-
-/* The mass and its rate at t, and whether they and the pair are in their domain */
-VM_API int vmi_pair_mass(const vm_pair *p, vm_real t, vm_real *mass, vm_real *rate)
-{
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, mass, rate);
-    if (status) return status;
-    return vmi_pair_check(p, *mass, *rate);
 }
 
 /* The amplitude over its mean A at phase psi: (1 + q sa ca/(2 Om))^(2/(alpha+3)) with q = (2r - 1) m'/m. Two springs
@@ -8889,7 +8899,6 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
     int i;
-    if (!vmi_all_finite(4, y)) return VM_NOT_FINITE;
     vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &psi);
     A = exact;
     for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, psi);
@@ -8907,7 +8916,7 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 {
     const vm_real sum = modes[VMI_PAIR_SUM], sum_rate = modes[VMI_PAIR_SUM_RATE];
     vm_real A = modes[VMI_PAIR_A], x, v, joined[4];
-    if (!vmi_all_finite(VMI_PAIR_MODES, modes)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(VMI_PAIR_MODES, modes)) return VM_NOT_FINITE; /* a closed form may overflow */
     if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[VMI_PAIR_PSI]);
     if (!(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, modes[VMI_PAIR_PSI], 2 * p->k, mass, p->alpha, &x, &v);
@@ -8921,13 +8930,14 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 /* Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522).
    q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
    amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
-   pointers or where there is no mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where alpha < 0 or k <= 0, and where the
-   ripple is as large as the motion: |(2r - 1) m'/m| is about 2 Om, as where m tends to 0. modes may be y. */
+   pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
+   < 0 and where the ripple is as large as the motion: |(2r - 1) m'/m| is about 2 Om, as where m tends to 0. modes may
+   be y. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    const int status = vmi_pair_mass(p, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, y, &mass, &rate);
     if (status) return status;
     return vmi_pair_split(p, mass, rate, y, modes);
 }
@@ -8938,20 +8948,20 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    const int status = vmi_pair_mass(p, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, modes, &mass, &rate);
     if (status) return status;
     return vmi_pair_join(p, mass, rate, modes, y);
 }
 
 /* Averaged equations of the two modes, for rk45 or rk87, with any slow mass.
    modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om)
-   over times of m/m'. VM_BAD_ARGUMENT for null pointers or where there is no mass, VM_BAD_MASS, VM_NOT_FINITE. */
+   over times of m/m'. The statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
     dmodes[VMI_PAIR_A] = -vmi_slow_drag(p->reactive, rate, 0) / ((p->alpha + 3) * mass) * modes[VMI_PAIR_A];
     dmodes[VMI_PAIR_PSI] = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, mass, p->alpha);
@@ -8961,34 +8971,36 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 }
 
 /* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y0 - x0.
-   y0 = (x, y, x', y') at t = 0; the mass of each body is m.mass + m.rate t; p->mass is not used. The error is of the
-   order of m.rate/(m Om) over times of m/m.rate. VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_DOMAIN as vm_pair_to_averaged, at 0 and at t. y may be y0. Method: the averaged equations hold powers of m/m0,
-   and the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
-VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y)
+   y0 = (x, y, x', y') at t = 0. The error is of the order of m'/(m Om) over times of m/m'. The statuses are those of
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
+   vm_pair_averaged_rhs instead). y may be y0. Method: the averaged equations hold powers of m/m0, and the integral of
+   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
     const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is as (m/m0)^-fall */
-    vm_real modes[VMI_PAIR_MODES], ln_ratio, integral, rate0, exponent;
-    int status = vmi_pair_check(p, m.mass, m.rate);
-    if (!status) status = vmi_pair_split(p, m.mass, m.rate, y0, modes);
+    vmi_linear_mass m;
+    vm_real modes[VMI_PAIR_MODES], rate0, exponent;
+    int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_linear_mass_of(&p->mass, t, &m);
+    if (!status) status = vmi_pair_split(p, m.m0, m.rate, y0, modes);
     if (status) return status;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
-    if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
-    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.mass, p->alpha);
+    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.m0, p->alpha);
     exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
-    modes[VMI_PAIR_PSI] += rate0 * m.mass * integral * vmi_exp_ratio(exponent * ln_ratio);
-    modes[VMI_PAIR_A] *= vmi_exp(-fall * ln_ratio, 0);
-    modes[VMI_PAIR_SUM] += modes[VMI_PAIR_SUM_RATE] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
-    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * ln_ratio, 0);
-    return vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
+    modes[VMI_PAIR_PSI] += rate0 * m.m0 * m.integral * vmi_exp_ratio(exponent * m.ln_ratio);
+    modes[VMI_PAIR_A] *= vmi_exp(-fall * m.ln_ratio, 0);
+    modes[VMI_PAIR_SUM] +=
+        modes[VMI_PAIR_SUM_RATE] * m.m0 * m.integral * vmi_exp_ratio((1 - p->reactive) * m.ln_ratio);
+    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m.ln_ratio, 0);
+    return vmi_pair_join(p, m.m, m.rate, modes, y);
 }
 
 #endif
 /* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
 
-   What chapter 8 of the dissertation leaves to the future. Mass m, stiffness k, the frequency nu and the force's
-   amplitude F may vary slowly; b is the damping:
+   What chapter 8 of the dissertation leaves to the future. Mass m, stiffness k, the frequency nu and the amplitude F
+   of the force may vary slowly; b is the damping:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
    Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
    resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
@@ -8996,8 +9008,9 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
        vm_forced f;
        memset(&f, 0, sizeof f);
        f.alpha = 3;
-       f.now.mass = f.now.k = f.now.nu = 1;
-       f.now.force = VM_C(0.1);
+       f.damping = VM_C(0.02);
+       f.mass = f.stiffness = f.frequency = vm_law_linear(1, 0);
+       f.force = vm_law_linear(VM_C(0.1), 0);
        int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
 
    Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) the natural frequency, phi = pi psi/Pi
@@ -9005,49 +9018,51 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
 
-/* What may vary slowly, with the rates per second */
-typedef struct VM_TAG(vm_forced_parameters) {
-    vm_real mass, mass_rate; /* kg, kg/s; mass > 0 */
-    vm_real k, k_rate;       /* stiffness, N/m^alpha; k > 0 */
-    vm_real nu, nu_rate;     /* frequency of the force, rad/s, rad/s^2; nu > 0 */
-    vm_real force;           /* amplitude of the force, N, of either sign */
-} vm_forced_parameters;
-
 /* Number of harmonics of ca and sa: the orders 1, 3, 5, 7, 9 */
 enum { VMI_FORCED_HARMONICS = 5 };
 
 /* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again where
-   alpha has changed. The other fields may change without. */
+   alpha has changed. The other fields may change without. Constructors make the laws, of a constant
+   vm_law_linear(value, 0). */
 typedef struct VM_TAG(vm_forced) {
-    vm_real alpha;            /* exponent of the spring, >= 0 */
-    vm_real b;                /* damping, kg/s; > 0 takes energy out */
-    vm_real reactive;         /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
-    vm_forced_parameters now; /* at all times, or what `drift` starts from */
-    void (*drift)(vm_real t, vm_forced_parameters *now, void *ctx); /* changes what varies; null: nothing does */
-    void *drift_ctx;                                                /* handed to drift */
-    vm_real pi;                                         /* Pi_alpha; this and what follows by vm_forced_init */
-    vm_real Om1;                                        /* w = Om1 sqrt(k/m) A^((alpha-1)/2) */
-    vm_real G;                                          /* share of the force that acts on the mean motion */
+    vm_real alpha;     /* exponent of the spring, >= 0 */
+    vm_real damping;   /* b, kg/s; > 0 takes energy out */
+    vm_real reactive;  /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_law mass;       /* m, kg, > 0 */
+    vm_law stiffness;  /* k, N/m^alpha, > 0 */
+    vm_law frequency;  /* nu, of the force, rad/s, > 0 */
+    vm_law force;      /* F, amplitude of the force, N, of either sign */
+    vm_real pi;        /* Pi_alpha; vm_forced_init writes this and what follows */
+    vm_real Om1;       /* w = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real G;         /* share of the force that acts on the mean motion */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS]; /* ca = sum of c[j] cos((2j+1) phi), sa of s[j] sin */
 } vm_forced;
 
-/* What varies, at time t */
-VM_API vm_forced_parameters vmi_forced_at(const vm_forced *f, vm_real t)
-{
-    vm_forced_parameters now = f->now;
-    if (f->drift) f->drift(t, &now, f->drift_ctx);
-    return now;
-}
+/* What may vary, at one time, with the rates per second */
+typedef struct VM_TAG(vmi_forced_parameters) {
+    vm_real mass, mass_rate; /* kg */
+    vm_real k, k_rate;       /* N/m^alpha */
+    vm_real nu, nu_rate;     /* rad/s */
+    vm_real force;           /* N */
+} vmi_forced_parameters;
 
-/* Whether the parameters are in their domain */
-VM_API int vmi_forced_check(const vm_forced_parameters *n)
+/* The parameters at time t. Of several statuses the first in the order of base/status.h. */
+VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
-    if (!VM_IS_FINITE(n->mass) || !VM_IS_FINITE(n->mass_rate) || !VM_IS_FINITE(n->k) || !VM_IS_FINITE(n->k_rate) ||
-        !VM_IS_FINITE(n->nu) || !VM_IS_FINITE(n->nu_rate) || !VM_IS_FINITE(n->force))
+    vm_real force_rate;
+    const int mass = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
+    const int stiffness = vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate);
+    const int frequency = vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate);
+    const int force = vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate);
+    if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
+        force == VM_BAD_ARGUMENT)
+        return VM_BAD_ARGUMENT;
+    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE)
         return VM_NOT_FINITE;
-    if (!(n->mass > 0)) return VM_BAD_MASS;
-    if (!(n->k > 0) || !(n->nu > 0)) return VM_DOMAIN;
-    return VM_OK;
+    if (mass) return mass;
+    if (stiffness) return stiffness;
+    if (frequency) return frequency;
+    return force;
 }
 
 /* The Fourier coefficients of ca and sa, within 8 eps. Those of ca are
@@ -9083,19 +9098,20 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepare an excited oscillator: checks its fields at t = 0, writes pi, Om1, G, c and s.
-   All other functions need it. VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where alpha
-   < 0, k <= 0 or nu <= 0; then f is left as it was. Time: some 105 Ateb functions (float 53). */
+/* Prepare an excited oscillator: checks its fields at t = 0, writes pi, Om1, G, c and s. All other functions need it.
+   VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   VM_DOMAIN where alpha < 0 or the frequency is not positive; then f is left as it was. Time: some 105 Ateb functions
+   (float 53). */
 VM_API int vm_forced_init(vm_forced *f)
 {
-    vm_forced_parameters now;
+    vmi_forced_parameters now;
     int status;
     if (!f) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->b) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
-    now = vmi_forced_at(f, 0);
-    status = vmi_forced_check(&now);
+    status = vmi_forced_at(f, 0, &now);
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
     if (status) return status;
+    if (!(f->alpha >= 0)) return VM_DOMAIN;
     f->pi = ateb_pi(f->alpha);
     f->Om1 = VM_PI / f->pi * VM_SQRT((f->alpha + 1) / 2);
     vmi_forced_fourier(f);
@@ -9104,31 +9120,31 @@ VM_API int vm_forced_init(vm_forced *f)
 }
 
 /* q, the rate at which mass, damping and stiffness change the vibration */
-VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_parameters *n)
+VM_API vm_real vmi_forced_q(const vm_forced *f, const vmi_forced_parameters *n)
 {
-    return vmi_slow_q(vmi_slow_drag(f->reactive, n->mass_rate, f->b), n->mass, n->k, n->k_rate);
+    return vmi_slow_q(vmi_slow_drag(f->reactive, n->mass_rate, f->damping), n->mass, n->k, n->k_rate);
 }
 
 /* w(A), the frequency of the free vibration of amplitude A, rad/s */
-VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_parameters *n, vm_real A)
+VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameters *n, vm_real A)
 {
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
-/* Equation of motion of an excited oscillator, for rk45 or rk87.
-   y = (x, x', theta), m, m/s, rad; forced points to a vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN; these statuses stop the run. */
+/* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
+   vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive; these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     vm_real sine, cosine;
-    const int status = vmi_forced_check(&n);
+    const int status = vmi_forced_at(f, t, &n);
     if (status) return status;
     vmi_sincos(y[2], &sine, &cosine);
     dydt[0] = y[1];
-    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->b) * y[1] -
+    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->damping) * y[1] -
                n.k * vmi_osc_elastic(y[0], f->alpha)) /
               n.mass;
     dydt[2] = n.nu;
@@ -9142,8 +9158,8 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vm_real q, Om, push, sa, ca, sine, cosine;
     if (status) return status;
     q = vmi_forced_q(f, &n);
@@ -9165,8 +9181,8 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vm_real w, push, sine, cosine;
     if (status) return status;
     w = vmi_forced_natural(f, &n, y[0]);
@@ -9181,7 +9197,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 /* The first ripple of the exact amplitude about its mean A, m: exact = A + ripple to first order. It is
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1)),
    n = 2j + 1, without the second term for n = 1, which does not vary at the resonance. */
-VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_parameters *n, vm_real A, vm_real phi,
+VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
@@ -9199,15 +9215,14 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_parameters 
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t.
-   The ripple of the amplitude within a period is taken out; without that, averaged motions would err by order 1 where
-   alpha is not 1. VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where k <= 0 or nu <= 0,
-   and where the motion is smaller than its ripple. y may be motion. */
+/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t. The ripple of the amplitude
+   within a period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The
+   statuses are those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
@@ -9230,8 +9245,8 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
     if (status) return status;
@@ -9269,12 +9284,12 @@ typedef struct VM_TAG(vm_steady_state) {
 
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A;      /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real torque; /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration may be
-                       captured and follow A, above 1 it passes */
-    vm_real delta;  /* phase before the force, rad, of the captured vibration; NaN where torque > 1 */
-    vm_real jump;   /* of a quick passage, torque much larger than 1: half the range, over all phases, of the relative
-                       change of the amplitude */
+    vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
+    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration
+                               may be captured and follow A, above 1 it passes */
+    vm_real delta;          /* phase before the force, rad, of the captured vibration; NaN where drift_ratio > 1 */
+    vm_real amplitude_jump; /* of a quick passage, drift_ratio much larger than 1: half the range, over all phases, of
+                               the relative change of the amplitude */
 } vm_passage;
 
 /* The resonance at one time */
@@ -9286,7 +9301,7 @@ typedef struct VM_TAG(vmi_resonance) {
 } vmi_resonance;
 
 /* The resonance with the parameters n */
-VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vm_forced_parameters *n)
+VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
     z.w1 = vmi_forced_natural(f, n, 1);
@@ -9364,13 +9379,13 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
    Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0, or a
    negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
    frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the resonance.
-   VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where k <= 0 or nu <= 0. */
+   The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     int i, found = 0;
-    const int status = vmi_forced_check(&n);
+    const int status = vmi_forced_at(f, t, &n);
     vm_real A[3];
     vmi_resonance z;
     if (status) return status;
@@ -9388,14 +9403,13 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
    Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their number,
-   0 where the force is too small for A, or a negative status: VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_DOMAIN where k <= 0 or nu <= 0 and where A is not positive and finite. Results that overflow are
-   NaN. */
+   0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A is not
+   positive and finite. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vmi_resonance z;
     vm_real w, hold, width, p;
     int found = 0;
@@ -9420,9 +9434,9 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     vmi_resonance z;
-    if (vmi_forced_check(&n)) return VM_NAN;
+    if (vmi_forced_at(f, t, &n)) return VM_NAN;
     z = vmi_resonance_of(f, &n);
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
@@ -9430,14 +9444,14 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 /* Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t.
    amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all amplitudes. On the backbone
    delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with gamma = (alpha - 1)/2 and D the
-   relative drift of w - nu; the torque's ratio to the pendulum's largest is the result's drift. VM_BAD_ARGUMENT for
-   null pointers, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where k <= 0 or nu <= 0, where the force is 0, and where the
-   amplitude is not positive and finite; then *passage is left as it was. */
+   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
+   vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and finite; then *passage is left
+   as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vmi_resonance z;
     vm_passage r;
     vm_real D, sine = VM_INFINITY, cosine;
@@ -9448,13 +9462,13 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
     if (!(r.A > 0) || !VM_IS_FINITE(r.A) || z.push == 0) return VM_DOMAIN;
     D = n.mass_rate / (2 * n.mass) - n.k_rate / (2 * n.k) + n.nu_rate / n.nu + z.exponent * z.p;
     if (z.exponent != 0) sine = -z.nu * D * r.A / (z.exponent * z.push);
-    r.torque = VM_FABS(sine);
+    r.drift_ratio = VM_FABS(sine);
     r.delta = VM_NAN;
-    if (r.torque <= 1) {
+    if (r.drift_ratio <= 1) {
         cosine = VM_COPYSIGN(VM_SQRT((1 - sine) * (1 + sine)), z.exponent * z.push);
         r.delta = ateb_phase(sine, cosine, 1);
     }
-    r.jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
+    r.amplitude_jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
     *passage = r;
     return VM_OK;
 }
@@ -9601,18 +9615,21 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
     return worst;
 }
 
-/* Adiabaticity of an oscillator at amplitude A: q/Om, the parameter that averaging takes for small.
-   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, Om the rate of the Ateb phase. A in m, mass in kg,
-   mass_rate in kg/s, k in N/m^alpha, k_rate in N/m^alpha per second, damping b in kg/s, r = reactive, alpha >= 0.
-   Amplitude laws err by about (q/Om)^2, waveforms by q/Om over times of 1/q. NaN where A, mass or k is not positive,
-   alpha is negative, or an argument is infinite. */
-VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
-                               vm_real reactive, vm_real alpha)
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A: the parameter that averaging takes for small.
+   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, Om the rate of the Ateb phase at the amplitude A, m.
+   Of the problem only alpha, mass, stiffness, reactive and damping are used. Amplitude laws err by about (q/Om)^2,
+   waveforms by q/Om over times of 1/q. Within some eps. NaN for a null pointer, where A, mass or stiffness is not
+   positive, where alpha is negative, and for infinite numbers. */
+VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
-    const vm_real q = vmi_slow_q(vmi_slow_drag(reactive, mass_rate, b), mass, k, k_rate);
-    if (!(A > 0) || !(mass > 0) || !(k > 0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(k) || !VM_IS_FINITE(q))
+    if (!o) return VM_NAN;
+    vm_real mass, mass_rate, k, k_rate, q;
+    if (!(A > 0) || vmi_law_at(&o->mass, VM_BAD_MASS, t, &mass, &mass_rate) ||
+        vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &k, &k_rate))
         return VM_NAN;
-    return q / vmi_slow_rate(A, k, mass, alpha);
+    q = vmi_slow_q(vmi_slow_drag(o->reactive, mass_rate, o->damping), mass, k, k_rate);
+    if (!VM_IS_FINITE(q)) return VM_NAN;
+    return q / vmi_slow_rate(A, k, mass, o->alpha);
 }
 
 #endif

@@ -133,6 +133,7 @@
 #include "oscillators/averaging.h"
 #include "oscillators/integration.h"
 #include "oscillators/routes.h"
+#include "oscillators/force_terms.h"
 #include "oscillators/slow.h"
 #include "oscillators/van_der_pol.h"
 #include "oscillators/jeffcott.h"

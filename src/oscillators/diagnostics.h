@@ -15,6 +15,8 @@
 #include "../base/zero.h"
 #include "../integrators/dense.h"
 #include "../integrators/runs.h"
+#include "laws.h"
+#include "problem.h"
 #include "slow.h"
 
 /* A trajectory: writes position x and velocity v at time t. ctx is the user's. */
@@ -146,18 +148,21 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
     return worst;
 }
 
-/* Adiabaticity of an oscillator at amplitude A: q/Om, the parameter that averaging takes for small.
-   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, Om the rate of the Ateb phase. A in m, mass in kg,
-   mass_rate in kg/s, k in N/m^alpha, k_rate in N/m^alpha per second, damping b in kg/s, r = reactive, alpha >= 0.
-   Amplitude laws err by about (q/Om)^2, waveforms by q/Om over times of 1/q. NaN where A, mass or k is not positive,
-   alpha is negative, or an argument is infinite. */
-VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
-                               vm_real reactive, vm_real alpha)
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A: the parameter that averaging takes for small.
+   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, Om the rate of the Ateb phase at the amplitude A, m.
+   Of the problem only alpha, mass, stiffness, reactive and damping are used. Amplitude laws err by about (q/Om)^2,
+   waveforms by q/Om over times of 1/q. Within some eps. NaN for a null pointer, where A, mass or stiffness is not
+   positive, where alpha is negative, and for infinite numbers. */
+VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
-    const vm_real q = vmi_slow_q(vmi_slow_drag(reactive, mass_rate, b), mass, k, k_rate);
-    if (!(A > 0) || !(mass > 0) || !(k > 0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(k) || !VM_IS_FINITE(q))
+    if (!o) return VM_NAN;
+    vm_real mass, mass_rate, k, k_rate, q;
+    if (!(A > 0) || vmi_law_at(&o->mass, VM_BAD_MASS, t, &mass, &mass_rate) ||
+        vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &k, &k_rate))
         return VM_NAN;
-    return q / vmi_slow_rate(A, k, mass, alpha);
+    q = vmi_slow_q(vmi_slow_drag(o->reactive, mass_rate, o->damping), mass, k, k_rate);
+    if (!VM_IS_FINITE(q)) return VM_NAN;
+    return q / vmi_slow_rate(A, k, mass, o->alpha);
 }
 
 #endif

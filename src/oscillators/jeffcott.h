@@ -11,6 +11,7 @@
        memset(&rotor, 0, sizeof rotor); // a zero field means that there is none
        rotor.stiffness = vm_jeffcott_power;
        rotor.stiffness_ctx = &cubic;
+       rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
        rotor.reactive = 1;
        vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of whirl, when the mass has doubled
 
@@ -25,6 +26,8 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "../base/zero.h"
+#include "force_terms.h"
+#include "laws.h"
 #include "slow.h"
 
 /* Stiffness of the shaft: returns F_e(rho)/rho, N/m, which [1] calls F_e', at the deflection rho >= 0, m, and writes
@@ -41,16 +44,15 @@ typedef struct VM_TAG(vm_power_force) {
 
 /* A rotor. mass and stiffness must be there; any other field may be zero. */
 typedef struct VM_TAG(vm_jeffcott) {
-    vm_slow_mass mass;
-    void *mass_ctx; /* handed to mass */
-    vm_jeffcott_stiffness stiffness;
+    vm_law mass;                     /* kg, > 0 */
+    vm_jeffcott_stiffness stiffness; /* of the shaft */
     void *stiffness_ctx;     /* handed to stiffness */
     vm_jeffcott_force force; /* F_z; null for none; small where equations are averaged */
     void *force_ctx;         /* handed to force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
-    int samples;             /* evaluations in the mean over a period; 0 means 32, exact for polynomials of degree 15 */
+    int nodes;               /* phases in the mean over a period; 0 means 32, exact for polynomials of degree 15 */
 } vm_jeffcott;
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
@@ -110,12 +112,12 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
 /* F_z + r m' u + 2 i g z' */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
-    return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
 }
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
    y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass or no stiffness, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -123,9 +125,9 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
-    if (status) return status;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
     if (!r->stiffness) return VM_BAD_ARGUMENT;
+    if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
     force = vmi_jeffcott_loads(r, t, rate, z, v);
     dydt[0] = v.re;
@@ -142,14 +144,19 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
 
-/* VM_DOMAIN where small vibrations have no frequency, as for F_e = rho^3 */
+/* The rotor at time t. VM_BAD_STIFFNESS where small vibrations have no frequency, as for F_e = rho^3; VM_BAD_ARGUMENT
+   where there is no stiffness, VM_BAD_MASS, VM_NOT_FINITE. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
-    vm_real slope;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
+    vm_real stiffness, slope;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &now->mass, &now->rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
-    now->omega = VM_SQRT(vmi_jeffcott_stiffness(r, 0, &slope) / now->mass);
-    if (!(now->omega > 0) || !VM_IS_FINITE(now->omega)) return VM_DOMAIN;
+    stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
+    if (stiffness <= 0) return VM_BAD_STIFFNESS;
+    now->omega = VM_SQRT(stiffness / now->mass);
+    if (!VM_IS_FINITE(now->omega)) return VM_NOT_FINITE;
+    if (!(now->omega > 0)) return VM_DOMAIN; /* underflow */
     return VM_OK;
 }
 
@@ -159,8 +166,8 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
    vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where
-   A1 or A2 is 0. VM_BAD_ARGUMENT for null pointers or where there is no mass, VM_BAD_MASS, VM_NOT_FINITE, VM_DOMAIN
-   where F_e'(0) is not positive. y may be motion. */
+   A1 or A2 is 0. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. y may be motion. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -228,24 +235,23 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 }
 
 /* How many phases of a period enter a mean value */
-VM_API int vmi_jeffcott_samples(const vm_jeffcott *r)
+VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
     const int usual = 32; /* the mean is exact for polynomials of degree 15 in z and z' */
-    if (r->samples > 0) return r->samples;
+    if (r->nodes > 0) return r->nodes;
     return usual;
 }
 
-/* The mean of P' and N' over `samples` phases of a period, evenly spaced, the first of them the phase in y */
-VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int samples)
+/* The mean of P' and N' over `nodes` phases of a period, evenly spaced, the first of them the phase in y */
+VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int nodes)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
-    const vm_real share = 1 / (vm_real)samples;
+    const vm_real share = 1 / (vm_real)nodes;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
     vmi_jeffcott_state now;
     const int status = vmi_jeffcott_now(r, t, &now);
     int j;
     if (status) return status;
-    for (j = 0; j < samples; j++) {
+    for (j = 0; j < nodes; j++) {
         vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
@@ -261,7 +267,7 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87.
    y = (Re P, Im P, Re N, Im N, phi), see vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. They hold for any
    force, but are of use where F_z, u, g and F_e'(rho) - F_e'(0) are small. VM_BAD_ARGUMENT for null pointers or where
-   there is no mass or no stiffness, VM_BAD_MASS, VM_NOT_FINITE, VM_DOMAIN where F_e'(0) is not positive. */
+   there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -272,12 +278,12 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
    separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
    resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
-   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `samples` forces. */
+   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_jeffcott *r = (const vm_jeffcott *)rotor;
-    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_samples(r));
+    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_nodes(r));
 }
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
@@ -311,31 +317,32 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
-    const int samples = vmi_jeffcott_samples(r);
+    const int nodes = vmi_jeffcott_nodes(r);
     vm_complex sum = {0, 0};
     int j;
-    for (j = 0; j < samples; j++) {
-        const vm_complex turn = vmi_c_turn(psi + 2 * VM_PI * (vm_real)j / (vm_real)samples);
+    for (j = 0; j < nodes; j++) {
+        const vm_complex turn = vmi_c_turn(psi + 2 * VM_PI * (vm_real)j / (vm_real)nodes);
         const vm_complex z = vmi_c_scale(A, turn);
         const vm_complex D = vmi_jeffcott_drive(r, t, rate, z, vmi_c_times_i(W, z));
         sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
     }
-    return vmi_c_scale(1 / (vm_real)samples, sum);
+    return vmi_c_scale(1 / (vm_real)nodes, sum);
 }
 
 /* (504), (505) averaged, y = (A, psi). With the mean load L, the tangential balance is (A^2 (m W - g))' = (1 - r) m'
    A^2 W + A Im L, the radial balance is psi' - W = -Re L/(2 A (m W - g)); m W - g = +-S with S^2 = g^2 + m F_e'. */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex load;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
     S = mass * W - r->gyro;
-    if (!(S * S > 0)) return VM_DOMAIN;
+    if (S != S && !VM_IS_FINITE(stiffness)) return VM_NOT_FINITE;
+    if (!(S * S > 0)) return VM_BAD_STIFFNESS;
     load = vmi_jeffcott_mean_load(r, t, rate, y[0], y[1], W);
     growth = ((1 - r->reactive) * rate * W + load.im / y[0]) / S - rate * stiffness / (2 * S * S);
     dydt[0] = y[0] * growth / (2 + mass * slope * y[0] / (2 * S * S));
@@ -348,8 +355,8 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
    accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
    order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
-   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_BAD_MASS, VM_NOT_FINITE,
-   VM_DOMAIN where g^2 + m F_e' is not positive. Time: `samples` forces. */
+   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;

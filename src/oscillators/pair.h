@@ -5,10 +5,13 @@
    The sum q = x + y drifts and the difference p = y - x vibrates (520)-(522). Here are the equations of motion, the
    averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
 
-       vm_pair p = {3, 1, 1, NULL, NULL}; // cubic spring of 1 N/m^3, mass joins at rest
-       vm_linear_mass mass = {1, VM_C(0.01)};
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
-       int status = vm_pair_at(&p, 50, y, mass, y); // the motion at t = 50 s
+       vm_pair p;
+       p.alpha = 3;
+       p.k = 1; // cubic spring of 1 N/m^3
+       p.reactive = 1;
+       p.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins at rest
+       int status = vm_pair_at(&p, 50, y, y); // the motion at t = 50 s
 
    Tests: tests/test_pair.c. */
 #ifndef VARMASS_OSCILLATORS_PAIR_H
@@ -21,15 +24,15 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "constant_mass.h"
+#include "laws.h"
 #include "slow.h"
 
 /* Two bodies of equal mass and the spring between them */
 typedef struct VM_TAG(vm_pair) {
-    vm_real alpha;     /* exponent of the spring, >= 0 */
-    vm_real k;         /* stiffness, N/m^alpha, > 0 */
-    vm_real reactive;  /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
-    vm_slow_mass mass; /* of each body; not needed by vm_pair_at */
-    void *mass_ctx;    /* handed to mass */
+    vm_real alpha;    /* exponent of the spring, >= 0 */
+    vm_real k;        /* stiffness, N/m^alpha, > 0 */
+    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_law mass;      /* of each body, kg, > 0, slow */
 } vm_pair;
 
 /* Slots of the modes: mean amplitude A of p = y - x, m; its Ateb phase psi; q = x + y, m; q', m/s */
@@ -41,41 +44,37 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
+/* The mass and its rate at time t; whether they, the pair and the four numbers of a state are in their domain. A
+   right-hand side gives no state: a trial step of an integrator may overflow, and is then repeated. */
+VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
+{
+    const int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive)) return VM_NOT_FINITE;
+    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) return VM_NOT_FINITE;
+    if (status) return status;
+    if (!(p->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(p->alpha >= 0)) return VM_DOMAIN;
+    return VM_OK;
+}
+
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
+   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
+   run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
-    const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, force;
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
+    force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     dydt[0] = y[2];
     dydt[1] = y[3];
     dydt[2] = (-force - p->reactive * rate * y[2]) / mass;
     dydt[3] = (force - p->reactive * rate * y[3]) / mass;
     return VM_OK;
-}
-
-/* Whether a pair, a mass and its rate are in their domain */
-VM_API int vmi_pair_check(const vm_pair *p, vm_real mass, vm_real rate)
-{
-    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive) || !VM_IS_FINITE(mass) ||
-        !VM_IS_FINITE(rate))
-        return VM_NOT_FINITE;
-    if (!(mass > 0)) return VM_BAD_MASS;
-    if (!(p->alpha >= 0) || !(p->k > 0)) return VM_DOMAIN;
-    return VM_OK;
-}
-
-/* The mass and its rate at t, and whether they and the pair are in their domain */
-VM_API int vmi_pair_mass(const vm_pair *p, vm_real t, vm_real *mass, vm_real *rate)
-{
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, mass, rate);
-    if (status) return status;
-    return vmi_pair_check(p, *mass, *rate);
 }
 
 /* The amplitude over its mean A at phase psi: (1 + q sa ca/(2 Om))^(2/(alpha+3)) with q = (2r - 1) m'/m. Two springs
@@ -95,7 +94,6 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
     int i;
-    if (!vmi_all_finite(4, y)) return VM_NOT_FINITE;
     vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &psi);
     A = exact;
     for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, psi);
@@ -113,7 +111,7 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 {
     const vm_real sum = modes[VMI_PAIR_SUM], sum_rate = modes[VMI_PAIR_SUM_RATE];
     vm_real A = modes[VMI_PAIR_A], x, v, joined[4];
-    if (!vmi_all_finite(VMI_PAIR_MODES, modes)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(VMI_PAIR_MODES, modes)) return VM_NOT_FINITE; /* a closed form may overflow */
     if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[VMI_PAIR_PSI]);
     if (!(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, modes[VMI_PAIR_PSI], 2 * p->k, mass, p->alpha, &x, &v);
@@ -127,13 +125,14 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 /* Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522).
    q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
    amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
-   pointers or where there is no mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where alpha < 0 or k <= 0, and where the
-   ripple is as large as the motion: |(2r - 1) m'/m| is about 2 Om, as where m tends to 0. modes may be y. */
+   pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
+   < 0 and where the ripple is as large as the motion: |(2r - 1) m'/m| is about 2 Om, as where m tends to 0. modes may
+   be y. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    const int status = vmi_pair_mass(p, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, y, &mass, &rate);
     if (status) return status;
     return vmi_pair_split(p, mass, rate, y, modes);
 }
@@ -144,20 +143,20 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    const int status = vmi_pair_mass(p, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, modes, &mass, &rate);
     if (status) return status;
     return vmi_pair_join(p, mass, rate, modes, y);
 }
 
 /* Averaged equations of the two modes, for rk45 or rk87, with any slow mass.
    modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om)
-   over times of m/m'. VM_BAD_ARGUMENT for null pointers or where there is no mass, VM_BAD_MASS, VM_NOT_FINITE. */
+   over times of m/m'. The statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
     dmodes[VMI_PAIR_A] = -vmi_slow_drag(p->reactive, rate, 0) / ((p->alpha + 3) * mass) * modes[VMI_PAIR_A];
     dmodes[VMI_PAIR_PSI] = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, mass, p->alpha);
@@ -167,27 +166,29 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 }
 
 /* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y0 - x0.
-   y0 = (x, y, x', y') at t = 0; the mass of each body is m.mass + m.rate t; p->mass is not used. The error is of the
-   order of m.rate/(m Om) over times of m/m.rate. VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_DOMAIN as vm_pair_to_averaged, at 0 and at t. y may be y0. Method: the averaged equations hold powers of m/m0,
-   and the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
-VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y)
+   y0 = (x, y, x', y') at t = 0. The error is of the order of m'/(m Om) over times of m/m'. The statuses are those of
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
+   vm_pair_averaged_rhs instead). y may be y0. Method: the averaged equations hold powers of m/m0, and the integral of
+   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
     const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is as (m/m0)^-fall */
-    vm_real modes[VMI_PAIR_MODES], ln_ratio, integral, rate0, exponent;
-    int status = vmi_pair_check(p, m.mass, m.rate);
-    if (!status) status = vmi_pair_split(p, m.mass, m.rate, y0, modes);
+    vmi_linear_mass m;
+    vm_real modes[VMI_PAIR_MODES], rate0, exponent;
+    int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_linear_mass_of(&p->mass, t, &m);
+    if (!status) status = vmi_pair_split(p, m.m0, m.rate, y0, modes);
     if (status) return status;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
-    if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
-    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.mass, p->alpha);
+    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.m0, p->alpha);
     exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
-    modes[VMI_PAIR_PSI] += rate0 * m.mass * integral * vmi_exp_ratio(exponent * ln_ratio);
-    modes[VMI_PAIR_A] *= vmi_exp(-fall * ln_ratio, 0);
-    modes[VMI_PAIR_SUM] += modes[VMI_PAIR_SUM_RATE] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
-    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * ln_ratio, 0);
-    return vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
+    modes[VMI_PAIR_PSI] += rate0 * m.m0 * m.integral * vmi_exp_ratio(exponent * m.ln_ratio);
+    modes[VMI_PAIR_A] *= vmi_exp(-fall * m.ln_ratio, 0);
+    modes[VMI_PAIR_SUM] +=
+        modes[VMI_PAIR_SUM_RATE] * m.m0 * m.integral * vmi_exp_ratio((1 - p->reactive) * m.ln_ratio);
+    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m.ln_ratio, 0);
+    return vmi_pair_join(p, m.m, m.rate, modes, y);
 }
 
 #endif

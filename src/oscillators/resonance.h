@@ -33,12 +33,12 @@ typedef struct VM_TAG(vm_steady_state) {
 
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A;      /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
-    vm_real torque; /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration may be
-                       captured and follow A, above 1 it passes */
-    vm_real delta;  /* phase before the force, rad, of the captured vibration; NaN where torque > 1 */
-    vm_real jump;   /* of a quick passage, torque much larger than 1: half the range, over all phases, of the relative
-                       change of the amplitude */
+    vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
+    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration
+                               may be captured and follow A, above 1 it passes */
+    vm_real delta;          /* phase before the force, rad, of the captured vibration; NaN where drift_ratio > 1 */
+    vm_real amplitude_jump; /* of a quick passage, drift_ratio much larger than 1: half the range, over all phases, of
+                               the relative change of the amplitude */
 } vm_passage;
 
 /* The resonance at one time */
@@ -50,7 +50,7 @@ typedef struct VM_TAG(vmi_resonance) {
 } vmi_resonance;
 
 /* The resonance with the parameters n */
-VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vm_forced_parameters *n)
+VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
     z.w1 = vmi_forced_natural(f, n, 1);
@@ -128,13 +128,13 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
    Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0, or a
    negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
    frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the resonance.
-   VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where k <= 0 or nu <= 0. */
+   The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     int i, found = 0;
-    const int status = vmi_forced_check(&n);
+    const int status = vmi_forced_at(f, t, &n);
     vm_real A[3];
     vmi_resonance z;
     if (status) return status;
@@ -152,14 +152,13 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
    Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their number,
-   0 where the force is too small for A, or a negative status: VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_DOMAIN where k <= 0 or nu <= 0 and where A is not positive and finite. Results that overflow are
-   NaN. */
+   0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A is not
+   positive and finite. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vmi_resonance z;
     vm_real w, hold, width, p;
     int found = 0;
@@ -184,9 +183,9 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     vmi_resonance z;
-    if (vmi_forced_check(&n)) return VM_NAN;
+    if (vmi_forced_at(f, t, &n)) return VM_NAN;
     z = vmi_resonance_of(f, &n);
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
@@ -194,14 +193,14 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 /* Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t.
    amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all amplitudes. On the backbone
    delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with gamma = (alpha - 1)/2 and D the
-   relative drift of w - nu; the torque's ratio to the pendulum's largest is the result's drift. VM_BAD_ARGUMENT for
-   null pointers, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN where k <= 0 or nu <= 0, where the force is 0, and where the
-   amplitude is not positive and finite; then *passage is left as it was. */
+   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
+   vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and finite; then *passage is left
+   as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vmi_resonance z;
     vm_passage r;
     vm_real D, sine = VM_INFINITY, cosine;
@@ -212,13 +211,13 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
     if (!(r.A > 0) || !VM_IS_FINITE(r.A) || z.push == 0) return VM_DOMAIN;
     D = n.mass_rate / (2 * n.mass) - n.k_rate / (2 * n.k) + n.nu_rate / n.nu + z.exponent * z.p;
     if (z.exponent != 0) sine = -z.nu * D * r.A / (z.exponent * z.push);
-    r.torque = VM_FABS(sine);
+    r.drift_ratio = VM_FABS(sine);
     r.delta = VM_NAN;
-    if (r.torque <= 1) {
+    if (r.drift_ratio <= 1) {
         cosine = VM_COPYSIGN(VM_SQRT((1 - sine) * (1 + sine)), z.exponent * z.push);
         r.delta = ateb_phase(sine, cosine, 1);
     }
-    r.jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
+    r.amplitude_jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
     *passage = r;
     return VM_OK;
 }

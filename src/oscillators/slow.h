@@ -17,15 +17,7 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "constant_mass.h"
-
-/* A mass that varies slowly: returns the mass, kg, at time t, s, and writes its rate, kg/s. ctx is the user's.
-   vm_slow_mass_linear is one, whose ctx is a vm_linear_mass. */
-typedef vm_real (*vm_slow_mass)(vm_real t, vm_real *rate, void *ctx);
-
-/* The mass `mass` + `rate` t: kg at t = 0, and kg/s */
-typedef struct VM_TAG(vm_linear_mass) {
-    vm_real mass, rate;
-} vm_linear_mass;
+#include "laws.h"
 
 /* Whether the arguments of vm_osc_amplitude_law and vm_osc_velocity_law are in their domain */
 VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
@@ -56,37 +48,29 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real re
     return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-/* The linear mass `mass` + `rate` t, as a vm_slow_mass.
-   linear_mass points to a vm_linear_mass. Returns the mass, kg, and writes its rate, kg/s; NaN for null pointers. */
-VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
-{
-    if (!rate || !linear_mass) return VM_NAN;
-    const vm_linear_mass *m = (const vm_linear_mass *)linear_mass;
-    *rate = m->rate;
-    return m->mass + m->rate * t;
-}
+/* A linear mass m0 + rate t between 0 and t */
+typedef struct VM_TAG(vmi_linear_mass) {
+    vm_real m0, m, rate; /* at 0 and at t, kg; kg/s */
+    vm_real ln_ratio;    /* ln(m/m0) */
+    vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
+} vmi_linear_mass;
 
-/* The mass and its rate at t. VM_BAD_ARGUMENT where there is no law; VM_BAD_MASS, VM_NOT_FINITE. */
-VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
+/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that is
+   not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
-    if (!law) return VM_BAD_ARGUMENT;
-    *mass = law(t, rate, ctx);
-    if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
-    if (!(*mass > 0)) return VM_BAD_MASS;
-    return VM_OK;
-}
-
-/* 1, ln(m/m0) and the integral of dt/m from 0 to t for the linear mass, smooth through m' = 0; 0 where a mass is not
-   positive */
-VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
-{
-    const vm_real growth = m.rate * t / m.mass;
-    vm_real mean;
-    if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth)) return 0;
+    vm_real growth, mean, base, rate;
+    int status = vmi_law_at(law, VM_BAD_MASS, 0, &linear->m0, &linear->rate);
+    if (!status) status = vmi_law_at(law, VM_BAD_MASS, t, &linear->m, &rate);
+    if (status) return status;
+    if (!vmi_law_exponential_form(law, &base, &rate) || base != rate) return VM_NO_LAW;
+    growth = linear->rate * t / linear->m0;
+    if (!VM_IS_FINITE(growth)) return VM_NOT_FINITE;
+    if (!(growth > -1)) return VM_BAD_MASS;
     mean = vmi_log_ratio(growth); /* of m0/m */
-    *ln_ratio = growth * mean;
-    *integral = t / m.mass * mean;
-    return 1;
+    linear->ln_ratio = growth * mean;
+    linear->integral = t / linear->m0 * mean;
+    return VM_OK;
 }
 
 /* (2r - 1) m' + 2 b, kg/s: what the reactive force and the damping b together take from the vibration. Where mass

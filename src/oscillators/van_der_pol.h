@@ -1,14 +1,18 @@
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
-       m x'' + k x|x|^(alpha-1) = (b - c x^2) x' - r m' x'
-   b > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. Here are the equation of motion,
-   the averaged equations (410), the amplitude in closed form for a linear mass, and that of the limit cycle:
+       m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
+   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. Here are the equation of
+   motion, the averaged equations (410), the amplitude in closed form for a linear mass, and that of the limit cycle:
    (403) to (440), corrected.
 
-       vm_vdp v = {1, 1, VM_C(0.1), VM_C(0.1), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0}; // alpha, k, b, c, r, method
+       vm_vdp v;
+       memset(&v, 0, sizeof v);
+       v.alpha = v.k = v.reactive = 1;
+       v.feed = v.c = VM_C(0.1);
+       v.mass = vm_law_linear(1, VM_C(0.02)); // 1 kg, and 0.02 kg/s joins at rest
        int status = vm_vdp_init(&v);
-       vm_real A = vm_vdp_limit_cycle(&v, 0, NULL); // 2 m, if the mass is constant
+       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // at t = 100 s, where it was 0.3 m at t = 0
 
    Tests: tests/test_van_der_pol.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
@@ -21,6 +25,8 @@
 #include "../base/status.h"
 #include "../jacobi/means.h"
 #include "constant_mass.h"
+#include "force_terms.h"
+#include "laws.h"
 #include "slow.h"
 
 /* Methods of averaging: what the mean values are taken of */
@@ -30,25 +36,18 @@ enum {
     VM_VDP_TRIGONOMETRIC = 2 /* the cosine: the limit cycle's amplitude does not depend on alpha */
 };
 
-/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. b and c are the dissertation's
-   eps b and eps c; both may have either sign. */
+/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c of
+   the dissertation; both may have either sign. */
 typedef struct VM_TAG(vm_vdp) {
     vm_real alpha;      /* exponent of the spring, >= 0 */
     vm_real k;          /* stiffness, N/m^alpha, > 0 */
-    vm_real b;          /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
+    vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* of averaging, VM_VDP_... */
-    vm_slow_mass mass;  /* for the equations of motion only */
-    void *mass_ctx;     /* handed to mass */
+    vm_law mass;        /* kg, > 0, slow; vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values, pure numbers; vm_vdp_init writes them */
 } vm_vdp;
-
-/* The net damping coefficient with the sign of feeding, b - c x^2 - r m', N s/m */
-VM_API vm_real vmi_vdp_feed(const vm_vdp *v, vm_real mass_rate, vm_real x)
-{
-    return v->b - v->c * x * x - v->reactive * mass_rate;
-}
 
 /* The mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
 VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
@@ -61,17 +60,18 @@ VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
     v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
 }
 
-/* Prepare a Van der Pol oscillator: checks alpha, k, b, c, reactive and method, writes a1, a2, a3.
+/* Prepare a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, writes a1, a2, a3.
    The functions below need it; the mass may be set and changed later. Mean values are within 20 eps. VM_BAD_ARGUMENT
-   for a null pointer or an unknown method, VM_NOT_FINITE, VM_DOMAIN where alpha < 0 or k <= 0; then v is left as it
-   was. (411)-(413). */
+   for a null pointer or an unknown method, VM_NOT_FINITE, VM_BAD_STIFFNESS where k <= 0, VM_DOMAIN where alpha < 0;
+   then v is left as it was. (411)-(413). */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->b) || !VM_IS_FINITE(v->c) ||
+    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->feed) || !VM_IS_FINITE(v->c) ||
         !VM_IS_FINITE(v->reactive))
         return VM_NOT_FINITE;
-    if (!(v->alpha >= 0) || !(v->k > 0)) return VM_DOMAIN;
+    if (!(v->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(v->alpha >= 0)) return VM_DOMAIN;
     v->a1 = 1;
     v->a2 = 2 / (v->alpha + 3);
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
@@ -80,30 +80,39 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* 2 b - (2r - 1) m', N s/m: what feeds a small vibration on average */
+/* 2 feed - (2r - 1) m', N s/m: what feeds a small vibration on average */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
-    return -vmi_slow_drag(v->reactive, mass_rate, -v->b);
+    return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
-   first_A is the amplitude, m, at t = 0, of either sign; the mass m.mass + m.rate t must be positive at 0 and at t;
-   m.rate may be 0. One formula for (422), (424), (427), (429), (431)-(435), (437), as corrected, without a
-   singularity where terms cancel. v->mass is not used. The error is that of averaging (see `method`) and some 12 eps.
-   NaN for a null pointer, an oscillator that is not prepared, infinite arguments or a mass that is not positive; with
-   c < 0 also from the time on when the amplitude becomes infinite.
-   Method: the solution of (416) is 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m), where
-   F = drive a2/a1 times the integral of dt/m. For a linear mass F is proportional to that integral, hence the integral
-   of e^F dt/m is (e^F - 1)/F times the integral of dt/m. It is evaluated with e^-|F| and with the larger of the two
-   terms divided out, so that nothing overflows. */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m)
+/* The averaged Van der Pol term and reactive force: a1 m A'/A at amplitude A, N s/m (410). Its zero is the amplitude
+   of the limit cycle; the closed form of vm_vdp_amplitude solves A' = A (p - s A^2)/(a1 m), of which it is the
+   bracket. */
+VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
+{
+    return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
+}
+
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
+   t = 0, of either sign. One formula for (422), (424), (427), (429), (431)-(435), (437), as corrected, without a
+   singularity where terms cancel. The error is that of averaging (see `method`) and some 12 eps. NaN for a null
+   pointer, an oscillator that is not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a
+   law of mass that is neither linear nor constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the
+   time on when the amplitude becomes infinite. Method: the solution of (416) is 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1
+   times the integral of e^F dt/m), where F = drive a2/a1 times the integral of dt/m. For a linear mass F is
+   proportional to that integral, hence the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. It is
+   evaluated with e^-|F| and with the larger of the two terms divided out, so that nothing overflows. */
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
-    vm_real ln_ratio, integral, F, e, limit, root, size, scale, numerator, free_term, denominator;
-    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
-    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
+    vmi_linear_mass m;
+    vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
+    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
+        (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
-    limit = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
+    limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(limit));
     size = VM_FABS(first_A) * root; /* its square, with the sign of limit, stands beside free_term */
     if (F > 0) {
@@ -141,32 +150,33 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 }
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
-   y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where there is no mass,
-   VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
+   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, feed;
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
+    feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
-    dydt[1] = (vmi_vdp_feed(v, rate, y[0]) * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
+    dydt[1] = (feed * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any mass.
-   y = (A, psi): mean amplitude, m, and Ateb phase; x = A ca(psi), at the turning points x = A. vdp points to a vm_vdp
-   that is prepared. From rest A errs by the square of (b, c A^2, m')/(m Om) over times of m/b, psi by the first power
-   (method VM_VDP_ATEB). VM_BAD_ARGUMENT for null pointers or where there is no mass, VM_BAD_MASS, VM_NOT_FINITE. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
+   amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
+   prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
+   (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
-    dydt[0] = y[0] / (v->a1 * mass) * (vmi_vdp_drive(v, rate) * v->a2 / 2 - v->c * y[0] * y[0] * v->a3);
+    dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
     return VM_OK;
 }
