@@ -68,13 +68,13 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
 }
 
 /* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force.
-   At time t (s) and amplitude A (m), in m/s and 1/s. psi is the route's own angle and theta its slow part: the Ateb phase for VM_ROUTE_ATEB, (314), (315)
-   averaged, with the term of omega' that they lack; radians for VM_ROUTE_TRIG, (337)-(339) with alpha + 3 for
-   5 - alpha and 4 for the 2 of (338), (339); the argument of cn for VM_ROUTE_JACOBI, (380)-(382) with theta' in the
-   second of (382). The means come from Gauss' rule on each quarter of the period, so that F may jump where x or x' is
-   0: to 1e-10 for cubic F and alpha <= 30 (float: to rounding errors). Cost: 160 calls of F.
-   VM_BAD_ARGUMENT for null pointers, another route, A <= 0 or t outside a table, VM_NOT_FINITE, VM_BAD_MASS for a
-   mass or stiffness that is not positive at t; then the results are untouched. */
+   At time t (s) and amplitude A (m), in m/s and 1/s. psi is the route's own angle and theta its slow part: the Ateb
+   phase for VM_ROUTE_ATEB, (314), (315) averaged, with the term of omega' that they lack; radians for
+   VM_ROUTE_TRIG, (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339); the argument of cn for
+   VM_ROUTE_JACOBI, (380)-(382) with theta' in the second of (382). The means come from Gauss' rule on each quarter
+   of the period, so that F may jump where x or x' is 0: to 1e-10 for cubic F and alpha <= 30 (float: to rounding
+   errors). Cost: 160 calls of F. VM_BAD_ARGUMENT for null pointers, another route, A <= 0 or t outside a table,
+   VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not positive at t; then the results are untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {

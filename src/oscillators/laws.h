@@ -422,10 +422,11 @@ VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
 }
 
 /* Law by a function of the user, which must be smooth.
-   ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of time. A panel is at most |t|/32 long,
-   and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float
-   |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel and no step of
-   an integrator is longer. It may not be negative or less than |t|/2^20 (VM_BAD_ARGUMENT). */
+   ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of
+   time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
+   is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
+   time, s: then no panel and no step of an integrator is longer. It may not be negative or less than |t|/2^20
+   (VM_BAD_ARGUMENT). */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
