@@ -67,14 +67,14 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' at time t (s) and amplitude A (m), with the problem's force F.
-   m/s and 1/s; psi is the route's own angle and theta its slow part: the Ateb phase for VM_ROUTE_ATEB, (314), (315)
-   averaged, with the term of omega' that they lack; radians for VM_ROUTE_TRIG, (337)-(339) with alpha + 3 for
-   5 - alpha and 4 for the 2 of (338), (339); the argument of cn for VM_ROUTE_JACOBI, (380)-(382) with theta' in the
-   second of (382). The means come from Gauss' rule on each quarter of the period, so that F may jump where x or x' is
-   0: to 1e-10 for cubic F and alpha <= 30 (float: to rounding errors). Cost: 160 calls of F.
-   VM_BAD_ARGUMENT for null pointers, another route, A <= 0 or t outside a table, VM_NOT_FINITE, VM_BAD_MASS for a
-   mass or stiffness that is not positive at t; then the results are untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force.
+   At time t (s) and amplitude A (m), in m/s and 1/s. psi is the route's own angle and theta its slow part: the Ateb
+   phase for VM_ROUTE_ATEB, (314), (315) averaged, with the term of omega' that they lack; radians for
+   VM_ROUTE_TRIG, (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339); the argument of cn for
+   VM_ROUTE_JACOBI, (380)-(382) with theta' in the second of (382). The means come from Gauss' rule on each quarter
+   of the period, so that F may jump where x or x' is 0: to 1e-10 for cubic F and alpha <= 30 (float: to rounding
+   errors). Cost: 160 calls of F. VM_BAD_ARGUMENT for null pointers, another route, A <= 0 or t outside a table,
+   VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not positive at t; then the results are untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -120,16 +120,13 @@ typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* The larger of two numbers, b where one is NaN */
-VM_API vm_real vmi_osc_larger(vm_real a, vm_real b) { return a > b ? a : b; }
-
 /* The rates of ln A and psi over the period before t (over the first period, if t is not yet so far): with the force as
    it is at t if `frozen`, otherwise with the force as time goes on */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
     const vm_real n = p->problem.alpha + 1, V = 2 * at->A * at->Om / n;
-    const vm_real side = at->t_end < 0 ? (vm_real)-1 : (vm_real)1;
+    const vm_real side = (vm_real)vmi_time_side(at->t_end);
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     int i;
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
@@ -170,7 +167,7 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
 {
     vm_real largest = 0;
     int i;
-    for (i = 0; i < VMI_AVERAGING_POINTS; i++) largest = vmi_osc_larger(VM_FABS(values[i]), largest);
+    for (i = 0; i < VMI_AVERAGING_POINTS; i++) largest = vmi_larger(VM_FABS(values[i]), largest);
     return largest;
 }
 
@@ -214,7 +211,7 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
     const vm_real second_order = VM_C(0.25); /* of rate times ripple: 1.6 times what Duffing's equation has */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
-    int status = vmi_osc_rates_at(p, t, t_end < 0 ? 1 : -1, 0, &at.now);
+    int status = vmi_osc_rates_at(p, t, -vmi_time_side(t_end), 0, &at.now);
     if (status) return status;
     at.plan = p;
     at.t = t;
@@ -245,7 +242,8 @@ enum { VMI_OSC_CHECKS = 8 };
 
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
-    return i == VMI_OSC_CHECKS - 1 ? t : t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
+    if (i == VMI_OSC_CHECKS - 1) return t;
+    return t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }
 
 /* Estimates the error of the averaged equations with a force at t, from the amplitudes at the times of
@@ -271,9 +269,9 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
         status = vmi_osc_averaging_at(p, w, next, t, motion[i].amplitude, 0, &after);
         if (status) return status;
         growth = (before.growth + after.growth) / 2 * (next - time);
-        error_A = (error_A + vmi_osc_larger(before.rate_A, after.rate_A) * step) * vmi_exp(growth, 0);
-        rate_psi = vmi_osc_larger(before.rate_psi, after.rate_psi) +
-                   bend * vmi_osc_larger(before.Om, after.Om) * vmi_osc_larger(error_A, first_A);
+        error_A = (error_A + vmi_larger(before.rate_A, after.rate_A) * step) * vmi_exp(growth, 0);
+        rate_psi = vmi_larger(before.rate_psi, after.rate_psi) +
+                   bend * vmi_larger(before.Om, after.Om) * vmi_larger(error_A, first_A);
         error_psi += rate_psi * step;
         before = after;
         time = next;

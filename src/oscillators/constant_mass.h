@@ -35,7 +35,8 @@ VM_API vm_real vmi_osc_rate(vm_real x0, vm_real omega0, vm_real alpha)
 VM_API vm_real vmi_osc_rate_from_rest(vm_real x0, vm_real omega0, vm_real alpha)
 {
     const vm_real rate = vmi_osc_rate(x0, omega0, alpha);
-    return x0 == 0 && rate == rate ? 0 : rate;
+    if (x0 == 0 && rate == rate) return 0;
+    return rate;
 }
 
 /* Exact period (262), s, of the motion from rest at x0 (m, either sign). */
@@ -89,7 +90,7 @@ VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, v
 /* (a^n + b^n)^(1/n) for a, b >= 0, scaled so that no power overflows where the result does not */
 VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 {
-    const vm_real larger = a > b ? a : b, smaller = a > b ? b : a;
+    const vm_real larger = vmi_larger(a, b), smaller = vmi_smaller(b, a);
     if (larger == 0 || a == 0 || b == 0) return larger;
     return larger * vmi_pow_checked(1 + vmi_pow_checked(smaller / larger, n), 1 / n);
 }
@@ -106,7 +107,7 @@ VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real
     if (!vmi_osc_alpha_is_valid(alpha)) return;
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(s) || !VM_IS_FINITE(omega0)) return;
     *A = vmi_osc_power_norm(VM_FABS(x), vmi_pow_checked(VM_FABS(s), 2 / n), n);
-    *psi = ateb_phase(s == 0 ? 0 : -s, x, alpha);
+    *psi = ateb_phase(0 - s, x, alpha); /* s = 0 gives 0, not -0 */
 }
 
 /* Exact motion x(t), x'(t) from any state x(0) = x0 (m), x'(0) = v0 (m/s). */
@@ -140,8 +141,8 @@ VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_rea
     *v = -VM_COPYSIGN(w->speed * vm_osc_vmax(x0, omega0, w->alpha), x0) * s;
 }
 
-/* Frequency Omega_alpha (293) of the cosine with the exact period, for x0 = omega0 = 1.
-   For others it is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
+/* Frequency Omega_alpha (293) of the cosine with the exact period, a pure number.
+   It is for x0 = omega0 = 1; else the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0.
@@ -156,8 +157,9 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
 /* Parameter m = k^2 (307) of the cn with the exact period; -1.8079 < m < 0.8062. */
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
-/* Frequency Omega_1* (300) of the cn with the exact period, for x0 = omega0 = 1.
-   For others it is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is (300) with K = Pi_alpha/((alpha+1) k') from (307). */
+/* Frequency Omega_1* (300) of the cn with the exact period, a pure number.
+   It is for x0 = omega0 = 1; else the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. Computed as (300) with
+   K = Pi_alpha/((alpha+1) k') from (307). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
@@ -182,8 +184,8 @@ typedef struct VM_TAG(vm_osc_errors) {
     vm_real jacobi_x, jacobi_v; /* of cn */
 } vm_osc_errors;
 
-/* Errors of the approximations by cos and cn, which depend on alpha alone; see vm_osc_errors.
-   The errors in a period are the largest at 257 points. */
+/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors.
+   They depend on alpha alone. The errors in a period are the largest at 257 points. */
 VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 {
     const vm_real pi = ateb_pi(alpha);
@@ -194,7 +196,8 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
     r.trig_vmax = w.speed;
     vmi_osc_wave_differences(&w, pi, &r.trig_x, &r.trig_v);
     w = vmi_osc_wave_cn(alpha, pi);
-    r.jacobi_vmax = w.m > VM_C(0.5) ? w.speed / (2 * VM_SQRT(w.m)) : 1;
+    r.jacobi_vmax = 1;
+    if (w.m > VM_C(0.5)) r.jacobi_vmax = w.speed / (2 * VM_SQRT(w.m));
     vmi_osc_wave_differences(&w, pi, &r.jacobi_x, &r.jacobi_v);
     return r;
 }

@@ -197,7 +197,8 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
     const vm_real stretch = 64 * period;
     vm_real stop = vmi_law_next_knot(&o->mass, c->s.t, t);
     stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
-    return VM_FABS(stop - c->s.t) > stretch ? c->s.t + (vm_real)c->side * stretch : stop;
+    if (VM_FABS(stop - c->s.t) > stretch) return c->s.t + (vm_real)c->side * stretch;
+    return stop;
 }
 
 /* Bounds of the steps to the next stop, on the way to t. No step is longer than a part of the period (of a bounce, for
@@ -210,8 +211,7 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
     if (!(c->plan->pi < bounces_from)) longest = period * (c->longest * bounces_from / c->plan->pi);
-    if (law_step < longest) longest = law_step;
-    if (most < longest) longest = most;
+    longest = vmi_smaller(most, vmi_smaller(law_step, longest));
     c->s.options.h_max = longest;
     steps = way * (most_steps / period + 4 / longest) + most_steps;
     c->s.options.max_steps = steps < largest_long ? (long)steps : 1000000000L;
@@ -237,7 +237,8 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
         status = rk45_restart(&c->s, c->s.t, y);
     }
     if (c->status) return c->status;
-    return status < 0 ? VM_NOT_INTEGRATED : VM_OK;
+    if (status < 0) return VM_NOT_INTEGRATED;
+    return VM_OK;
 }
 
 /* The motion at the run's time, without error and evals */
@@ -270,7 +271,7 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
     rk45_options options = rk45_defaults(NULL);
     vm_real y[VMI_OSC_STATES], ca, sa;
     int i, status;
-    c->side = t < 0 ? -1 : 1;
+    c->side = vmi_time_side(t);
     c->status = VM_OK;
     options.atol = tolerance;
     if (c->method->direct) {
@@ -306,10 +307,10 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
         vmi_osc_rates now;
         vm_real vmax;
         if (a[i].amplitude == 0) return VM_INFINITY;
-        if (vmi_osc_rates_at(p, vmi_osc_check_time(t, i), t < 0 ? 1 : -1, 0, &now)) return VM_INFINITY;
+        if (vmi_osc_rates_at(p, vmi_osc_check_time(t, i), -vmi_time_side(t), 0, &now)) return VM_INFINITY;
         vmax = vm_osc_vmax(a[i].amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
-        largest = vmi_osc_larger(VM_FABS(a[i].x - b[i].x) / a[i].amplitude, largest);
-        largest = vmi_osc_larger(VM_FABS(a[i].v - b[i].v) / vmax, largest);
+        largest = vmi_larger(VM_FABS(a[i].x - b[i].x) / a[i].amplitude, largest);
+        largest = vmi_larger(VM_FABS(a[i].v - b[i].v) / vmax, largest);
     }
     return largest;
 }
@@ -328,7 +329,7 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     if (!laws[0]->function && !laws[1]->function) return VM_OK;
     status = vmi_osc_walk_to(&w, p, t);
     if (status) return status;
-    *step = vmi_osc_larger(w.shortest / panel_steps, VM_FABS(t) / run_steps);
+    *step = vmi_larger(w.shortest / panel_steps, VM_FABS(t) / run_steps);
     for (i = 0; i < 2; i++) {
         const vm_real change_time = laws[i]->function ? laws[i]->change_time : 0;
         if (change_time > 0 && change_time < *step) *step = change_time;
@@ -357,8 +358,7 @@ VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_
     const vmi_osc_tuning *tuning = &c->method->tuning;
     const vm_real rounding = 4 * VM_EPSILON * (2 + c->plan->Om * VM_FABS(t));
     const vm_real error = tuning->factor * vmi_osc_difference(c->plan, t, strict, loose) + rounding;
-    const vm_real least = tuning->by_chance * step_tolerance;
-    return error < least ? least : error;
+    return vmi_larger(tuning->by_chance * step_tolerance, error);
 }
 
 /* The first tolerance of the steps: below that of the motion, since errors of steps add up, and never so large that
@@ -366,7 +366,7 @@ VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_
 VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
 {
     const vm_real part = 8, largest = VM_C(1e-3);
-    return tolerance < part * largest ? tolerance / part : largest;
+    return vmi_smaller(tolerance / part, largest);
 }
 
 /* The next tolerance of the steps, where the error was too large: by the ratio of tolerance and error with a reserve
@@ -374,7 +374,8 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
-    return step_tolerance * (ratio > VM_C(1e-4) ? ratio / reserve : VM_C(2e-5));
+    if (ratio > VM_C(1e-4)) return step_tolerance * (ratio / reserve);
+    return step_tolerance * VM_C(2e-5);
 }
 
 /* Pairs of runs until the error is within the tolerance; the last strict run is in strict[], its error in the last

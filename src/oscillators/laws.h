@@ -43,6 +43,9 @@ struct VM_TAG(vm_law) {
 
 /* -- What every kind of law shares -- */
 
+/* The direction of time over a length, or from 0 to a time: 1 forward, -1 backward */
+VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
+
 /* Numbers that the function `derivatives` of a law writes: f, f', f'', f''', the index is the order */
 enum { VMI_LAW_ORDERS = 4 };
 
@@ -418,11 +421,12 @@ VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
     return VM_OK;
 }
 
-/* Law by a function of the user, which must be smooth; ctx is passed on to it.
-   Integrals along the law evaluate the function at 20 points in each panel of time. A panel is at most |t|/32 long,
-   and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float
-   |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel and no step of
-   an integrator is longer. It may not be negative or less than |t|/2^20 (VM_BAD_ARGUMENT). */
+/* Law by a function of the user, which must be smooth.
+   ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of
+   time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
+   is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
+   time, s: then no panel and no step of an integrator is longer. It may not be negative or less than |t|/2^20
+   (VM_BAD_ARGUMENT). */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);

@@ -41,7 +41,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
 {
     const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
-    const vm_real larger_part = p->mean_ca2 > VM_C(0.5) ? p->mean_ca2 : 1 - p->mean_ca2;
+    const vm_real larger_part = vmi_larger(p->mean_ca2, 1 - p->mean_ca2);
     vm_real size[VMI_WALK_ORDERS], least = VM_INFINITY; /* size[i]: largest value of the ith integral of w */
     int i;
     size[0] = n < 2 ? 1 / n : VM_C(0.5);
@@ -97,7 +97,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     vm_real ln_Om;
-    int status = vmi_osc_rates_at(p, t, t < 0 ? 1 : -1, 1, &mean->now);
+    int status = vmi_osc_rates_at(p, t, -vmi_time_side(t), 1, &mean->now);
     if (status) return status;
     if (p->closed) vmi_osc_mean_closed(p, t, mean, &ln_Om);
     else status = vmi_osc_mean_by_walk(p, t, mean, &ln_Om);
@@ -129,7 +129,7 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
-    const vm_real c2 = M * n / (2 * (n + 2) * (n + 2)), larger_part = M > VM_C(0.5) ? M : 1 - M;
+    const vm_real c2 = M * n / (2 * (n + 2) * (n + 2)), larger_part = vmi_larger(M, 1 - M);
     const vm_real ripple = e * n / (2 * (n + 2)) * larger_part;
     const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->integral.phase) + VM_FABS(p->shift) + ripple +
                           VM_FABS(c2 * mean->integral.drift / p->Om);

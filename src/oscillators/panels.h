@@ -39,8 +39,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     vmi_panels p;
     p.t = start;
     p.end = end;
-    p.side = end < start ? (vm_real)-1 : (vm_real)1;
-    p.longest = longest < VM_FABS(end - start) ? longest : VM_FABS(end - start);
+    p.side = VM_COPYSIGN(1, end - start);
+    p.longest = vmi_smaller(longest, VM_FABS(end - start));
     p.least = whole / VM_C(1099511627776.); /* 2^40 */
     p.size = p.longest;
     p.left = 0;
@@ -54,7 +54,8 @@ VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
     p->left = VM_FABS(p->end - p->t);
-    p->step = p->left <= p->size * VM_C(1.0001) ? p->left : p->size;
+    p->step = p->size;
+    if (p->left <= p->size * VM_C(1.0001)) p->step = p->left;
     return 1;
 }
 
@@ -71,8 +72,9 @@ VM_API int vmi_panels_halve(vmi_panels *p)
 /* On to the next panel, which is to be twice as long */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
-    p->t = p->step == p->left ? p->end : p->t + p->side * p->step;
-    p->size = 2 * p->step < p->longest ? 2 * p->step : p->longest;
+    if (p->step == p->left) p->t = p->end;
+    else p->t += p->side * p->step;
+    p->size = vmi_smaller(2 * p->step, p->longest);
 }
 
 /* -- Whether a series is good enough -- */
@@ -84,7 +86,7 @@ VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
     const vm_real matters = VM_EPSILON / 4 * whole / VM_FABS(length);
-    return enough > matters ? enough : matters;
+    return vmi_larger(enough, matters);
 }
 
 /* Whether the last terms of a series are below limit, relative to its mean */
@@ -96,28 +98,31 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 /* Bound for what the ends of a panel show, where all coefficients that are left out add up */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
+/* Raises *edge to the relative difference between f and its series, or for `reciprocal` between 1/f and its series */
+VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
+{
+    const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
+    if (!(miss <= *edge)) *edge = miss;
+}
+
 /* Raises *edge to the relative difference between a law and its series at the ends of the panel. reciprocal: the
    series is that of 1/f. Nothing else shows a kink between an end and the next point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
-    const int side = length < 0 ? -1 : 1;
+    const int side = vmi_time_side(length);
     vm_real at_start = 0, at_end = 0, f[VMI_LAW_ORDERS];
-    int i, k, status;
-    for (k = 0; k < VMI_GAUSS; k++) { /* P_k(-1) = (-1)^k, P_k(1) = 1 */
-        at_start += k % 2 ? -series[k] : series[k];
-        at_end += series[k];
+    int k, status;
+    for (k = 0; k < VMI_GAUSS; k += 2) { /* P_k(1) = 1, P_k(-1) = (-1)^k */
+        at_start = at_start + series[k] - series[k + 1];
+        at_end = at_end + series[k] + series[k + 1];
     }
-    for (i = 0; i < 2; i++) {
-        const vm_real by_series = i == 0 ? at_start : at_end;
-        vm_real ratio, miss;
-        status = vmi_law_derivatives(law, if_not_positive, start + (vm_real)i * length, i == 0 ? side : -side, 0, f);
-        if (status) return status;
-        if (reciprocal) ratio = by_series * f[0];
-        else ratio = by_series * (1 / f[0]);
-        miss = VM_FABS(ratio - 1);
-        if (!(miss <= *edge)) *edge = miss;
-    }
+    status = vmi_law_derivatives(law, if_not_positive, start, side, 0, f);
+    if (status) return status;
+    vmi_panel_raise_edge(reciprocal, f[0], at_start, edge);
+    status = vmi_law_derivatives(law, if_not_positive, start + length, -side, 0, f);
+    if (status) return status;
+    vmi_panel_raise_edge(reciprocal, f[0], at_end, edge);
     return VM_OK;
 }
 
@@ -126,7 +131,7 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
 /* The series of 1/f on a panel, and in *edge by how much it misses the law at the panel's ends, relative */
 VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
 {
-    const int side = length < 0 ? -1 : 1;
+    const int side = vmi_time_side(length);
     vm_real values[VMI_GAUSS], same[VMI_GAUSS], f[VMI_LAW_ORDERS];
     int i, status;
     for (i = 0; i < VMI_GAUSS; i++) {

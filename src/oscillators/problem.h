@@ -239,10 +239,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
     return VM_OK;
 }
 
-/* Plan for many values of one problem's motion, by vm_osc_plan_by_route or vm_osc_plan_within.
-   Copies the problem; its tables and contexts must outlive the plan. Errors leave the plan untouched:
-   VM_BAD_ARGUMENT for null pointers, alpha < 0, a law that no constructor made or a table out of order,
-   VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not positive at t = 0 or in a table. */
+/* Plan for many values of one problem's motion.
+   For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
+   must outlive the plan. Errors leave the plan untouched: VM_BAD_ARGUMENT for null pointers, alpha < 0, a law that
+   no constructor made or a table out of order, VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not
+   positive at t = 0 or in a table. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

@@ -7,31 +7,6 @@
        vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
        vm_osc_motion motion;
        if (vm_osc_within(&bucket, 70, 1e-6, &motion) == VM_OK) printf("%g m\n", motion.x);
-
-   Which route for what
-     The laws (the first four routes) without a force F cost one or two sa, ca and the integrals of the laws of mass and
-     stiffness, whatever t and the tolerance are. The other routes integrate from 0 to t and work to the tolerance:
-     each runs twice, the second time more strictly, and the difference gives the error. By the default tolerance
-     that takes 400 (variation), 700 (rk87), 2200 (rk45) evaluations a period for alpha = 3. With F the averaged
-     equations are integrated, too, since they have no closed form; the second-order law does not exist then.
-     vm_osc_within integrates where F is given or no law is within the tolerance: by rk87 for odd alpha without F, where
-     it is two to four times as fast, else by the variation of constants.
-
-   The estimate of the error, motion->error, covers all causes.
-     First and second order: what the law leaves out, and the fastest changes of mass and stiffness between 0 and t.
-     These are examined panel by panel (for functions see vm_law_user), tables from point to point. A change within a
-     period makes the estimate large; vm_osc_within then integrates, in steps of at most a quarter of the shortest
-     panel. Averaged equations with F: the error of their integration, of averaging, and of cos and cn in place of
-     the Ateb functions. Averaging leaves out the ripple within a period, its effect on phase and amplitude at the
-     start, its square, and a force that changes within a period, as in a resonance. For this estimate F is called over
-     a period at the start and at eight later times: a force that acts only for a short time between these is not seen.
-     Over random problems (alpha in [0, 8], q of 3e-3 to 0.1, to t = 3/q; tests/test_routes.c), of which some change only
-     in a part of the run or have tables with a step, the true error is below 3 times the estimate in 99 % of the cases,
-     and above 10 times (vm_osc_within: at most 10.3) in 1 of 1000; of 282 runs by the variation of constants one erred
-     by 37 times the estimate, at alpha = 1.5. With rk87 the true error is above 3 times the estimate in 2 % of the
-     cases, up to 20 times: if alpha is not an odd integer, its errors are not proportional to the tolerance. In the
-     median the estimate is 3 to 4 (first order), 7 (second order), 5 to 20 (integrators) and, with F, 5 to 10
-     (averaged) times the true error. Above alpha = 8 the estimate of first order is too large.
    Tests: tests/test_routes.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_ROUTES_H
 #define VARMASS_OSCILLATORS_ROUTES_H
@@ -43,6 +18,37 @@
 #include "mean_laws.h"
 #include "problem.h"
 #include "waves.h"
+
+/* -- Which route for what, and what the estimate of the error covers --
+
+   Cost. Without a force F the first four routes are laws in closed form: one or two sa, ca and the integrals of the
+   laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0 to t and work to
+   the tolerance: each runs twice, the second time more strictly, and the difference of the two gives the error. By
+   the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a period for alpha = 3.
+   With F the averaged equations of the first three routes are integrated, too, and the second-order law does not
+   exist.
+
+   Choice. vm_osc_within takes the first of the four laws that is within the tolerance. Where none is, or F is
+   given, it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the
+   variation of constants.
+
+   What the estimate covers. Of the laws: what the law leaves out, and the fastest changes of mass and stiffness
+   between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from point to point. A
+   change within a period makes the estimate large; vm_osc_within then integrates, in steps of at most a quarter of
+   the shortest panel. Of averaged equations with F: the error of their integration, of averaging, and of cos and cn
+   in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on phase and
+   amplitude at the start, its square, and a force that changes within a period, as in a resonance. For this
+   estimate F is called over a period at the start and at eight later times: a force that acts only for a short time
+   between these is not seen.
+
+   How good the estimate is. Random problems (tests/test_routes.c) have alpha in [0, 8], q from 3e-3 to 0.1 and end
+   at t = 3/q; some of them change only in a part of the run, or have tables with a step. The true error is below 3
+   times the estimate in 99 % of them, and above 10 times (by vm_osc_within at most 10.3) in 1 of 1000. Of 282 runs
+   by the variation of constants one erred by 37 times the estimate, at alpha = 1.5. With rk87 the true error is
+   above 3 times the estimate in 2 %, up to 20 times: if alpha is not an odd integer, its errors are not
+   proportional to the tolerance. In the median the estimate is 3 to 4 (first order), 7 (second order), 5 to 20
+   (integrators) and, with F, 5 to 10 (averaged) times the true error. Above alpha = 8 the estimate of first order
+   is too large. */
 
 /* -- The table of routes -- */
 
@@ -128,14 +134,15 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
     return VM_OK;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by route VM_ROUTE_..., from a plan.
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. tolerance is of the same number, for
-   routes that integrate: 0 means 1e-6 (float 1e-3). The banner of this chapter says what a route costs.
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan.
+   route: VM_ROUTE_.... motion->error estimates the larger of |error of x|/A and |error of v|/vmax. tolerance is of
+   the same number, for routes that integrate: 0 means 1e-6 (float 1e-3). See above for what a route costs.
    VM_TOLERANCE_MISSED: x and v are there, but the error of integration is larger than the tolerance. Errors leave
-   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route, a negative tolerance, t outside a table, a table
-   out of order), VM_NOT_FINITE, VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_NO_LAW
-   (second-order law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or would need 2^13
-   steps a period, four times what its longest step asks for, or 2^23 of the present periods: every call ends). */
+   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route, a negative tolerance, t outside a table, a
+   table out of order), VM_NOT_FINITE, VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t),
+   VM_NO_LAW (second-order law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or
+   would need 2^13 steps a period, four times what its longest step asks for, or 2^23 of the present periods: so
+   every call ends). */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -206,26 +213,31 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, vm_osc_plan *plan)
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem);
-    return status ? status : vmi_osc_start(plan);
+    if (status) return status;
+    return vmi_osc_start(plan);
 }
 
-/* Motion x(t), x'(t) of a problem at one time t (s) by route VM_ROUTE_....
-   Arguments, result and statuses of vm_osc_plan_by_route, and the statuses of vm_osc_plan_init. */
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route.
+   For one time of a problem. Arguments, result and statuses of vm_osc_plan_by_route, and the statuses of
+   vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
     vm_osc_plan plan;
     int status = vmi_osc_once(problem, &plan);
-    return status ? status : vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
+    if (status) return status;
+    return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Motion x(t), x'(t) of a problem at one time t (s) within a tolerance, by the cheapest route.
-   Arguments, result and statuses of vm_osc_plan_within, and the statuses of vm_osc_plan_init. */
+/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance.
+   For one time of a problem, by the cheapest route. Arguments, result and statuses of vm_osc_plan_within, and the
+   statuses of vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
     int status = vmi_osc_once(problem, &plan);
-    return status ? status : vm_osc_plan_within(&plan, t, tolerance, motion);
+    if (status) return status;
+    return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 
 #endif

@@ -117,8 +117,8 @@ VM_API int vmi_osc_panel_is_resolved(const vmi_osc_walk *w, const vmi_osc_panel 
            epsilon_enough * VM_SQRT(vmi_legendre_square(panel->epsilon)) + phase_matters / phase;
 }
 
-/* The integrals of |d^i epsilon/dpsi^i| over the panel, by the root of the mean square. Coefficients of epsilon that are
-   roundings are dropped before; the series is destroyed. */
+/* Adds the integrals of |d^i epsilon/dpsi^i| over the panel, by the root of the mean square. Coefficients of epsilon
+   that are rounding errors are dropped before; the series is destroyed. */
 VM_API void vmi_osc_walk_add_changes(vmi_osc_walk *w, vmi_osc_panel *panel, vm_real length)
 {
     const vm_real noise = 1024 * VM_EPSILON, size = VM_FABS(length), Om = w->plan->Om * panel->ratio[0];
@@ -220,7 +220,7 @@ VM_API int vmi_osc_walk_to(vmi_osc_walk *w, const vm_osc_plan *p, vm_real t)
     vm_real at = 0, longest = vmi_law_longest_panel(mass, whole);
     int status = VM_OK;
     if (other < longest) longest = other;
-    vmi_osc_walk_start(w, p, t < 0 ? -1 : 1, longest);
+    vmi_osc_walk_start(w, p, vmi_time_side(t), longest);
     if (w->side < 0) status = vmi_osc_walk_past_knot(w, 0); /* the plan starts with the rates after t = 0 */
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));

@@ -135,7 +135,7 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
-    return error < 1 ? error : 1;
+    return vmi_smaller(error, 1);
 }
 
 /* The largest differences of c from ca and of speed s from sa, over a quarter of the period, at points that crowd
