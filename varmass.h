@@ -287,46 +287,46 @@
        vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
-       vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass
+       vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
-       vm_jeffcott_momentum           Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force
+       vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s
        vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
-       vm_jeffcott_to_averaged        Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461)
-       vm_jeffcott_from_averaged      Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t
+       vm_jeffcott_to_averaged        Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
+       vm_jeffcott_from_averaged      Motion (x, y, x', y') of a rotor from forward and backward whirl
        vm_jeffcott_exact_rhs          Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_averaged_rhs       Averaged equations of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_frequency          Frequency of circular whirl of radius A, rad/s
-       vm_jeffcott_forward_whirl_rhs  Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87
-       vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87
-       vm_jeffcott_amplitude          Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass
+       vm_jeffcott_forward_whirl_rhs  Averaged equations (506), (507) of forward whirl, for rk45 or rk87
+       vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl, for rk45 or rk87
+       vm_jeffcott_amplitude          Radius of circular whirl, m, after the mass has changed slowly
 
      oscillators/pair: two bodies with a nonlinear connection
        vm_pair_rhs                    Equations of motion (517), (518) of two bodies, for rk45 or rk87
-       vm_pair_to_averaged            Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522)
-       vm_pair_from_averaged          Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t
-       vm_pair_averaged_rhs           Averaged equations of the two modes, for rk45 or rk87, with any slow mass
+       vm_pair_to_averaged            Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522)
+       vm_pair_from_averaged          Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q')
+       vm_pair_averaged_rhs           Averaged equations of the two modes of a pair, for rk45 or rk87
        vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
 
      oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
        vm_forced_init                 Prepare an excited oscillator
        vm_forced_rhs                  Equation of motion of an excited oscillator, for rk45 or rk87
        vm_forced_exact_rhs            Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87
-       vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87
-       vm_forced_to_averaged          Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t
-       vm_forced_from_averaged        Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t
+       vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87
+       vm_forced_to_averaged          Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta)
+       vm_forced_from_averaged        Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta)
 
      oscillators/resonance: steady vibrations, resonance curves, passage through resonance
-       vm_forced_steady_states        Steady vibrations of an excited oscillator with all parameters as they are at time t
+       vm_forced_steady_states        Steady vibrations of an excited oscillator
        vm_forced_curve                Steady vibrations of a given amplitude A, m, at any frequency nu > 0
        vm_forced_peak                 Largest amplitude of the amplitude-frequency curve, m
-       vm_forced_passage              Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t
+       vm_forced_passage              Passage through the resonance
 
      oscillators/diagnostics: turning points and zero crossings of any trajectory, envelopes, adiabaticity
        vm_find_samples                Turning points or zero crossings of a trajectory in (t0, t1]
-       vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step
+       vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87
        vm_envelope_error              Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples
        vm_adiabaticity                Adiabaticity q/Om of an oscillator at time t and amplitude A
 
@@ -8145,12 +8145,13 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
-   (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)), (325), (344), (367), (389) corrected. All three averaging methods
-   give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
-   reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full reactive force, 0 where it has
-   the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the damping; the rounding error is
-   some eps. NaN outside the domain and for infinite arguments. Time: a power and an exponential. */
+/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly:
+     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)),   (325), (344), (367), (389) corrected.
+   All three averaging methods give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay,
+   the integral of damping/mass; reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full
+   reactive force, 0 where it has the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the
+   damping; the rounding error is some eps. NaN outside the domain and for infinite arguments. Time: a power and an
+   exponential. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
@@ -8174,8 +8175,8 @@ typedef struct VM_TAG(vmi_linear_mass) {
     vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
 } vmi_linear_mass;
 
-/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that is
-   not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that
+   is not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -8379,7 +8380,8 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
+   Any slow mass is allowed. y =  (A, psi): mean
    amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
    prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
    (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
@@ -8471,7 +8473,7 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force.
+/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
    It is Im(conj z m z') - g |z|^2, which stays constant where r = 1, u = 0 and F_z = 0. v is z'. NaN for a null
    pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
@@ -8502,9 +8504,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
 }
 
-/* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
+/* Equation of motion (449), (450) of a rotor, for rk45 or rk87. y = (x, y, x', y'), m and m/s; rotor points to a
+   vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -8547,8 +8549,8 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
     return VM_OK;
 }
 
-/* Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461).
-   Both are circular motions of the frequency omega = sqrt(F_e'(0)/m),
+/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461).
+   The whirls P and N are circular motions of the frequency omega = sqrt(F_e'(0)/m),
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
@@ -8584,7 +8586,7 @@ VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t.
+/* Motion (x, y, x', y') of a rotor from forward and backward whirl.
    The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
@@ -8687,10 +8689,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A.
-   Forward whirl, W > 0, for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some
-   8 eps and the error of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the
-   domain. The remark after (516), corrected. */
+/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A. Forward whirl, W > 0,
+   for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some 8 eps and the error
+   of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the domain. The remark
+   after (516), corrected. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -8737,12 +8739,12 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87.
-   The motion is nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad;
-   rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
-   accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
-   order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
-   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
+   nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad; rotor points
+   to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase accumulates
+   this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of order 1 for
+   others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the circle.
+   VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -8750,7 +8752,7 @@ VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *d
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87.
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87.
    As vm_jeffcott_forward_whirl_rhs, with W < 0. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -8807,12 +8809,13 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
     }
 }
 
-/* Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass.
-   Without F_z and u. For r = 1 A^4 (g^2 + m F_e'(A)) stays constant, which is the square of A^2 (m W - g); for g = 0
-   A^4 F_e'(A) m^(2r-1) does (509). For F_e = k rho^alpha and g = 0 the radius is first_A vm_osc_amplitude_law(
-   mass/mass0, 0, r, alpha). Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters;
-   where no radius is found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or
-   masses that are not positive and finite. Time: some 10 to 20 evaluations of the stiffness. */
+/* Radius of circular whirl, m, after the mass has changed slowly. The radius was first_A when the mass was mass0; the
+   mass is now `mass`. Without F_z and u. What stays constant (509) is
+     A^4 (g^2 + m F_e'(A)) for r = 1, the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius changes as vm_osc_amplitude_law says, with mass/mass0 and decay 0.
+   Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters; where no radius is
+   found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or masses that are not
+   positive and finite. Time: some 10 evaluations of the stiffness. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -8951,7 +8954,7 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522).
+/* Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522).
    q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
    amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
    pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
@@ -8966,7 +8969,7 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
     return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t.
+/* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
    The inverse of vm_pair_to_averaged, with the same errors. y may be modes. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
@@ -8977,9 +8980,9 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
     return vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Averaged equations of the two modes, for rk45 or rk87, with any slow mass.
-   modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om)
-   over times of m/m'. The statuses are those of vm_pair_rhs. */
+/* Averaged equations of the two modes of a pair, for rk45 or rk87. Any slow mass is allowed. modes = (A, psi, q, q'),
+   see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om) over times of m/m'. The
+   statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -9197,10 +9200,10 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87.
-   y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force; start and
-   end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over times of
-   their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. The main resonance is nu =
+   w(A). y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force;
+   start and end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over
+   times of their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -9239,9 +9242,9 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t. The ripple of the amplitude
-   within a period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The
-   statuses are those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
+/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta). The ripple of the amplitude within a
+   period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The statuses are
+   those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -9263,7 +9266,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t.
+/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta).
    The inverse of vm_forced_to_averaged: the ripple is put back. The same errors, and VM_DOMAIN for A <= 0. motion may
    be y. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
@@ -9399,11 +9402,11 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator with all parameters as they are at time t.
-   Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0, or a
-   negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
-   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the resonance.
-   The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are as they are at time
+   t. Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0,
+   or a negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
+   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the
+   resonance. The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -9426,9 +9429,9 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 }
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
-   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their number,
-   0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A is not
-   positive and finite. Results that overflow are NaN. */
+   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their
+   number, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A
+   is not positive and finite. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -9465,12 +9468,12 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t.
-   amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all amplitudes. On the backbone
-   delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with gamma = (alpha - 1)/2 and D the
-   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
-   vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and finite; then *passage is left
-   as it was. */
+/* Passage through the resonance: whether a slow drift leads to capture. It depends on the rates of mass, stiffness
+   and frequency at time t. amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all
+   amplitudes. On the backbone delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with
+   gamma = (alpha - 1)/2 and D the relative drift of w - nu; drift_ratio is this torque over the pendulum's largest.
+   The statuses are those of vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and
+   finite; then *passage is left as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
@@ -9541,13 +9544,12 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
     return s->v;
 }
 
-/* Turning points or zero crossings of a trajectory in (t0, t1].
-   kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The trajectory is evaluated every `step`, or a little less, and each
-   change of sign located to an eps of t. step should be a small part of a period; it is negative where t1 < t0. The
-   first `room` of them are written to samples, in the order of time. Returns the number of all, which may be larger
-   than room, or a negative status: VM_BAD_ARGUMENT for null pointers or an unknown kind, VM_NOT_FINITE for a step of 0
-   or of the wrong sign, for more than 2e9 steps, or where the trajectory is not finite; what was found until then
-   stands in samples. */
+/* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
+   trajectory is evaluated every `step`, or a little less, and each change of sign located to an eps of t. step should
+   be a small part of a period; it is negative where t1 < t0. The first `room` of them are written to samples, in the
+   order of time. Returns the number of all, which may be larger than room, or a negative status: VM_BAD_ARGUMENT for
+   null pointers or an unknown kind, VM_NOT_FINITE for a step of 0 or of the wrong sign, for more than 2e9 steps, or
+   where the trajectory is not finite; what was found until then stands in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -9601,10 +9603,9 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
     *v = m->buffer[m->v];
 }
 
-/* Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step.
-   x and v are the indices of position and velocity in the state; buffer has room for a state. kind, room, samples and
-   the result are those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first
-   step. */
+/* Turning points or zero crossings in the last step of an rk45 or rk87. Call it after every step. x and v are the
+   indices of position and velocity in the state; buffer has room for a state. kind, room, samples and the result are
+   those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first step. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
     const vm_real parts = 4; /* of the step, each of which is searched for a change of sign */

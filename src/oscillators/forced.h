@@ -185,10 +185,10 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87.
-   y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force; start and
-   end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over times of
-   their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. The main resonance is nu =
+   w(A). y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force;
+   start and end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over
+   times of their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -227,9 +227,9 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t. The ripple of the amplitude
-   within a period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The
-   statuses are those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
+/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta). The ripple of the amplitude within a
+   period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The statuses are
+   those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -251,7 +251,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t.
+/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta).
    The inverse of vm_forced_to_averaged: the ripple is put back. The same errors, and VM_DOMAIN for A <= 0. motion may
    be y. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)

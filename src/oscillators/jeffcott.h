@@ -84,7 +84,7 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force.
+/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
    It is Im(conj z m z') - g |z|^2, which stays constant where r = 1, u = 0 and F_z = 0. v is z'. NaN for a null
    pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
@@ -115,9 +115,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
 }
 
-/* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
-   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
+/* Equation of motion (449), (450) of a rotor, for rk45 or rk87. y = (x, y, x', y'), m and m/s; rotor points to a
+   vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -160,8 +160,8 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
     return VM_OK;
 }
 
-/* Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461).
-   Both are circular motions of the frequency omega = sqrt(F_e'(0)/m),
+/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461).
+   The whirls P and N are circular motions of the frequency omega = sqrt(F_e'(0)/m),
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
@@ -197,7 +197,7 @@ VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t.
+/* Motion (x, y, x', y') of a rotor from forward and backward whirl.
    The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
@@ -300,10 +300,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A.
-   Forward whirl, W > 0, for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some
-   8 eps and the error of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the
-   domain. The remark after (516), corrected. */
+/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A. Forward whirl, W > 0,
+   for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some 8 eps and the error
+   of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the domain. The remark
+   after (516), corrected. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -350,12 +350,12 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87.
-   The motion is nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad;
-   rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
-   accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
-   order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
-   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
+   nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad; rotor points
+   to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase accumulates
+   this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of order 1 for
+   others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the circle.
+   VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -363,7 +363,7 @@ VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *d
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87.
+/* Averaged equations (506), (507) of backward whirl, for rk45 or rk87.
    As vm_jeffcott_forward_whirl_rhs, with W < 0. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -420,12 +420,13 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
     }
 }
 
-/* Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass.
-   Without F_z and u. For r = 1 A^4 (g^2 + m F_e'(A)) stays constant, which is the square of A^2 (m W - g); for g = 0
-   A^4 F_e'(A) m^(2r-1) does (509). For F_e = k rho^alpha and g = 0 the radius is first_A vm_osc_amplitude_law(
-   mass/mass0, 0, r, alpha). Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters;
-   where no radius is found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or
-   masses that are not positive and finite. Time: some 10 to 20 evaluations of the stiffness. */
+/* Radius of circular whirl, m, after the mass has changed slowly. The radius was first_A when the mass was mass0; the
+   mass is now `mass`. Without F_z and u. What stays constant (509) is
+     A^4 (g^2 + m F_e'(A)) for r = 1, the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius changes as vm_osc_amplitude_law says, with mass/mass0 and decay 0.
+   Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters; where no radius is
+   found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or masses that are not
+   positive and finite. Time: some 10 evaluations of the stiffness. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

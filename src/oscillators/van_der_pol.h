@@ -165,7 +165,8 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
+   Any slow mass is allowed. y =  (A, psi): mean
    amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
    prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
    (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
