@@ -102,53 +102,53 @@
        vm_lambert_w0_neg_exp          Documented with vm_wright_omega
        vm_lambert_wm1_neg_exp         Documented with vm_wright_omega
 
-     mechanics/inertia: tensors of inertia
-       vm_inertia_possible            1 where a body can have this inertia
-       vm_parallel_axes               Inertia about a point d away from the mass centre, same axes, of a body whose own is given (40); with -mass the way back
+     mechanics/inertia: inertia tensors, parallel axes, principal axes
+       vm_inertia_possible            1 if a body can have this inertia, 0 if not, and for NaN and a null pointer
+       vm_parallel_axes               The inertia about a point at distance d from the mass centre, along the same axes, (40)
 
-     mechanics/bodies: bodies, their momentum, angular momentum and kinetic energy
-       vm_momentum                    Momentum M v (1)-(3), N s; angular momentum I omega + (r - about) x M v (7)-(9), N m s, about any point; kinetic energy (93), (97), J
-       vm_angular_momentum            Documented with vm_momentum
-       vm_kinetic_energy              Documented with vm_momentum
-       vm_balance_between             What is left of the balances of momentum and, about any point, of angular momentum between some bodies before and after an instant in which external, where not NULL, acted (4)-(6), (10)-(12)
+     mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
+       vm_momentum                    Momentum M v of a body (1)-(3), N s
+       vm_angular_momentum            Angular momentum of a body about the point `about` (7)-(9), N m s
+       vm_kinetic_energy              Kinetic energy of a body (93), (97), J
+       vm_balance_between             Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6), (10)-(12)
 
-     mechanics/bodies2: bodies that move in a plane
-       vm_angular_momentum2           Documented with vm_momentum
-       vm_kinetic_energy2             Documented with vm_momentum
-       vm_body_from_body2             The plane's body as a lamina in the plane z = 0 of space, which moves as it does
+     mechanics/bodies2: momentum and energy of bodies in the plane, and such bodies in space
+       vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise
+       vm_kinetic_energy2             Kinetic energy of a body of the plane, J
+       vm_body_from_body2             A body of the plane as a lamina in the plane z = 0 of space, which moves as it does
 
-     mechanics/jumps: parts separate from a body or are attached to it
-       vm_separate                    A part, which moved as given the instant after, has left the whole
-       vm_attach                      Two bodies, moving as given the instant before, have become one (which is plastic impact) (24), (33)
-       vm_separate_all                n parts at once, n >= 0
-       vm_attach_all                  Documented with vm_separate_all
-       vm_combine_inertia             Inertia, about its own mass centre, of a and b together, and of what is left of the whole without the part (13)-(15), (40)
-       vm_split_inertia               Documented with vm_combine_inertia
+     mechanics/jumps: parts separate from a body or are attached to it, in space
+       vm_separate                    Separation of a part from a body
+       vm_attach                      Attachment of one body to another (plastic impact)
+       vm_separate_all                Separation of n parts at once, n >= 0
+       vm_attach_all                  Attachment of n bodies at once, n >= 0
+       vm_combine_inertia             Inertia of two bodies together, about their common mass centre, (13)-(15), (40)
+       vm_split_inertia               Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40)
 
-     mechanics/jumps2: parts separate or are attached in a plane
-       vm_separate2                   The same in the plane (35)-(39); *_all2 as above
-       vm_attach2                     Documented with vm_separate2
-       vm_separate_all2               Documented with vm_separate2
-       vm_attach_all2                 Documented with vm_separate2
+     mechanics/jumps2: parts separate from a body or are attached to it, in the plane
+       vm_separate2                   Separation of a part from a body in the plane (35)-(39)
+       vm_attach2                     Attachment of one body to another in the plane (plastic impact)
+       vm_separate_all2               Separation of n parts at once in the plane, n >= 0
+       vm_attach_all2                 Attachment of n bodies at once in the plane, n >= 0
 
-     mechanics/relative: motion relative to a moving body
-       vm_to_relative                 Motion relative to what moves on rigidly with a body
-       vm_to_absolute                 Documented with vm_to_relative
-       vm_to_relative2                Documented with vm_to_relative
-       vm_to_absolute2                Documented with vm_to_relative
-       vm_separate_relative           The jump in relative motions, (28)-(31), (42)-(44)
-       vm_attach_relative             Documented with vm_separate_relative
-       vm_separate_relative2          Documented with vm_separate_relative
-       vm_attach_relative2            Documented with vm_separate_relative
+     mechanics/relative: motion relative to a moving body, and jumps given in such motions
+       vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
+       vm_to_absolute                 Absolute motion of a body that is given relative to the body `to`
+       vm_to_relative2                Motion of a body of the plane relative to the frame that moves rigidly with the body `to`
+       vm_to_absolute2                Absolute motion of a body of the plane that is given relative to the body `to`
+       vm_separate_relative           Separation in motions relative to the whole, (28)-(31), (42)-(44)
+       vm_attach_relative             Attachment in motions relative to the first body, (28)-(31), (42)-(44)
+       vm_separate_relative2          Separation in the plane, in motions relative to the whole
+       vm_attach_relative2            Attachment in the plane, in motions relative to the first body
 
-     mechanics/inverse: how a part must leave for the rest to move as wanted
-       vm_separation_for_rest         The inverse question
-       vm_separation_for_rest2        The same in the plane; *rest_v is vx, vy
-       vm_separation_for_spin2        The part keeps its spin
+     mechanics/inverse: how a part must leave, so that the rest moves as wanted
+       vm_separation_for_rest         Inverse of vm_separate
+       vm_separation_for_rest2        Inverse of vm_separate2
+       vm_separation_for_spin2        Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part keeps its own spin (Table 3, 7, asked for v_r)
 
-     mechanics/jump_energy: the energy that a jump sets free or takes
-       vm_energy_gain                 Kinetic energy that the n parts and the rest have more than the whole had, J, as the theorem (113), (118) has it
-       vm_energy_loss                 What body and the n added have more than the whole has, J
+     mechanics/jump_energy: the kinetic energy that a jump adds or takes
+       vm_energy_gain                 Energy gained at a separation, J
+       vm_energy_loss                 Energy lost at an attachment, J
 
      mechanics/broken_rotor: a rotor from which a piece breaks off
        vm_broken_rotor_rhs            (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_broken_rotor
@@ -1022,21 +1022,33 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 }
 
 #endif
-/* mechanics/vectors.h - vectors, quaternions, rotations */
+/* mechanics/vectors.h - vectors, quaternions and rotations in space
+   The two types are plain data. A quaternion turns body axes into inertial ones; it may have any length, and all
+   zero stands for the identity.
+
+       vm_vec3 omega = {0, 0, 3};                 // x, y, z
+       vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
+
+   The functions are internal: sums and products of vectors, norms, rotation matrices, and three or four numbers of a
+   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c and
+   tests/test_torque_free.c use all of them. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
+/* A vector by its components */
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
+/* An attitude: the quaternion w + x i + y j + z k turns body axes into inertial ones. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
+/* A matrix by its columns. Those of a rotation are the images of the axes. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
-} vmi_mat3; /* columns: the images of the axes */
+} vmi_mat3;
 
 VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
 {
@@ -1052,14 +1064,23 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
+/* a/c, each component rounded once */
+VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
+
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
+
+/* |x| + |y| + |z| */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
+/* The length. It does not overflow where its square does. */
+VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+
+/* The largest of |x|, |y| and |z| */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -1067,51 +1088,42 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     return c > b.z ? c : b.z;
 }
 
-VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
-VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
+/* m a */
+VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
+/* m^T a, which turns back what the rotation m has turned */
+VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
 }
 
-/* None given, which reads as the identity */
-VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
-
-/* With 1 as the size of the largest part, so that squares neither over- nor underflow; the identity for all zero */
-VM_API vm_quat vmi_quat_scaled(vm_quat q)
+VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
 {
-    vm_real largest = VM_FABS(q.w);
-    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
-    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
-    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
-    if (largest == 0) q.w = largest = 1;
-    q.w /= largest;
-    q.x /= largest;
-    q.y /= largest;
-    q.z /= largest;
+    vm_quat q;
+    q.w = w;
+    q.x = xyz.x;
+    q.y = xyz.y;
+    q.z = xyz.z;
     return q;
 }
 
-/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
-VM_API vmi_mat3 vmi_rotation(vm_quat q)
-{
-    vm_real s;
-    vmi_mat3 m;
-    q = vmi_quat_scaled(q);
-    s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
-    m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
-    m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
-    return m;
-}
+/* x, y, z of q */
+VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
-/* p q: the rotation of q followed by that of p */
+VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_finite(vmi_quat_vector(q)); }
+
+/* 1 if all four numbers are 0, which stands for the identity */
+VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
+
+/* The square of the length of q */
+VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
+
+/* The product p q: the rotation of q, followed by that of p */
 VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -1122,24 +1134,50 @@ VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
     return r;
 }
 
-VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
-
-VM_API void vmi_set3(vm_real *y, vm_vec3 a) {
-y[0] = a.x;
-y[1] = a.y;
-y[2] = a.z; }
-
-VM_API vm_quat vmi_get_quat(const vm_real *y)
+VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
 {
-    vm_quat q;
-    q.w = y[0];
-    q.x = y[1];
-    q.y = y[2];
-    q.z = y[3];
+    q.w /= c;
+    q.x /= c;
+    q.y /= c;
+    q.z /= c;
     return q;
 }
 
-/* The rotation of a quaternion whose length is nowhere near the ends of the type's range */
+/* q over the size of its largest component, so that squares neither over- nor underflow; the identity for all zero */
+VM_API vm_quat vmi_quat_scaled(vm_quat q)
+{
+    vm_real largest = VM_FABS(q.w);
+    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
+    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
+    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
+    if (largest == 0) {
+        q.w = 1;
+        largest = 1;
+    }
+    return vmi_quat_over(q, largest);
+}
+
+/* The quaternion of length 1 for the same rotation; the identity for all zero */
+VM_API vm_quat vmi_unit_quat(vm_quat q)
+{
+    q = vmi_quat_scaled(q);
+    return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
+}
+
+/* The rotation matrix of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+VM_API vmi_mat3 vmi_rotation(vm_quat q)
+{
+    vm_real s;
+    vmi_mat3 m;
+    q = vmi_quat_scaled(q);
+    s = 2 / vmi_quat_square(q);
+    m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
+    m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
+    m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
+    return m;
+}
+
+/* The rotation matrix of a quaternion whose length has the given square, which must be a normal number */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1152,46 +1190,55 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* Of length 1; the identity for all zero */
-VM_API vm_quat vmi_unit_quat(vm_quat q)
+/* Three numbers of a state as a vector, and back */
+VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+
+VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 {
-    vm_real length;
-    q = vmi_quat_scaled(q);
-    length = VM_SQRT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    q.w /= length;
-    q.x /= length;
-    q.y /= length;
-    q.z /= length;
-    return q;
+    y[0] = a.x;
+    y[1] = a.y;
+    y[2] = a.z;
+}
+
+/* Four numbers w, x, y, z of a state as a quaternion, and back */
+VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
+
+VM_API void vmi_set_quat(vm_real *y, vm_quat q)
+{
+    y[0] = q.w;
+    vmi_set3(y + 1, vmi_quat_vector(q));
 }
 
 #endif
-/* mechanics/inertia.h - tensors of inertia */
+/* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
+   A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
+   says whether a body can have it, moves it to a parallel axis (40), and finds its principal moments and axes.
+
+       vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
+       vm_vec3 d = {0.5, 0, 0};              // m
+       if (vm_inertia_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
+
+   The other functions are internal: they turn, add and invert tensors for the chapters on jumps, streams and scenes.
+   Tests: tests/test_momenta.c, tests/test_jumps.c. */
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
+/* A tensor of inertia by its entries, kg m^2. Products of inertia have the sign that they have in the tensor:
+   xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
-} vm_inertia; /* kg m^2, entries of the tensor */
+} vm_inertia;
 
+VM_API int vmi_inertia_finite(const vm_inertia *i)
+{
+    return vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz));
+}
+
+/* i a */
 VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
 {
     return vmi_vec3(i->xx * a.x + i->xy * a.y + i->xz * a.z, i->xy * a.x + i->yy * a.y + i->yz * a.z,
                     i->xz * a.x + i->yz * a.y + i->zz * a.z);
-}
-
-/* m^T i m: the entries along the columns of m */
-VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
-{
-    vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
-    vm_inertia t;
-    t.xx = vmi_dot(m->x, x);
-    t.yy = vmi_dot(m->y, y);
-    t.zz = vmi_dot(m->z, z);
-    t.xy = vmi_dot(m->x, y);
-    t.xz = vmi_dot(m->x, z);
-    t.yz = vmi_dot(m->y, z);
-    return t;
 }
 
 /* a + c b */
@@ -1206,7 +1253,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T: the inertia of a unit mass at d */
+/* P(d) = |d|^2 E - d d^T: the inertia about the origin of a unit mass at d */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1219,169 +1266,21 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-typedef struct VM_TAG(vmi_principal) {
-    vm_real moment[3];
-    vm_vec3 axis[3];
-} vmi_principal;
-
-/* One of Jacobi's rotations, in the plane of axes p and q: annihilates a[p][q], turns the columns of v along */
-VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
+/* m^T i m: the entries of i along the columns of m */
+VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
-    vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
-    vm_real t = VM_COPYSIGN(1, theta) / (VM_FABS(theta) + root), c = 1 / VM_SQRT(t * t + 1), s = t * c, x, y;
-    int k = 3 - p - q;
-    a[p][p] -= t * a[p][q];
-    a[q][q] += t * a[p][q];
-    a[p][q] = a[q][p] = 0;
-    x = a[k][p];
-    y = a[k][q];
-    a[k][p] = a[p][k] = c * x - s * y;
-    a[k][q] = a[q][k] = s * x + c * y;
-    for (k = 0; k < 3; k++) {
-        x = v[k][p];
-        y = v[k][q];
-        v[k][p] = c * x - s * y;
-        v[k][q] = s * x + c * y;
-    }
+    const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
+    vm_inertia t;
+    t.xx = vmi_dot(m->x, x);
+    t.yy = vmi_dot(m->y, y);
+    t.zz = vmi_dot(m->z, z);
+    t.xy = vmi_dot(m->x, y);
+    t.xz = vmi_dot(m->x, z);
+    t.yz = vmi_dot(m->y, z);
+    return t;
 }
 
-/* Principal moments and axes; the rotations converge quadratically, in four or five sweeps */
-VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
-{
-    const int most_sweeps = 12;
-    vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    vmi_principal result;
-    int sweep, p, q;
-    a[0][0] = i->xx;
-    a[1][1] = i->yy;
-    a[2][2] = i->zz;
-    a[0][1] = a[1][0] = i->xy;
-    a[0][2] = a[2][0] = i->xz;
-    a[1][2] = a[2][1] = i->yz;
-    for (sweep = 0; sweep < most_sweeps; sweep++)
-        for (p = 0; p < 2; p++)
-            for (q = p + 1; q < 3; q++)
-                if (a[p][q] != 0) vmi_jacobi_rotation(a, v, p, q);
-    for (p = 0; p < 3; p++) {
-        result.moment[p] = a[p][p];
-        result.axis[p] = vmi_vec3(v[0][p], v[1][p], v[2][p]);
-    }
-    return result;
-}
-
-/* Moments of a body: none larger than the two others together, to within slack (kg m^2) */
-VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
-{
-    vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
-    return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack; /* so none is below -slack */
-}
-
-/* Moments that a body can have exactly, of a tensor that is possible within slack. A moment lost in the rounding
-   errors of terms of these sizes becomes 0, one above the sum of the others that sum. 1 where anything changed */
-VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
-{
-    int k, changed = 0;
-    for (k = 0; k < 3; k++) {
-        vm_vec3 e = vmi_abs(p->axis[k]);
-        if (p->moment[k] > 8 * VM_EPSILON * vmi_dot(e, vmi_inertia_times(sizes, e)) || p->moment[k] == 0) continue;
-        p->moment[k] = 0;
-        changed = 1;
-    }
-    for (k = 0; k < 3; k++) {
-        vm_real others = p->moment[(k + 1) % 3] + p->moment[(k + 2) % 3];
-        if (p->moment[k] <= others) continue;
-        p->moment[k] = others;
-        changed = 1;
-    }
-    return changed;
-}
-
-/* The tensor with these principal moments and axes */
-VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
-{
-    vm_inertia i = {0, 0, 0, 0, 0, 0};
-    int k;
-    for (k = 0; k < 3; k++) {
-        vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
-        i.xx += m.x * e.x;
-        i.yy += m.y * e.y;
-        i.zz += m.z * e.z;
-        i.xy += m.x * e.y;
-        i.xz += m.x * e.z;
-        i.yz += m.y * e.z;
-    }
-    return i;
-}
-
-VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
-
-/* What rounding may do to an inertia whose entries come from sums of the size of i */
-VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_trace(i); }
-
-VM_API int vmi_inertia_finite(const vm_inertia *i)
-{
-    return vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz));
-}
-
-/* A body can have the inertia i where tr(i)/2 E - i, the second moments integral of r r^T dm, has no eigenvalue below
-   zero. By elimination, with a slack added against which the rounding errors, some eps of the trace, are small */
-VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
-{
-    vm_real half, x, y, z, yz;
-    half = (i->xx + i->yy + i->zz + slack) / 2;
-    if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
-    x = half - i->xx;
-    if (!(x > 0)) return 0;
-    y = half - i->yy - i->xy / x * i->xy;
-    if (!(y > 0)) return 0;
-    yz = i->yz + i->xy / x * i->xz;
-    z = half - i->zz - i->xz / x * i->xz;
-    return z - yz / y * yz > 0;
-}
-
-/* 1 where a body can have this inertia: no principal moment negative or larger than the two others together, by more
-   than 32 eps of the trace; rods and points are bodies. 0 otherwise, and for NaN and a null pointer. */
-VM_API int vm_inertia_possible(const vm_inertia *inertia)
-{
-    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
-}
-
-/* Inertia about a point d away from the mass centre, same axes, of a body whose own is given (40); with -mass the
-   way back. */
-VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
-{
-    const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
-    return vmi_inertia_plus(own ? *own : none, mass, vmi_inertia_of_point(d));
-}
-
-/* omega with i omega = h but for what points along axes without moment */
-VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
-{
-    vm_vec3 omega = vmi_vec3(0, 0, 0);
-    int k;
-    for (k = 0; k < 3; k++)
-        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
-    return omega;
-}
-
-/* omega with i omega = h, refined once. About an axis without moment (of a rod, a point) it stays the one before: 1
-   where more than noise of h would have been left for that axis to carry */
-VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
-                          vm_vec3 *omega)
-{
-    vm_vec3 w = vmi_vec3(0, 0, 0);
-    int k, left = 0;
-    for (k = 0; k < 3; k++) {
-        if (p->moment[k] > 0) continue;
-        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
-        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
-    }
-    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
-    *omega = w;
-    return left;
-}
-
-/* Entries of the size of the terms that those of m^T i m are sums of */
+/* The sizes of the terms that the entries of m^T i m are sums of; their rounding errors are some eps of these */
 VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1398,6 +1297,10 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
+/* |xx| + |yy| + |zz|, which is the trace of an inertia that a body has */
+VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
+
+/* Six numbers of a state as an inertia, and back */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -1420,14 +1323,189 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
+/* What roundings may add to an inertia whose entries are sums of terms of the size of i, kg m^2 */
+VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_trace(i); }
+
+/* 1 if a body can have the inertia i to within slack (kg m^2): tr(i)/2 E - i, the second moments integral of r r^T
+   dm, must have no negative eigenvalue. By elimination, after slack, which exceeds the rounding errors, has been
+   added */
+VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
+{
+    const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
+    vm_real x, y, z, yz; /* pivots, and the entry left beside the last two */
+    if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
+    x = half - i->xx;
+    if (!(x > 0)) return 0;
+    y = half - i->yy - i->xy / x * i->xy;
+    if (!(y > 0)) return 0;
+    yz = i->yz + i->xy / x * i->xz;
+    z = half - i->zz - i->xz / x * i->xz;
+    return z - yz / y * yz > 0;
+}
+
+/* 1 if a body can have this inertia, 0 if not, and for NaN and a null pointer. A body's principal moments are not
+   negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace count as
+   rounding errors. Rods and points are bodies. */
+VM_API int vm_inertia_possible(const vm_inertia *inertia)
+{
+    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
+}
+
+/* The inertia about a point at distance d from the mass centre, along the same axes, (40): own + mass P(d), where
+   own is about the mass centre, kg m^2. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
+   the arguments gives NaN. */
+VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
+{
+    const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
+    return vmi_inertia_plus(own ? *own : none, mass, vmi_inertia_of_point(d));
+}
+
+/* ---- principal axes ---- */
+
+/* Principal moments, kg m^2, and unit vectors along the axes */
+typedef struct VM_TAG(vmi_principal) {
+    vm_real moment[3];
+    vm_vec3 axis[3];
+} vmi_principal;
+
+/* One of Jacobi's rotations, in the plane of axes p and q: a[p][q] becomes 0, the columns of v turn with the axes.
+   t, c, s are tangent, cosine and sine of the angle, of which the smaller one is taken. */
+VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
+{
+    const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
+    const vm_real t = VM_COPYSIGN(1, theta) / (VM_FABS(theta) + root), c = 1 / VM_SQRT(t * t + 1), s = t * c;
+    const int other = 3 - p - q;
+    vm_real x = a[other][p], y = a[other][q];
+    int k;
+    a[p][p] -= t * a[p][q];
+    a[q][q] += t * a[p][q];
+    a[p][q] = a[q][p] = 0;
+    a[other][p] = a[p][other] = c * x - s * y;
+    a[other][q] = a[q][other] = s * x + c * y;
+    for (k = 0; k < 3; k++) {
+        x = v[k][p];
+        y = v[k][q];
+        v[k][p] = c * x - s * y;
+        v[k][q] = s * x + c * y;
+    }
+}
+
+/* Principal moments and axes by Jacobi's rotations, which converge quadratically, in four or five sweeps */
+VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
+{
+    const int most_sweeps = 12; /* a bound that is not reached */
+    vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    vmi_principal result;
+    int sweep, p, q;
+    a[0][0] = i->xx;
+    a[1][1] = i->yy;
+    a[2][2] = i->zz;
+    a[0][1] = a[1][0] = i->xy;
+    a[0][2] = a[2][0] = i->xz;
+    a[1][2] = a[2][1] = i->yz;
+    for (sweep = 0; sweep < most_sweeps; sweep++)
+        for (p = 0; p < 2; p++)
+            for (q = p + 1; q < 3; q++)
+                if (a[p][q] != 0) vmi_jacobi_rotation(a, v, p, q);
+    for (p = 0; p < 3; p++) {
+        result.moment[p] = a[p][p];
+        result.axis[p] = vmi_vec3(v[0][p], v[1][p], v[2][p]);
+    }
+    return result;
+}
+
+/* The tensor that has these principal moments and axes */
+VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
+{
+    vm_inertia i = {0, 0, 0, 0, 0, 0};
+    int k;
+    for (k = 0; k < 3; k++) {
+        const vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
+        i.xx += m.x * e.x;
+        i.yy += m.y * e.y;
+        i.zz += m.z * e.z;
+        i.xy += m.x * e.y;
+        i.xz += m.x * e.z;
+        i.yz += m.y * e.z;
+    }
+    return i;
+}
+
+/* 1 if these are moments of a body: none is larger than the sum of the two others, to within slack (kg m^2). Then
+   none is below -slack either. */
+VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
+{
+    const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
+    return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
+}
+
+/* A moment below this share of the terms that it is a sum of is made of their rounding errors */
+#define VMI_LOST_SHARE (8 * VM_EPSILON)
+
+/* 1 if a moment about an axis is lost in the rounding errors of a tensor whose entries are sums of terms of these
+   sizes; also for a negative moment and NaN */
+VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
+{
+    const vm_vec3 e = vmi_abs(axis);
+    return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
+}
+
+/* Turns moments that are possible within roundings into some that a body can have exactly: a moment that is lost in
+   the rounding errors becomes 0, one larger than the sum of the others becomes that sum. 1 if anything changed */
+VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
+{
+    int k, changed = 0;
+    for (k = 0; k < 3; k++) {
+        if (p->moment[k] == 0 || !vmi_moment_is_lost(p->moment[k], p->axis[k], sizes)) continue;
+        p->moment[k] = 0;
+        changed = 1;
+    }
+    for (k = 0; k < 3; k++) {
+        const vm_real others = p->moment[(k + 1) % 3] + p->moment[(k + 2) % 3];
+        if (p->moment[k] <= others) continue;
+        p->moment[k] = others;
+        changed = 1;
+    }
+    return changed;
+}
+
+/* The angular velocity omega with i omega = h, where parts of h along axes without moment are left out */
+VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
+{
+    vm_vec3 omega = vmi_vec3(0, 0, 0);
+    int k;
+    for (k = 0; k < 3; k++)
+        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
+    return omega;
+}
+
+/* *omega with i omega = h, corrected once. About an axis without moment (of a rod, a point) the spin stays as it was
+   before. Returns 1 if more angular momentum than noise was left about such an axis, which it cannot carry. */
+VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
+                          vm_vec3 *omega)
+{
+    vm_vec3 w = vmi_vec3(0, 0, 0);
+    int k, left = 0;
+    for (k = 0; k < 3; k++) {
+        if (p->moment[k] > 0) continue;
+        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
+        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
+    }
+    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
+    *omega = w;
+    return left;
+}
+
+/* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
+
+/* The factors of i = L D L^T: xy, xz, yz of L, and x, y, z of 1/D */
 typedef struct VM_TAG(vmi_inertia_ldl) {
-    vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
+    vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
+/* Factors of i; returns 0 if a pivot is not positive or is lost in its own rounding errors, else 1 */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
-    const vm_real lost = 8 * VM_EPSILON;
     vm_real y, z, t;
     f->x = 1 / i->xx;
     f->xy = i->xy * f->x;
@@ -1438,33 +1516,10 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     f->yz = t * f->y;
     z = i->zz - f->xz * i->xz - f->yz * t;
     f->z = 1 / z;
-    return i->xx > 0 && y > lost * i->yy && z > lost * i->zz;
+    return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* Whether a body can have the inertia i, whose moments are positive, at some time of a run. The inertia of a flat
-   body keeps to the bound of the triangle inequality but for the roundings of all steps, so that the slack has room
-   for 1e7 (float 3000) of them. */
-VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* sqrt(eps), of the trace */
-    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
-}
-
-/* First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive definite where its least diagonal
-   entry is larger than the others in its row can be. */
-VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real half = (i->xx + i->yy + i->zz) / 2;
-    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
-    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
-}
-
-/* The same, with the factors that a body needs to be accelerated */
-VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
-{
-    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
-}
-
+/* i^-1 h from the factors of i */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -1475,80 +1530,123 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
+/* vmi_running_inertia_is_possible for thin bodies. The inertia of a flat body meets the triangle inequality with
+   equality, except for the roundings of all steps: the slack sqrt(eps) allows 1e7 (float 3000) of them. */
+VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
+{
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* of the trace */
+    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
+}
+
+/* 1 if a body can have the inertia i, whose moments are positive, at some time of an integration. A cheap test is
+   enough for most bodies: tr(i)/2 E - i is positive definite if its least diagonal entry is larger than all the
+   others of a row together can be. */
+VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
+{
+    const vm_real half = (i->xx + i->yy + i->zz) / 2;
+    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
+    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
+}
+
+/* vmi_inertia_factor that also returns 0 if no body has the inertia i */
+VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
+{
+    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
+}
+
 #endif
-/* mechanics/bodies.h - bodies, their momentum, angular momentum and kinetic energy */
+/* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy, balances across an instant
+   A vm_body is a body at an instant: mass, inertia, attitude, position and motion; a vm_body2 moves in the plane.
+   This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and compares them
+   before and after an instant, (4)-(6), (10)-(12). Those of the plane are in bodies2.h.
+
+       vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
+       vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
+
+   Tests: tests/test_momenta.c. */
 #ifndef VARMASS_MECHANICS_BODIES_H
 #define VARMASS_MECHANICS_BODIES_H
 
+/* A body at an instant */
 typedef struct VM_TAG(vm_body) {
-    vm_real mass;       /* kg */
-    vm_inertia inertia; /* about the own mass centre, in body axes */
-    vm_quat q;          /* turns body axes into inertial ones */
-    vm_vec3 r, v;       /* mass centre (m) and momentum/mass (m/s), inertial axes */
-    vm_vec3 omega;      /* rad/s, inertial axes */
+    vm_real mass;       /* kg, > 0 */
+    vm_inertia inertia; /* kg m^2, about the body's own mass centre, in body axes; all zero for a point */
+    vm_quat q;          /* attitude: turns body axes into inertial ones; any length, all zero is the identity */
+    vm_vec3 r;          /* position of the mass centre, m, inertial axes */
+    vm_vec3 v;          /* momentum/mass, m/s, inertial axes */
+    vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
+/* An impulse that acts on a body during an instant; inertial axes */
 typedef struct VM_TAG(vm_impulse) {
     vm_vec3 linear; /* N s */
-    vm_vec3 couple; /* N m s */
-    vm_vec3 at;     /* the point at which linear acts, inertial axes */
+    vm_vec3 couple; /* N m s, in addition to the moment of linear */
+    vm_vec3 at;     /* the point at which linear acts, m */
 } vm_impulse;
 
-/* A body that moves in a plane */
+/* A body that moves in the plane, at an instant */
 typedef struct VM_TAG(vm_body2) {
-    vm_real mass;    /* kg */
-    vm_real inertia; /* kg m^2, about the axis through the own mass centre; 0 for a point */
+    vm_real mass;    /* kg, > 0 */
+    vm_real inertia; /* kg m^2, about the axis through the body's own mass centre; 0 for a point */
     vm_real x, y;    /* mass centre, m */
     vm_real angle;   /* rad, anticlockwise */
     vm_real vx, vy;  /* momentum/mass, m/s */
-    vm_real omega;   /* rad/s, anticlockwise */
+    vm_real omega;   /* angular velocity, rad/s, anticlockwise */
 } vm_body2;
 
+/* An impulse that acts on a body of the plane during an instant */
 typedef struct VM_TAG(vm_impulse2) {
     vm_real jx, jy; /* N s */
-    vm_real couple; /* N m s, anticlockwise */
-    vm_real x, y;   /* the point at which jx, jy act */
+    vm_real couple; /* N m s, anticlockwise, in addition to the moment of jx, jy */
+    vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
+/* What some bodies have after an instant less what they had before and what an impulse gave them */
 typedef struct VM_TAG(vm_balance) {
-    vm_vec3 momentum;               /* after - before - impulse, N s: (6) with (20), (21) */
-    vm_vec3 angular_momentum;       /* the same about the point, N m s: (12), (17) with (22) */
-    vm_real momentum_scale;         /* sum of all M |v| and the impulse */
-    /* sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the same for the impulse. It contains |r| because a
-       position is rounded by eps |r|, which changes the angular momentum by eps |r| M |v|, wherever the point is */
+    vm_vec3 momentum;               /* N s: (6) with (20), (21); zero but for rounding errors */
+    vm_vec3 angular_momentum;       /* about the point, N m s: (12), (17) with (22); zero but for rounding errors */
+    vm_real momentum_scale;         /* N s, the sum of all M |v| and the size of the impulse */
+    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|, since a
+       position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
 } vm_balance;
 
-VM_API vm_vec3 vmi_spin_momentum(const vm_body *body) /* I omega, inertial axes */
+/* ---- momentum, angular momentum and kinetic energy ---- */
+
+/* I omega, the angular momentum about the mass centre, in inertial axes */
+VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 {
-    vmi_mat3 m = vmi_rotation(body->q);
+    const vmi_mat3 m = vmi_rotation(body->q);
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
 }
 
-/* Momentum M v (1)-(3), N s; angular momentum I omega + (r - about) x M v (7)-(9), N m s, about any point; kinetic
-   energy (93), (97), J. Not checked: NaN in, NaN out; NaN for a null pointer. */
+/* Momentum M v of a body (1)-(3), N s. The body is not checked: NaN in it gives NaN, and so does a null pointer. */
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_scale(body->mass, body->v);
 }
 
-/* Documented with vm_momentum. */
+/* Angular momentum of a body about the point `about` (7)-(9), N m s: I omega + (r - about) x M v, in inertial axes.
+   The body is not checked: NaN in it gives NaN, and so does a null pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Documented with vm_momentum. */
+/* Kinetic energy of a body (93), (97), J: (M v^2 + omega.I omega)/2. The body is not checked: NaN in it gives NaN,
+   and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
     return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
 }
 
-/* The plane's body with inertia.zz alone, which is all that motion in the plane asks for */
+/* ---- the plane as a part of space ---- */
+
+/* The body of the plane as a body of space that has inertia.zz alone, which is all that motion in the plane needs */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1560,102 +1658,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
-{
-    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
-}
-
-VM_API int vmi_impulse_finite(const vm_impulse *j)
-{
-    return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
-}
-
-/* Add sign times the body's momenta and energy */
-VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
-{
-    vm_vec3 momentum = vm_momentum(body);
-    vm_real size = vmi_norm2(momentum);
-    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
-    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
-    sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
-                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
-    sum->energy += sign * vm_kinetic_energy(body);
-}
-
-/* What is left of the balances of momentum and, about any point, of angular momentum between some bodies before and
-   after an instant in which external, where not NULL, acted (4)-(6), (10)-(12): zero but for rounding errors, a few
-   eps of the scales, where nothing was lost. Any number of bodies, none included, on either side.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE. */
-VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
-                              const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
-{
-    vm_balance sum = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
-    const vm_impulse *j = external_or_NULL;
-    int i;
-    if (!balance || n_before < 0 || n_after < 0 || (n_before > 0 && !before) || (n_after > 0 && !after))
-        return VM_BAD_ARGUMENT;
-    for (i = 0; i < n_before; i++) vmi_balance_add(&sum, -1, before + i, about);
-    for (i = 0; i < n_after; i++) vmi_balance_add(&sum, 1, after + i, about);
-    if (j) {
-        vm_vec3 moment = vmi_impulse_moment(j, about);
-        sum.momentum = vmi_sub(sum.momentum, j->linear);
-        sum.angular_momentum = vmi_sub(sum.angular_momentum, moment);
-        sum.momentum_scale += vmi_norm2(j->linear);
-        sum.angular_momentum_scale +=
-            vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
-    }
-    if (!VM_IS_FINITE(sum.energy) || !VM_IS_FINITE(sum.momentum_scale) ||
-        !VM_IS_FINITE(sum.angular_momentum_scale) || !vmi_vec3_finite(sum.momentum) ||
-        !vmi_vec3_finite(sum.angular_momentum))
-        return VM_NOT_FINITE;
-    *balance = sum;
-    return VM_OK;
-}
-
-VM_API int vmi_body_finite(const vm_body *b)
-{
-    return VM_IS_FINITE(b->mass) && vmi_vec3_finite(b->r) && vmi_vec3_finite(b->v) && vmi_vec3_finite(b->omega) &&
-           vmi_inertia_finite(&b->inertia) && VM_IS_FINITE(b->q.w) &&
-           vmi_vec3_finite(vmi_vec3(b->q.x, b->q.y, b->q.z));
-}
-
-VM_API int vmi_check_body(const vm_body *b)
-{
-    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
-    return vm_inertia_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
-}
-
-VM_API int vmi_check_body2(const vm_body2 *b)
-{
-    const vm_body lifted = vmi_body_to_space(b);
-    if (!vmi_body_finite(&lifted) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
-    return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
-}
-
-/* Bodies of space or of the plane, whichever pointer is not NULL */
-typedef struct VM_TAG(vmi_bodies) {
-    int n;
-    const vm_body *in_space;
-    const vm_body2 *in_plane;
-} vmi_bodies;
-
-VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
-{
-    return list->in_plane ? vmi_body_to_space(list->in_plane + i) : list->in_space[i];
-}
-
-VM_API int vmi_check_bodies(const vmi_bodies *list)
-{
-    int i, status = VM_OK;
-    if (list->n < 0 || (list->n > 0 && !list->in_space && !list->in_plane)) return VM_BAD_ARGUMENT;
-    for (i = 0; i < list->n && !status; i++)
-        status = list->in_plane ? vmi_check_body2(list->in_plane + i) : vmi_check_body(list->in_space + i);
-    return status;
-}
-
+/* The body of the plane that moves as b does, with this angle */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -1670,19 +1673,158 @@ VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
     return flat;
 }
 
+/* ---- checks ---- */
+
+VM_API int vmi_body_finite(const vm_body *b)
+{
+    return VM_IS_FINITE(b->mass) && vmi_vec3_finite(b->r) && vmi_vec3_finite(b->v) && vmi_vec3_finite(b->omega) &&
+           vmi_inertia_finite(&b->inertia) && vmi_quat_is_finite(b->q);
+}
+
+VM_API int vmi_impulse_finite(const vm_impulse *j)
+{
+    return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
+}
+
+/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+VM_API int vmi_check_body(const vm_body *b)
+{
+    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    return vm_inertia_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
+}
+
+/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+VM_API int vmi_check_body2(const vm_body2 *b)
+{
+    const vm_body lifted = vmi_body_to_space(b);
+    if (!vmi_body_finite(&lifted) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
+}
+
+/* An array of n bodies, of space or of the plane: one of the two pointers is NULL */
+typedef struct VM_TAG(vmi_bodies) {
+    int n;
+    const vm_body *in_space;
+    const vm_body2 *in_plane;
+} vmi_bodies;
+
+VM_API vmi_bodies vmi_bodies_in_space(int n, const vm_body *bodies)
+{
+    vmi_bodies list;
+    list.n = n;
+    list.in_space = bodies;
+    list.in_plane = NULL;
+    return list;
+}
+
+VM_API vmi_bodies vmi_bodies_in_plane(int n, const vm_body2 *bodies)
+{
+    vmi_bodies list;
+    list.n = n;
+    list.in_space = NULL;
+    list.in_plane = bodies;
+    return list;
+}
+
+/* Body i as a body of space */
+VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
+{
+    if (list->in_plane) return vmi_body_to_space(list->in_plane + i);
+    return list->in_space[i];
+}
+
+/* The status of the first body that is not valid, VM_BAD_ARGUMENT for n < 0 and for bodies that are not there */
+VM_API int vmi_check_bodies(const vmi_bodies *list)
+{
+    int i, status = VM_OK;
+    if (list->n < 0 || (list->n > 0 && !list->in_space && !list->in_plane)) return VM_BAD_ARGUMENT;
+    for (i = 0; i < list->n && !status; i++) {
+        if (list->in_plane) status = vmi_check_body2(list->in_plane + i);
+        else status = vmi_check_body(list->in_space + i);
+    }
+    return status;
+}
+
+/* ---- balances ---- */
+
+/* The moment of an impulse about a point, N m s */
+VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
+{
+    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
+}
+
+/* Adds sign times the body's momenta and energy to a balance, and their sizes to its scales */
+VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
+{
+    const vm_vec3 momentum = vm_momentum(body);
+    const vm_real size = vmi_norm2(momentum);
+    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
+    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
+    sum->momentum_scale += size;
+    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
+                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
+    sum->energy += sign * vm_kinetic_energy(body);
+}
+
+/* Takes what an impulse has given from a balance, and adds its size to the scales */
+VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
+{
+    sum->momentum = vmi_sub(sum->momentum, j->linear);
+    sum->angular_momentum = vmi_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
+    sum->momentum_scale += vmi_norm2(j->linear);
+    sum->angular_momentum_scale +=
+        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
+}
+
+VM_API int vmi_balance_is_finite(const vm_balance *b)
+{
+    return VM_IS_FINITE(b->energy) && VM_IS_FINITE(b->momentum_scale) && VM_IS_FINITE(b->angular_momentum_scale) &&
+           vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
+}
+
+/* Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6),
+   (10)-(12). *balance is what the n_after bodies have less what the n_before bodies had and less what the impulse
+   gave, where one acted. Momentum and, about any point, angular momentum are zero if nothing was lost, but for some
+   eps of their scales. There may be any number of bodies on either side, none included. The bodies are not checked.
+   VM_BAD_ARGUMENT: a null pointer, a negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
+                              const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
+{
+    vm_balance sum = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
+    int i;
+    if (!balance || n_before < 0 || n_after < 0 || (n_before > 0 && !before) || (n_after > 0 && !after))
+        return VM_BAD_ARGUMENT;
+    for (i = 0; i < n_before; i++) vmi_balance_add(&sum, -1, before + i, about);
+    for (i = 0; i < n_after; i++) vmi_balance_add(&sum, 1, after + i, about);
+    if (external_or_NULL) vmi_balance_take_impulse(&sum, external_or_NULL, about);
+    if (!vmi_balance_is_finite(&sum)) return VM_NOT_FINITE;
+    *balance = sum;
+    return VM_OK;
+}
+
 #endif
-/* mechanics/bodies2.h - bodies that move in a plane */
+/* mechanics/bodies2.h - momentum and energy of bodies in the plane, and such bodies in space
+   The plane's (35)-(39) need one moment of inertia and one angular velocity of a vm_body2 (bodies.h).
+
+       vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
+       vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J
+
+   Tests: tests/test_momenta.c, tests/test_jumps2.c. */
 #ifndef VARMASS_MECHANICS_BODIES2_H
 #define VARMASS_MECHANICS_BODIES2_H
 
-/* Documented with vm_momentum. */
+/* Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise. The body is not checked: NaN
+   in it gives NaN, and so does a null pointer. */
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y)
 {
     if (!body) return VM_NAN;
     return body->inertia * body->omega + body->mass * ((body->x - x) * body->vy - (body->y - y) * body->vx);
 }
 
-/* Documented with vm_momentum. */
+/* Kinetic energy of a body of the plane, J: (M v^2 + I omega^2)/2. The body is not checked: NaN in it gives NaN, and
+   so does a null pointer. */
 VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 {
     if (!body) return VM_NAN;
@@ -1690,65 +1832,86 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* The plane's body as a lamina in the plane z = 0 of space, which moves as it does. NaN for a null pointer. */
+/* A body of the plane as a lamina in the plane z = 0 of space, which moves as it does: xx = yy = zz/2, q of length
+   1. The body is not checked. NaN for a null pointer. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
-    vm_body b = vmi_body_to_space(body ? body : &none);
+    vm_body b;
+    if (!body) body = &none;
+    b = vmi_body_to_space(body);
     b.inertia.xx = b.inertia.yy = b.inertia.zz / 2;
-    vmi_sincos((body ? body : &none)->angle / 2, &b.q.z, &b.q.w);
+    vmi_sincos(body->angle / 2, &b.q.z, &b.q.w);
     return b;
 }
 
 #endif
-/* mechanics/jumps.h - parts separate from a body or are attached to it */
+/* mechanics/jumps.h - parts separate from a body or are attached to it, in space
+   In an instant the mass, mass centre, inertia, velocity and angular velocity of a body jump, while its attitude
+   stays: (13)-(15), (24), (33), (34), (40). An impulse may act in the same instant, and any number of parts may take
+   part.
+
+       vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
+       vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
+       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
+
+   Jumps in the plane are in jumps2.h, in relative motions in relative.h, the inverse question (how must a part
+   leave?) in inverse.h, the energy in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
-/* Separation (sign = -1) and attachment (+1) of another body, with d = SS2, M1 = M + sign m, every inertia about its
-   own mass centre, and the impulse's moment about S1:
+/* How it is computed. A body (mass M, velocity v, mass centre S) becomes one of mass M1 = M + sign m and mass centre
+   S1, when another (m, v2, S2) is attached (sign = 1) or separates (sign = -1). With d = SS2, every inertia about
+   the body's own mass centre, and moment for the impulse's moment about S1:
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   which is the same law for both with a negative mass and inertia for what leaves, and the same in a frame that turns
-   with any Omega, when omegas and v2 - v are those relative to it, (42) in space. The frame is chosen so that what
-   cancels is small: it moves with the heaviest body, and for a separation it turns with the whole. */
+   So a separation is an attachment of negative mass and inertia. The law is the same in a frame that moves and turns
+   with any Omega, if all omegas and v2 - v are taken relative to it, (42) in space. The frame is chosen so that the
+   terms that cancel are small, and few digits are lost: it moves with the heaviest body, and at a separation it
+   turns with the whole. */
+enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* values of sign */
+
+/* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q; /* of the first body, along whose axes inertias are added up */
-    vmi_mat3 turn;
-    vm_vec3 r, v, omega;
+    vm_quat q;           /* attitude of the first body, along whose axes inertias are added */
+    vmi_mat3 turn;       /* its rotation matrix */
+    vm_vec3 r, v, omega; /* place, velocity and angular velocity of the frame */
 } vmi_frame;
 
-/* What a body brings into the jump, or a sum of such */
+/* What a body, or several bodies joined, bring into the jump. "lump" as in a lumped mass. */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;              /* from the frame's */
-    vm_vec3 h;                 /* I (omega - Omega) */
-    vm_inertia inertia, sizes; /* and the sizes of the terms that its entries are sums of */
-    vm_real noise;             /* h is right to some eps of this */
+    vm_vec3 r, v;       /* mass centre and velocity, less those of the frame */
+    vm_vec3 h;          /* angular momentum I (omega - Omega), inertial axes */
+    vm_inertia inertia; /* about the mass centre, along the frame's axes q */
+    vm_inertia sizes;   /* the sizes of the terms whose sums are the entries of inertia */
+    vm_real noise;      /* the size of h before cancellation: h is right to some eps of it */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
-    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, own = vmi_rotation(body->q);
+    const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
-    vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_lump load;
+    const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
+    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* the frame's axes in those of the body */
+    vmi_lump lump;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* equal attitudes cost no digits */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
     }
-    load.mass = body->mass;
-    load.r = vmi_sub(body->r, frame->r);
-    load.v = vmi_sub(body->v, frame->v);
-    load.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
-    load.inertia = vmi_inertia_along(&body->inertia, &turn);
-    load.sizes = vmi_inertia_sizes(&body->inertia, &turn);
-    load.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
-    return load;
+    lump.mass = body->mass;
+    lump.r = vmi_sub(body->r, frame->r);
+    lump.v = vmi_sub(body->v, frame->v);
+    lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
+    lump.inertia = vmi_inertia_along(&body->inertia, &turn);
+    lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
+    lump.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
+    return lump;
 }
 
-/* P(d) in the frame's axes, and the sizes of its terms when d has the rounding errors of positions of size reach */
+/* P(d) along the frame's axes, and the sizes of its terms, if d has the rounding errors of positions as large as
+   reach */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -1766,21 +1929,32 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* a + sign b */
+/* The noise that b and the term m M/M1 d x slip add to a lump: d is as uncertain as positions of the size of reach */
+VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
+                              vm_real reduced, vm_vec3 reach, vm_vec3 slip)
+{
+    const vm_real distance = vmi_norm1(vmi_sub(b->r, a->r));
+    const vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v);
+    const vm_real moved = sign < 0 ? b->mass : reduced;
+    return b->noise + VM_FABS(reduced) * distance * speeds +
+           moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
+}
+
+/* Attaches b to a (sign = 1) or separates it from a (sign = -1). VM_BAD_MASS if no mass is left. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
-    const vm_real mass = a->mass + sign * b->mass, share = sign * (b->mass / mass), reduced = a->mass * share;
-    vm_vec3 origin = vmi_abs(frame->r), d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
-    vm_vec3 u = vmi_sub(v, vmi_cross(frame->omega, d));
-    vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v), turning = vmi_norm1(frame->omega);
+    const vm_real mass = a->mass + sign * b->mass;
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* sign m/M1, sign m M/M1 */
+    const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
+    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* v2 - v relative to the frame */
+    const vm_vec3 origin = vmi_abs(frame->r);
+    const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
+    a->noise += vmi_join_noise(frame, a, sign, b, reduced, reach, slip);
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
-    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, u))));
-    a->noise += b->noise + VM_FABS(reduced) * vmi_norm1(d) * speeds +
-                (sign < 0 ? b->mass : reduced) * vmi_norm1(reach) * (vmi_norm1(d) * turning + vmi_norm1(u));
+    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
     if (b->mass > a->mass) { /* from the heavier, so that a light body's motion costs no digits of it */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
@@ -1792,14 +1966,17 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
+/* Adds an impulse to the velocity and the angular momentum of a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
-    vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
-    a->v = vmi_add(a->v, vmi_vec3(j.x / a->mass, j.y / a->mass, j.z / a->mass));
+    const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
+    a->v = vmi_add(a->v, vmi_over(j, a->mass));
     a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
+/* The frame of a jump: it moves with the heaviest of all bodies. At a separation, and where only an impulse acts, it
+   turns with the first body, at an attachment not at all. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -1809,7 +1986,8 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     frame.turn = vmi_rotation(body->q);
     frame.r = body->r;
     frame.v = body->v;
-    frame.omega = sign < 0 || others->n == 0 ? body->omega : vmi_vec3(0, 0, 0);
+    frame.omega = vmi_vec3(0, 0, 0);
+    if (sign < 0 || others->n == 0) frame.omega = body->omega;
     for (i = 0; i < others->n; i++) {
         const vm_body b = vmi_list_body(others, i);
         if (b.mass > mass) {
@@ -1821,116 +1999,130 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* The body with the others joined (sign = 1) or without them (-1), struck by the impulse */
+/* The first body after the jump: with the others attached (sign = 1) or without them (-1), and after the impulse.
+   The others are joined among each other first. VM_BAD_MASS, VM_NOT_FINITE (the impulse). */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
-                          const vm_impulse *external, vmi_lump *total)
+                          const vm_impulse *external_or_NULL, vmi_lump *total)
 {
-    vmi_lump sum = vmi_lump_of(frame, body);
+    vmi_lump sum;
     int i, status = VM_OK;
-    *total = sum;
+    *total = vmi_lump_of(frame, body);
     for (i = 0; i < others->n && !status; i++) {
         const vm_body other = vmi_list_body(others, i);
-        const vmi_lump load = vmi_lump_of(frame, &other);
-        if (i == 0) sum = load;
-        else status = vmi_join(frame, &sum, 1, &load);
+        const vmi_lump lump = vmi_lump_of(frame, &other);
+        if (i == 0) sum = lump;
+        else status = vmi_join(frame, &sum, 1, &lump);
     }
     if (others->n > 0 && !status) status = vmi_join(frame, total, sign, &sum);
-    if (status || !external) return status;
-    if (!vmi_impulse_finite(external)) return VM_NOT_FINITE;
-    vmi_apply_impulse(frame, total, external);
+    if (status || !external_or_NULL) return status;
+    if (!vmi_impulse_finite(external_or_NULL)) return VM_NOT_FINITE;
+    vmi_apply_impulse(frame, total, external_or_NULL);
     return VM_OK;
 }
 
-/* The angular velocity, relative to the frame, of a load whose inertia has been settled */
-VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *load, const vmi_principal *p, vm_vec3 before,
+/* Principal axes of a lump, whose moments become some that a body can have exactly. VM_NOT_FINITE, VM_BAD_INERTIA if
+   the moments are not possible within the rounding errors. */
+VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
+{
+    if (!vmi_inertia_finite(&lump->inertia)) return VM_NOT_FINITE;
+    *p = vmi_principal_axes(&lump->inertia);
+    if (!vmi_inertia_is_possible(p, vmi_slack(&lump->sizes))) return VM_BAD_INERTIA;
+    if (vmi_clamp_moments(p, &lump->sizes)) lump->inertia = vmi_inertia_from(p);
+    return VM_OK;
+}
+
+/* *omega: the angular velocity relative to the frame, inertial axes, of a lump with principal axes p; before: what
+   it was before the jump. Returns 1 if angular momentum was left about an axis without moment, else 0. */
+VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
-    const vm_real noise = 2 * VM_EPSILON * (load->noise + vmi_norm1(load->h));
-    int left = vmi_solve_spin(&load->inertia, p, vmi_times_transposed(&frame->turn, load->h), noise,
-                              vmi_times_transposed(&frame->turn, before), omega);
-    *omega = vmi_times(&frame->turn, *omega);
+    const vm_real noise = 2 * VM_EPSILON * (lump->noise + vmi_norm1(lump->h));
+    vm_vec3 spin;
+    const int left = vmi_solve_spin(&lump->inertia, p, vmi_times_transposed(&frame->turn, lump->h), noise,
+                                    vmi_times_transposed(&frame->turn, before), &spin);
+    *omega = vmi_times(&frame->turn, spin);
     return left;
 }
 
-VM_API int vmi_lump_clamp_moments(vmi_lump *load, vmi_principal *p)
+/* The jump of a body by n others with sign, and by an impulse */
+VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
+                    const vm_impulse *external_or_NULL, vm_body *result)
 {
-    if (!vmi_inertia_finite(&load->inertia)) return VM_NOT_FINITE;
-    *p = vmi_principal_axes(&load->inertia);
-    if (!vmi_inertia_is_possible(p, vmi_slack(&load->sizes))) return VM_BAD_INERTIA;
-    if (vmi_clamp_moments(p, &load->sizes)) load->inertia = vmi_inertia_from(p);
-    return VM_OK;
-}
-
-VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign, const vm_impulse *external,
-                    vm_body *result)
-{
-    vmi_bodies list;
+    const vmi_bodies list = vmi_bodies_in_space(n, others);
     vmi_frame frame;
-    vmi_lump load;
+    vmi_lump lump;
     vmi_principal p;
     vm_body b;
     int status;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    list.n = n;
-    list.in_space = others;
-    list.in_plane = NULL;
     status = vmi_check_body(body);
     if (!status) status = vmi_check_bodies(&list);
     if (status) return status;
     frame = vmi_frame_of(body, &list, sign);
-    status = vmi_jump_total(&frame, body, sign, &list, external, &load);
-    if (!status) status = vmi_lump_clamp_moments(&load, &p);
+    status = vmi_jump_total(&frame, body, sign, &list, external_or_NULL, &lump);
+    if (!status) status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
-    b.mass = load.mass;
-    b.inertia = load.inertia;
+    b.mass = lump.mass;
+    b.inertia = lump.inertia;
     b.q = body->q;
-    b.r = vmi_add(frame.r, load.r);
-    b.v = vmi_add(frame.v, load.v);
-    if (vmi_lump_spin(&frame, &load, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    b.r = vmi_add(frame.r, lump.r);
+    b.v = vmi_add(frame.v, lump.v);
+    if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
     b.omega = vmi_add(frame.omega, b.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
 }
 
-/* A part, which moved as given the instant after, has left the whole: rest gets mass, mass centre (15), inertia by
-   the parallel axes, velocity (24) and angular velocity (34) of what remains; its attitude is the whole's.
-   external, where not NULL, acted during the instant. Exact in space: momentum and angular momentum of rest and
-   part are those of the whole plus the impulse. Where the rest is a rod or a point the spin about its null axis
-   stays the whole's; VM_NULL_AXIS says that there was angular momentum left which that axis cannot carry.
+/* Separation of a part from a body: *rest is what remains, the instant after. *part has left the whole and moves as
+   given; rest gets mass, mass centre (15), inertia by the parallel axes (40), velocity (24) and angular velocity
+   (34), and the whole's attitude. *external, where not NULL, acted during the instant. Exact in space: momentum and
+   angular momentum of rest and part are those of the whole plus the impulse. rest may be whole or part.
 
-   A part that moves on as before leaves the rest's motion as it was, however little of the inertia is left: only
-   motions relative to the whole are added up, so that neither its speed nor a place far from the origin costs digits
-   of omega. The rest's inertia is right to 8 eps of the whole's, far from the origin to what an eps of the positions
-   changes; a moment below that counts as none.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS (a part as heavy as the whole, for one), VM_BAD_INERTIA (a part that
-   cannot have been in the whole, for one). */
+   A part that moves on as before leaves the motion of the rest as it was, however little of the inertia is left:
+   only motions relative to the whole are added, so that neither high speed nor a place far from the origin costs
+   digits of omega. The inertia of the rest is right to 8 eps of the whole's, and far from the origin to what an eps
+   of the positions changes; a moment below that becomes 0.
+
+   VM_NULL_AXIS (> 0, done): the rest is a rod or a point, and angular momentum was left about its null axis, which
+   cannot carry it; the spin about this axis stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE.
+   VM_BAD_MASS: a mass is not positive, that of the rest included. VM_BAD_INERTIA: an inertia that no body has, as
+   that of a rest if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
-    return vmi_jump(whole, 1, part, -1, external_or_NULL, rest);
+    return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Two bodies, moving as given the instant before, have become one (which is plastic impact) (24), (33): its attitude
-   is body's, and so is the spin about a null axis. */
+/* Attachment of one body to another (plastic impact): *whole is the two together, the instant after (24), (33). body
+   and added move as given the instant before; *external, where not NULL, acted during the instant. The attitude of
+   the whole is body's. Statuses as those of vm_separate; with VM_NULL_AXIS, for a whole that is a rod or a point,
+   the spin about the null axis stays body's. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
-    return vmi_jump(body, 1, added, 1, external_or_NULL, whole);
+    return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* n parts at once, n >= 0: but for rounding errors what comes of one after another. n = 0 is a blow on the body. */
+/* Separation of n parts at once, n >= 0: *rest is what remains. Except for rounding errors it is what n calls of
+   vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
+   VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
-    return vmi_jump(whole, n, parts, -1, external_or_NULL, rest);
+    return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate_all. */
+/* Attachment of n bodies at once, n >= 0: *whole is all of them together. Except for rounding errors it is what n
+   calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
+   VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
-    return vmi_jump(body, n, added, 1, external_or_NULL, whole);
+    return vmi_jump(body, n, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
+/* ---- the inertia of a whole and of its parts ---- */
+
+/* A body that does not move, its axes the inertial ones */
 VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -1940,6 +2132,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
+/* Inertia and mass centre by a jump of bodies at rest, the first at the origin and the second at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -1956,27 +2149,38 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia, about its own mass centre, of a and b together, and of what is left of the whole without the part
-   (13)-(15), (40). d leads from the mass centre of the first to that of the second, *centre from that of the first to
-   the result's: SS2 and SS1 of (15). One set of axes. Accuracy and errors are those of vm_attach and vm_separate. */
+/* Inertia of two bodies together, about their common mass centre, (13)-(15), (40). All inertias are along one set of
+   axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
+   that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
-    return vmi_joined_inertia(mass_a, a, 1, mass_b, b, d, whole, centre);
+    return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Documented with vm_combine_inertia. */
+/* Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40): the way back from
+   vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
+   whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {
-    return vmi_joined_inertia(mass, whole, -1, part_mass, part, d, rest, centre);
+    return vmi_joined_inertia(mass, whole, VMI_SEPARATE, part_mass, part, d, rest, centre);
 }
 
 #endif
-/* mechanics/jumps2.h - parts separate or are attached in a plane */
+/* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
+   The plane's form of jumps.h, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
+   The same code joins the masses; only the last step, from angular momentum to angular velocity, is the plane's own.
+
+       vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
+       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
+
+   Tests: tests/test_jumps2.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
+/* The impulse of the plane in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -1986,106 +2190,143 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* (44) and its like: a load's spin relative to the frame, which without inertia is the one before */
-VM_API int vmi_lump_spin2(const vmi_lump *load, vm_real before, vm_real *omega)
+/* The moment of a lump of the plane becomes one that a body can have exactly: a moment that is lost in rounding
+   errors becomes 0. VM_NOT_FINITE, VM_BAD_INERTIA if it is negative beyond rounding errors. */
+VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
-    *omega = load->inertia.zz > 0 ? load->h.z / load->inertia.zz : before;
-    return !(load->inertia.zz > 0) && VM_FABS(load->h.z) > 2 * VM_EPSILON * (load->noise + VM_FABS(load->h.z));
-}
-
-VM_API int vmi_lump_clamp_moments2(vmi_lump *load)
-{
-    if (!VM_IS_FINITE(load->inertia.zz)) return VM_NOT_FINITE;
-    if (load->inertia.zz < -32 * VM_EPSILON * load->sizes.zz) return VM_BAD_INERTIA;
-    if (load->inertia.zz <= 8 * VM_EPSILON * load->sizes.zz) load->inertia.zz = 0;
+    if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
+    if (lump->inertia.zz < -32 * VM_EPSILON * lump->sizes.zz) return VM_BAD_INERTIA;
+    if (lump->inertia.zz <= VMI_LOST_SHARE * lump->sizes.zz) lump->inertia.zz = 0;
     return VM_OK;
 }
 
-/* Checks, and the total of vmi_jump_total for bodies of the plane */
-VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
-                           const vm_impulse2 *external, vmi_frame *frame, vmi_lump *load)
+/* *omega: the angular velocity of a lump relative to the frame, (44), or what it was before if there is no inertia.
+   Returns 1 if angular momentum was left, which a lump without inertia cannot carry, else 0. */
+VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
-    vm_impulse blow;
+    if (lump->inertia.zz > 0) {
+        *omega = lump->h.z / lump->inertia.zz;
+        return 0;
+    }
+    *omega = before;
+    return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
+}
+
+/* vmi_jump_total for bodies of the plane, which are checked here, with the moment of the total clamped */
+VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
+                           const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
+{
+    vm_impulse impulse;
+    const vm_impulse *given = NULL;
     vm_body lifted;
     int status = vmi_check_body2(body);
     if (!status) status = vmi_check_bodies(others);
     if (status) return status;
+    if (external_or_NULL) {
+        impulse = vmi_impulse_to_space(external_or_NULL);
+        given = &impulse;
+    }
     lifted = vmi_body_to_space(body);
-    if (external) blow = vmi_impulse_to_space(external);
     *frame = vmi_frame_of(&lifted, others, sign);
-    status = vmi_jump_total(frame, &lifted, sign, others, external ? &blow : NULL, load);
-    return status ? status : vmi_lump_clamp_moments2(load);
+    status = vmi_jump_total(frame, &lifted, sign, others, given, total);
+    return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign, const vm_impulse2 *external,
-                     vm_body2 *result)
+/* The jump of a body of the plane by n others with sign, and by an impulse */
+VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
+                     const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
-    vmi_bodies list;
+    const vmi_bodies list = vmi_bodies_in_plane(n, others);
     vmi_frame frame;
-    vmi_lump load;
+    vmi_lump lump;
     vm_body2 b;
     int status;
     if (!body || !result || (n > 0 && !others)) return VM_BAD_ARGUMENT;
-    list.n = n;
-    list.in_space = NULL;
-    list.in_plane = others;
-    status = vmi_jump_total2(body, &list, sign, external, &frame, &load);
+    status = vmi_jump_total2(body, &list, sign, external_or_NULL, &frame, &lump);
     if (status) return status;
-    b.mass = load.mass;
-    b.inertia = load.inertia.zz;
+    b.mass = lump.mass;
+    b.inertia = lump.inertia.zz;
     b.angle = body->angle;
-    b.x = frame.r.x + load.r.x;
-    b.y = frame.r.y + load.r.y;
-    b.vx = frame.v.x + load.v.x;
-    b.vy = frame.v.y + load.v.y;
-    if (vmi_lump_spin2(&load, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
+    b.x = frame.r.x + lump.r.x;
+    b.y = frame.r.y + lump.r.y;
+    b.vx = frame.v.x + lump.v.x;
+    b.vy = frame.v.y + lump.v.y;
+    if (vmi_lump_spin2(&lump, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
     b.omega += frame.omega.z;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
 }
 
-/* The same in the plane (35)-(39); *_all2 as above */
+/* Separation of a part from a body in the plane (35)-(39): *rest is what remains, the instant after. *part has left
+   the whole and moves as given; *external, where not NULL, acted during the instant. Momentum and angular momentum
+   of rest and part are those of the whole plus the impulse. rest may be whole or part. Accuracy as that of
+   vm_separate.
+
+   VM_NULL_AXIS (> 0, done): the rest is a point, and angular momentum about it was left, which it cannot carry;
+   omega stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE. VM_BAD_MASS: a mass is not positive, that
+   of the rest included. VM_BAD_INERTIA: an inertia is negative, that of the rest included. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
-    return vmi_jump2(whole, 1, part, -1, external_or_NULL, rest);
+    return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate2. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the two together, the instant after.
+   body and added move as given the instant before; *external, where not NULL, acted during the instant. The angle of
+   the whole is body's. Statuses as those of vm_separate2; with VM_NULL_AXIS, for two points at one place, omega
+   stays body's. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
-    return vmi_jump2(body, 1, added, 1, external_or_NULL, whole);
+    return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Documented with vm_separate2. */
+/* Separation of n parts at once in the plane, n >= 0: *rest is what remains. Except for rounding errors it is what n
+   calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate2, and
+   VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
-    return vmi_jump2(whole, n, parts, -1, external_or_NULL, rest);
+    return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate2. */
+/* Attachment of n bodies at once in the plane, n >= 0: *whole is all of them together. Except for rounding errors it
+   is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach2,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
-    return vmi_jump2(body, n, added, 1, external_or_NULL, whole);
+    return vmi_jump2(body, n, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
 #endif
-/* mechanics/relative.h - motion relative to a moving body */
+/* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
+   The motion of a body relative to the frame that moves and turns rigidly with another one (25), (26), (41), and the
+   jump laws in such motions, (28)-(31), (42)-(44): often only the velocity with which a part leaves the whole is
+   known.
+
+       vm_body part = whole, rest; // whole is a vm_body
+       part.mass = 1;
+       part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
+       part.v.z = 2;                                       // it leaves at 2 m/s, relative to the whole
+       vm_separate_relative(&whole, &part, NULL, &rest);   // so rest moves relative to the whole, too
+       vm_to_absolute(&whole, &rest, &rest);
+
+   Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity of the point r of what moves on rigidly with a body: the dragging velocity of (25) */
-VM_API vm_vec3 vmi_velocity_at(const vm_body *by, vm_vec3 r)
+/* Velocity of the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
+VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
-    return vmi_add(by->v, vmi_cross(by->omega, vmi_sub(r, by->r)));
+    return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* Motion relative to what moves on rigidly with a body: v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101) and
-   Omega_r = omega - Omega (41), (99), (102) in v and omega; and back. All else is copied. VM_BAD_ARGUMENT. */
+/* Motion of a body relative to the frame that moves rigidly with the body `to`: v and omega of *relative become
+     v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
+   and all else is copied; axes and origin stay the inertial ones. relative may be absolute. VM_BAD_ARGUMENT: a null
+   pointer. The bodies are not checked: NaN in them gives NaN. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -2097,7 +2338,8 @@ VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *r
     return VM_OK;
 }
 
-/* Documented with vm_to_relative. */
+/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative. absolute may
+   be relative. VM_BAD_ARGUMENT: a null pointer. The bodies are not checked: NaN in them gives NaN. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
@@ -2109,7 +2351,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return VM_OK;
 }
 
-/* Documented with vm_to_relative. */
+/* Motion of a body of the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change
+   as in vm_to_relative, all else is copied. VM_BAD_ARGUMENT: a null pointer. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -2121,7 +2364,8 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return VM_OK;
 }
 
-/* Documented with vm_to_relative. */
+/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2.
+   VM_BAD_ARGUMENT: a null pointer. */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
@@ -2133,109 +2377,145 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
     return VM_OK;
 }
 
-/* The law has the same form in the frame that moves and turns with the first body */
-VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external,
-                             vm_body *result)
+/* ---- jumps ---- */
+
+/* A jump in motions relative to the first body, which is at rest in them: the law has the same form in its frame */
+VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
+                             const vm_impulse *external_or_NULL, vm_body *result)
 {
     vm_body still;
     if (!body) return VM_BAD_ARGUMENT;
     still = *body;
     still.v = still.omega = vmi_vec3(0, 0, 0);
-    return vmi_jump(&still, 1, other, sign, external, result);
+    return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
+/* vmi_jump_relative in the plane */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
-                              const vm_impulse2 *external, vm_body2 *result)
+                              const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
     vm_body2 still;
     if (!body) return VM_BAD_ARGUMENT;
     still = *body;
     still.vx = still.vy = still.omega = 0;
-    return vmi_jump2(&still, 1, other, sign, external, result);
+    return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* The jump in relative motions, (28)-(31), (42)-(44): those of the part given and of the rest returned are relative
-   to the whole, those of the body added and of the whole relative to the body; what the first body itself does does
-   not matter. */
+/* Separation in motions relative to the whole, (28)-(31), (42)-(44): v and omega of part are relative to the whole,
+   and so are those of *rest. The whole's own v and omega do not matter. Otherwise as vm_separate, statuses included.
+   */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
-    return vmi_jump_relative(whole, part, -1, external_or_NULL, rest);
+    return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate_relative. */
+/* Attachment in motions relative to the first body, (28)-(31), (42)-(44): v and omega of added are relative to body,
+   and so are those of *whole. The own v and omega of body do not matter. Otherwise as vm_attach, statuses included.
+   */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
-    return vmi_jump_relative(body, added, 1, external_or_NULL, whole);
+    return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Documented with vm_separate_relative. */
+/* Separation in the plane, in motions relative to the whole: vx, vy, omega of part are relative to the whole, and so
+   are those of *rest. The whole's own motion does not matter. Otherwise as vm_separate2, statuses included. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
-    return vmi_jump_relative2(whole, part, -1, external_or_NULL, rest);
+    return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate_relative. */
+/* Attachment in the plane, in motions relative to the first body: vx, vy, omega of added are relative to body, and
+   so are those of *whole. The own motion of body does not matter. Otherwise as vm_attach2, statuses included. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
-    return vmi_jump_relative2(body, added, 1, external_or_NULL, whole);
+    return vmi_jump_relative2(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
 #endif
-/* mechanics/inverse.h - how a part must leave for the rest to move as wanted */
+/* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
+   The inverse question of a separation: Tables 2 to 4 of [1] ask which motions of the part leave a rest that does
+   not turn, that rests, or that moves on as the whole did.
+
+       vm_vec3 none = {0, 0, 0};
+       vm_body moving; // whole and part are vm_bodies
+       int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: with this omega of
+                                                                                      // part the rest does not turn
+
+   Tests: tests/test_inverse.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
-/* (24) for v2: v + (linear - M1 (v1 - v))/m */
-VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external,
+/* The velocity of the part that gives the rest the velocity rest_v: v2 = v + (linear - M1 (v1 - v))/m by (24) */
+VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
     vm_vec3 momentum = vmi_scale(part->mass - whole->mass, vmi_sub(rest_v, whole->v));
-    if (external) momentum = vmi_add(momentum, external->linear);
-    return vmi_add(whole->v, vmi_vec3(momentum.x / part->mass, momentum.y / part->mass, momentum.z / part->mass));
+    if (external_or_NULL) momentum = vmi_add(momentum, external_or_NULL->linear);
+    return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The I2 Omega_r of the part with which the rest turns with rest_omega: h - I1 (rest_omega - Omega), where h is what
-   the rest has when the part does not turn relative to the whole */
+/* I2 Omega_r of the part with which the rest turns with rest_omega: h - I1 (rest_omega - Omega), where h is the
+   angular momentum that the rest has if the part turns as the whole does */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
-    vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
+    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* The load that the rest would be, with the part leaving at b's velocity but turning with the whole */
-VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *b, const vm_impulse *external, vmi_frame *frame,
-                             vmi_lump *rest)
+/* What the rest would be if the part left with its velocity, but turned as the whole does */
+VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
+                             vmi_frame *frame, vmi_lump *rest)
 {
-    vm_body unturned = *b;
-    vmi_bodies list;
+    vm_body unturned = *part;
+    const vmi_bodies list = vmi_bodies_in_space(1, &unturned);
     vmi_principal p;
     int status = vmi_check_body(whole);
-    list.n = 1;
-    list.in_space = &unturned;
-    list.in_plane = NULL;
     if (!status) status = vmi_check_bodies(&list);
     if (status) return status;
     unturned.omega = whole->omega;
-    *frame = vmi_frame_of(whole, &list, -1);
-    status = vmi_jump_total(frame, whole, -1, &list, external, rest);
+    *frame = vmi_frame_of(whole, &list, VMI_SEPARATE);
+    status = vmi_jump_total(frame, whole, VMI_SEPARATE, &list, external_or_NULL, rest);
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* The inverse question: how must the part leave for the rest to move as wanted? *moving is the part with the velocity
-   that gives the rest the velocity *rest_v, and then the angular velocity that gives it *rest_omega; what is not
-   asked for (NULL) stays the part's. *rest_omega = 0: no rotation (Table 2, 5 and 7; Table 4, 2); *rest_v = 0 too: at
-   rest (Table 3, 6 and 8); the whole's own motion: unchanged (Table 3, 7).
-   VM_NULL_AXIS where the part would have to spin about an axis without inertia; errors as vm_separate. */
-VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
-                           const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
+/* Gives part the angular velocity with which the rest turns with rest_omega. VM_NULL_AXIS where it would have to
+   spin about an axis without inertia. */
+VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
-    vmi_frame frame, own;
-    vmi_lump rest, load;
+    vmi_frame own = *frame; /* with the part's axes */
+    vmi_lump lump;
     vmi_principal p;
+    vm_vec3 spin;
+    int status;
+    own.q = part->q;
+    own.turn = vmi_rotation(part->q);
+    lump = vmi_lump_of(&own, part);
+    lump.h = vmi_part_spin_momentum(frame, rest, rest_omega);
+    lump.noise = rest->noise + vmi_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
+    status = vmi_lump_clamp_moments(&lump, &p);
+    if (status) return status;
+    if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
+    part->omega = vmi_add(own.omega, spin);
+    return status;
+}
+
+/* Inverse of vm_separate: how must the part leave, so that the rest moves as wanted? *moving is the part with the
+   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and then with the angular velocity that gives it
+   *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is asked for, and the part keeps its own motion.
+   With *rest_omega = 0 the rest does not turn (Table 2, 5 and 7; Table 4, 2), with *rest_v = 0 too it is at rest
+   (Table 3, 6 and 8), and with the whole's motion it moves on as the whole did (Table 3, 7).
+
+   VM_NULL_AXIS (> 0, done as far as possible): the part would have to spin about an axis without inertia. Other
+   statuses as those of vm_separate. */
+VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
+                                  const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
+{
+    vmi_frame frame;
+    vmi_lump rest;
     vm_body b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
@@ -2245,82 +2525,90 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
     if (rest_v_or_NULL) b.v = vmi_part_velocity(whole, part, external_or_NULL, *rest_v_or_NULL);
     status = vmi_unturned_rest(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
-    if (rest_omega_or_NULL) {
-        own = frame;
-        own.q = b.q;
-        own.turn = vmi_rotation(b.q); /* along the part's axes */
-        load = vmi_lump_of(&own, &b);
-        load.h = vmi_part_spin_momentum(&frame, &rest, *rest_omega_or_NULL);
-        load.noise = rest.noise +
-                     vmi_trace(&rest.inertia) * (vmi_norm1(*rest_omega_or_NULL) + vmi_norm1(frame.omega));
-        status = vmi_lump_clamp_moments(&load, &p);
-        if (status) return status;
-        if (vmi_lump_spin(&own, &load, &p, vmi_sub(b.omega, own.omega), &b.omega)) status = VM_NULL_AXIS;
-        b.omega = vmi_add(own.omega, b.omega);
-    }
+    if (rest_omega_or_NULL) status = vmi_turn_part(&frame, &rest, *rest_omega_or_NULL, &b);
+    if (status < 0) return status;
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *moving = b;
     return status;
 }
 
-/* The same as vmi_unturned_rest */
-VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *b, const vm_impulse2 *external,
-                              vmi_frame *frame, vmi_lump *rest)
+/* ---- the plane ---- */
+
+/* vmi_part_velocity in the plane: sets vx and vy of *part */
+VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
+                           vm_body2 *part)
 {
-    vm_body2 unturned = *b;
-    vmi_bodies list;
-    int status = vmi_check_body2(b);
-    if (status) return status;
-    unturned.omega = whole->omega;
-    list.n = 1;
-    list.in_space = NULL;
-    list.in_plane = &unturned;
-    return vmi_jump_total2(whole, &list, -1, external, frame, rest);
+    const vm_body from = vmi_body_to_space(whole), leaving = vmi_body_to_space(part);
+    const vm_impulse *given = NULL;
+    vm_impulse impulse;
+    vm_vec3 v;
+    if (external_or_NULL) {
+        impulse = vmi_impulse_to_space(external_or_NULL);
+        given = &impulse;
+    }
+    v = vmi_part_velocity(&from, &leaving, given, vmi_vec3(rest_v[0], rest_v[1], 0));
+    part->vx = v.x;
+    part->vy = v.y;
 }
 
-/* The same in the plane; *rest_v is vx, vy */
+/* vmi_unturned_rest in the plane */
+VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
+                              vmi_frame *frame, vmi_lump *rest)
+{
+    vm_body2 unturned = *part;
+    const vmi_bodies list = vmi_bodies_in_plane(1, &unturned);
+    const int status = vmi_check_body2(part);
+    if (status) return status;
+    unturned.omega = whole->omega;
+    return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
+}
+
+/* vmi_turn_part in the plane */
+VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
+                          vm_body2 *part)
+{
+    vmi_lump lump = *rest;
+    vm_real spin;
+    int left;
+    lump.inertia.zz = part->inertia;
+    lump.h = vmi_part_spin_momentum(frame, rest, vmi_vec3(0, 0, rest_omega));
+    lump.noise += rest->inertia.zz * (VM_FABS(rest_omega) + VM_FABS(whole->omega));
+    left = vmi_lump_spin2(&lump, part->omega - whole->omega, &spin);
+    part->omega = spin + whole->omega;
+    return left ? VM_NULL_AXIS : VM_OK;
+}
+
+/* Inverse of vm_separate2: how must the part leave, so that the rest moves as wanted, in the plane? *moving is the
+   part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
+   and then with the angular velocity that gives it *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is
+   asked for, and the part keeps its own motion. Statuses as those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
-                            const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL, vm_body2 *moving)
+                                   const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
+                                   vm_body2 *moving)
 {
     vmi_frame frame;
-    vmi_lump rest, load;
+    vmi_lump rest;
     vm_body2 b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
     status = vmi_check_body2(part);
     if (status) return status;
     b = *part;
-    if (rest_v_or_NULL) {
-        const vm_body from = vmi_body_to_space(whole), leaving = vmi_body_to_space(part);
-        vm_impulse blow;
-        vm_vec3 v;
-        if (external_or_NULL) blow = vmi_impulse_to_space(external_or_NULL);
-        v = vmi_part_velocity(&from, &leaving, external_or_NULL ? &blow : NULL,
-                              vmi_vec3(rest_v_or_NULL[0], rest_v_or_NULL[1], 0));
-        b.vx = v.x;
-        b.vy = v.y;
-    }
+    if (rest_v_or_NULL) vmi_push_part2(whole, external_or_NULL, rest_v_or_NULL, &b);
     status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
-    if (rest_omega_or_NULL) {
-        load = rest;
-        load.inertia.zz = b.inertia;
-        load.h = vmi_part_spin_momentum(&frame, &rest, vmi_vec3(0, 0, *rest_omega_or_NULL));
-        load.noise += rest.inertia.zz * (VM_FABS(*rest_omega_or_NULL) + VM_FABS(whole->omega));
-        if (vmi_lump_spin2(&load, b.omega - whole->omega, &b.omega)) status = VM_NULL_AXIS;
-        b.omega += whole->omega;
-    }
+    if (rest_omega_or_NULL) status = vmi_turn_part2(whole, &frame, &rest, *rest_omega_or_NULL, &b);
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
     *moving = b;
     return status;
 }
 
-/* The part keeps its spin: which velocity gives the rest the angular velocity rest_omega? Of those that do, the one
-   with the least v_r, which is orthogonal to SS2; any v_r along SS2 may be added (Table 3, 7, asked for v_r).
-   VM_SINGULAR where SS2 = 0; errors as vm_separate2. */
-/* What is left of h - I1 (rest_omega - Omega) must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
+/* Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part
+   keeps its own spin (Table 3, 7, asked for v_r). *moving is the part with, of all such velocities, the one with the
+   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. VM_SINGULAR if
+   SS2 = 0, so that no velocity turns the rest. Other statuses as those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
-                                 vm_real rest_omega, vm_body2 *moving)
+                                   vm_real rest_omega, vm_body2 *moving)
 {
     vmi_frame frame;
     vmi_lump rest;
@@ -2330,13 +2618,14 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(rest_omega)) return VM_NOT_FINITE;
     b = *part;
-    dx = b.x - whole->x;
+    dx = b.x - whole->x; /* SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy;
+    b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
     status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
+    /* h, what the part's spin and the rest's leave, must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;
@@ -2347,47 +2636,59 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 }
 
 #endif
-/* mechanics/jump_energy.h - the energy that a jump sets free or takes */
+/* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
+   Kinetic energy is not kept when bodies separate or join. The change is the kinetic energy of the motions relative
+   to the whole: theorem (113), (118), the form for both of Carnot's theorem.
+
+       vm_body rest; // whole and part are known vm_bodies
+       vm_real gain = VM_NAN;
+       if (vm_separate(&whole, &part, NULL, &rest) == VM_OK) gain = vm_energy_gain(&whole, 1, &part, NULL, &rest);
+
+   Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
-/* Kinetic energy of the motions relative to the whole of n bodies and one more; the impulse's work on the whole */
-VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more,
-                                   const vm_impulse *external, vm_real *work)
+/* Kinetic energy of the motions of n bodies and one more relative to the whole; NaN for a null pointer and n < 0 */
+VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
     vm_body b;
     int i;
     if (!whole || !one_more || n < 0 || (n > 0 && !bodies)) return VM_NAN;
-    for (i = 0; i <= n; i++) {
-        b = i < n ? bodies[i] : *one_more;
-        vm_to_relative(whole, &b, &b);
+    for (i = 0; i < n; i++) {
+        vm_to_relative(whole, bodies + i, &b);
         sum += vm_kinetic_energy(&b);
     }
-    *work = 0;
-    if (external)
-        *work = vmi_dot(whole->v, external->linear) + vmi_dot(whole->omega, vmi_impulse_moment(external, whole->r));
-    return sum;
+    vm_to_relative(whole, one_more, &b);
+    return sum + vm_kinetic_energy(&b);
 }
 
-/* Kinetic energy that the n parts and the rest have more than the whole had, J, as the theorem (113), (118) has it:
-   the sum of the kinetic energies of their motions relative to the whole, exact in space, and the impulse's work
-   v_S.linear + Omega.moment about S. At high speed it has digits that the difference of the energies has lost. NaN
-   for a null pointer and n < 0. */
+/* Work of an impulse on a body, J: v_S.linear + Omega.moment about S; 0 without an impulse or a body */
+VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
+{
+    const vm_body *b = body_or_NULL;
+    const vm_impulse *j = external_or_NULL;
+    if (!b || !j) return 0;
+    return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
+}
+
+/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113),
+   (118). It is the kinetic energy of their motions relative to the whole plus the impulse's work on the whole,
+   v_S.linear + Omega.moment about S; exact in space. At high speed it has digits that the difference of the energies
+   has lost. whole moves as before the jump, parts and rest as after it. NaN for a null pointer and n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
-    vm_real work = 0, sum = vmi_relative_energy(whole, n, parts, rest, external_or_NULL, &work);
-    return sum + work;
+    return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* What body and the n added have more than the whole has, J: Carnot's loss, the kinetic energies of their motions
-   relative to the whole, less the work of the impulse on it. */
+/* Energy lost at an attachment, J: the kinetic energy of body and the n added less that of the whole, Carnot's loss.
+   It is the kinetic energy of their motions relative to the whole less the impulse's work on the whole. body and
+   added move as before the jump, whole as after it. NaN for a null pointer and n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)
 {
-    vm_real work = 0, sum = vmi_relative_energy(whole, n, added, body, external_or_NULL, &work);
-    return sum - work;
+    return vmi_relative_energy(whole, n, added, body) - vmi_impulse_work(whole, external_or_NULL);
 }
 
 #endif
