@@ -30,13 +30,15 @@
 
 /* A motion prepared by vm_torque_free_init. Plain data: it may be copied. The fields are for reading at most.
 
-   Accuracy, measured, inputs taken as exact, to 1e6 turns: attitude within 8 eps (rad), omega within 5 eps |omega|,
-   also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps in an input
-   means one of eps times the angle turned; next to the separatrix more, since every turn-over moves. If there are
-   products of inertia, the principal moments are known to two words only: 5e-12 rad after 1e6 turns at 1 - m = 1e-16
-   (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10 eps tr(I) |omega|. Components of
-   omega below 2^-505 (float 2^-57) of the largest count as 0. Cost: a time takes 17 to 19 times the C library's sin,
-   preparing a motion 10 to 20 times that, 40 with products of inertia. */
+   Accuracy, measured up to 1e6 turns, with the inputs taken as exact: attitude within 8 eps (rad), omega within 5 eps
+   |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps in an
+   input changes the attitude by eps times the angle turned, and by more next to the separatrix, since every turn-over
+   then moves. If there are products of inertia, the principal moments are known to two words only: 5e-12 rad after 1e6
+   turns at 1 - m = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10 eps tr(I)
+   |omega|. Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
+
+   Cost: a time takes about 20 times the C library's sin, preparing a motion 10 to 20 times that, and 40 times with
+   products of inertia. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* at t0 */
     vm_real t0;                  /* s */
@@ -155,7 +157,8 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
 }
 
 /* kappa, the mean rate of h, and *mean = agm(1, k'), which is 0 on the separatrix */
-VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square, vm_two *mean)
+VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
+                                    vm_two *mean)
 {
     const vm_two L = vmi_two_root(square->L);
     vm_two twice;
@@ -172,8 +175,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 
 /* u at t0, over 4K where mean > 0, by sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2; *sign is that of cn on the separatrix,
    which u cannot show, else 1 */
-VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square, vm_two mean,
-                                    vm_real *sign)
+VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
+                                    vm_two mean, vm_real *sign)
 {
     const vm_two sn_square = vmi_two_over(vmi_two_times(axes->w2, axes->w2), square->a2);
     const vm_two cn_square = vmi_two_over(vmi_two_times(axes->w1, axes->w1), square->a1);
@@ -194,11 +197,11 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
                                      const vmi_torque_free_squares *square)
 {
     const vm_two two_pi = vmi_torque_free_two_pi();
-    vm_two mean, wp;
+    const vm_two above = vmi_two_times(square->a3, vmi_two_times(axes->d13, axes->d23));
+    const vm_two wp = vmi_two_root(vmi_two_over(above, vmi_two_times(axes->I1, axes->I2)));
+    vm_two mean;
     const vm_two kappa = vmi_torque_free_kappa(axes, square, &mean);
     vm_real sign;
-    wp = vmi_two_over(vmi_two_times(square->a3, vmi_two_times(axes->d13, axes->d23)), vmi_two_times(axes->I1, axes->I2));
-    wp = vmi_two_root(wp);
     motion->turn_rate = vmi_two_over(vmi_two_shifted(kappa, axes->s), two_pi);
     motion->phase = vmi_torque_free_phase(axes, square, mean, &sign);
     motion->phase_rate = wp;
