@@ -1260,19 +1260,6 @@ VM_API vm_quat vmi_unit_quat(vm_quat q)
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
-VM_API vmi_mat3 vmi_rotation(vm_quat q)
-{
-    vm_real s;
-    vmi_mat3 m;
-    q = vmi_quat_scaled(q);
-    s = 2 / vmi_quat_square(q);
-    m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
-    m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
-    m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
-    return m;
-}
-
 /* The rotation matrix of a quaternion whose length has the given square, which must be a normal number */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
@@ -1284,6 +1271,13 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     m.y = vmi_vec3(xy - wz, 1 - (xx + zz), yz + wx);
     m.z = vmi_vec3(xz + wy, yz - wx, 1 - (xx + yy));
     return m;
+}
+
+/* The rotation matrix of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+VM_API vmi_mat3 vmi_rotation(vm_quat q)
+{
+    q = vmi_quat_scaled(q);
+    return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
 /* Three numbers of a state as a vector, and back */
