@@ -1696,8 +1696,8 @@ typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* N s: (6) with (20), (21); zero but for rounding errors */
     vm_vec3 angular_momentum;       /* about the point, N m s: (12), (17) with (22); zero but for rounding errors */
     vm_real momentum_scale;         /* N s, the sum of all M |v| and the size of the impulse */
-    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|, since a
-       position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
+    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|,
+       since a position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
 } vm_balance;
@@ -1776,6 +1776,15 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
     return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
 }
 
+/* Of two statuses, VM_OK or errors, the error that comes first in the manual's table: VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, by rising size of the number */
+VM_API int vmi_first_error(int a, int b)
+{
+    if (a == VM_OK) return b;
+    if (b == VM_OK) return a;
+    return a > b ? a : b;
+}
+
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
 VM_API int vmi_check_body(const vm_body *b)
 {
@@ -1825,14 +1834,15 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* The status of the first body that is not valid, VM_BAD_ARGUMENT for n < 0 and for bodies that are not there */
+/* VM_OK if all bodies are valid, else the first of their errors in the table; VM_BAD_ARGUMENT for n < 0 and for
+   bodies that are not there */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
     if (list->n < 0 || (list->n > 0 && !list->in_space && !list->in_plane)) return VM_BAD_ARGUMENT;
-    for (i = 0; i < list->n && !status; i++) {
-        if (list->in_plane) status = vmi_check_body2(list->in_plane + i);
-        else status = vmi_check_body(list->in_space + i);
+    for (i = 0; i < list->n; i++) {
+        if (list->in_plane) status = vmi_first_error(status, vmi_check_body2(list->in_plane + i));
+        else status = vmi_first_error(status, vmi_check_body(list->in_space + i));
     }
     return status;
 }
@@ -2089,8 +2099,16 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
+/* The status of what is given for a jump */
+VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
+{
+    const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
+    if (!external_or_NULL || vmi_impulse_finite(external_or_NULL)) return status;
+    return vmi_first_error(status, VM_NOT_FINITE);
+}
+
 /* The first body after the jump: with the others attached (sign = 1) or without them (-1), and after the impulse.
-   The others are joined among each other first. VM_BAD_MASS, VM_NOT_FINITE (the impulse). */
+   The others are joined among each other first. VM_BAD_MASS if no mass is left. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -2104,10 +2122,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
         else status = vmi_join(frame, &sum, 1, &lump);
     }
     if (others->n > 0 && !status) status = vmi_join(frame, total, sign, &sum);
-    if (status || !external_or_NULL) return status;
-    if (!vmi_impulse_finite(external_or_NULL)) return VM_NOT_FINITE;
-    vmi_apply_impulse(frame, total, external_or_NULL);
-    return VM_OK;
+    if (!status && external_or_NULL) vmi_apply_impulse(frame, total, external_or_NULL);
+    return status;
 }
 
 /* Principal axes of a lump, whose moments become some that a body can have exactly. VM_NOT_FINITE, VM_BAD_INERTIA if
@@ -2145,8 +2161,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     vm_body b;
     int status;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_check_bodies(&list);
+    status = vmi_check_jump(body, &list, external_or_NULL);
     if (status) return status;
     frame = vmi_frame_of(body, &list, sign);
     status = vmi_jump_total(&frame, body, sign, &list, external_or_NULL, &lump);
@@ -2302,21 +2317,28 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* vmi_jump_total for bodies of the plane, which are checked here, with the moment of the total clamped */
+/* vmi_check_jump in the plane */
+VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
+{
+    const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
+    vm_impulse impulse;
+    if (!external_or_NULL) return status;
+    impulse = vmi_impulse_to_space(external_or_NULL);
+    return vmi_impulse_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
+}
+
+/* vmi_jump_total for bodies of the plane, with the moment of the total clamped */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
-    vm_impulse impulse;
+    const vm_body lifted = vmi_body_to_space(body);
     const vm_impulse *given = NULL;
-    vm_body lifted;
-    int status = vmi_check_body2(body);
-    if (!status) status = vmi_check_bodies(others);
-    if (status) return status;
+    vm_impulse impulse;
+    int status;
     if (external_or_NULL) {
         impulse = vmi_impulse_to_space(external_or_NULL);
         given = &impulse;
     }
-    lifted = vmi_body_to_space(body);
     *frame = vmi_frame_of(&lifted, others, sign);
     status = vmi_jump_total(frame, &lifted, sign, others, given, total);
     return status ? status : vmi_lump_clamp_moments2(total);
@@ -2331,8 +2353,9 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     vmi_lump lump;
     vm_body2 b;
     int status;
-    if (!body || !result || (n > 0 && !others)) return VM_BAD_ARGUMENT;
-    status = vmi_jump_total2(body, &list, sign, external_or_NULL, &frame, &lump);
+    if (!body || !result) return VM_BAD_ARGUMENT;
+    status = vmi_check_jump2(body, &list, external_or_NULL);
+    if (!status) status = vmi_jump_total2(body, &list, sign, external_or_NULL, &frame, &lump);
     if (status) return status;
     b.mass = lump.mass;
     b.inertia = lump.inertia.zz;
@@ -2413,58 +2436,81 @@ VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
+/* The motion of b relative to the frame that moves rigidly with the body `to`; nothing is checked */
+VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
+{
+    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
+    b.omega = vmi_sub(b.omega, to->omega);
+    return b;
+}
+
+/* The absolute motion of b, which is given relative to the body `to`; nothing is checked */
+VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
+{
+    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vmi_add(to->omega, b.omega);
+    return b;
+}
+
+/* *result becomes b, if all numbers are finite */
+VM_API int vmi_put_body(const vm_body *b, vm_body *result)
+{
+    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    *result = *b;
+    return VM_OK;
+}
+
+/* *result becomes b, a body of the plane with this angle, if all numbers are finite */
+VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
+{
+    if (!vmi_body_finite(b) || !VM_IS_FINITE(angle)) return VM_NOT_FINITE;
+    *result = vmi_body_to_plane(b, angle);
+    return VM_OK;
+}
+
 /* Motion of a body relative to the frame that moves rigidly with the body `to`: v and omega of *relative become
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
    and all else is copied; axes and origin stay the inertial ones. relative may be absolute. VM_BAD_ARGUMENT: a null
-   pointer. The bodies are not checked: NaN in them gives NaN. */
+   pointer. VM_NOT_FINITE: a number of absolute or of the motion of `to`, or a result, is not finite. Masses and
+   inertias are not looked at otherwise. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    b = *absolute;
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
-    *relative = b;
-    return VM_OK;
+    b = vmi_relative_motion(to, *absolute);
+    return vmi_put_body(&b, relative);
 }
 
-/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative. absolute may
-   be relative. VM_BAD_ARGUMENT: a null pointer. The bodies are not checked: NaN in them gives NaN. */
+/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative, with its
+   statuses. absolute may be relative. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    b = *relative;
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
-    *absolute = b;
-    return VM_OK;
+    b = vmi_absolute_motion(to, *relative);
+    return vmi_put_body(&b, absolute);
 }
 
 /* Motion of a body of the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change
-   as in vm_to_relative, all else is copied. VM_BAD_ARGUMENT: a null pointer. */
+   as in vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     whole = vmi_body_to_space(to);
-    b = vmi_body_to_space(absolute);
-    vm_to_relative(&whole, &b, &b);
-    *relative = vmi_body_to_plane(&b, absolute->angle);
-    return VM_OK;
+    b = vmi_relative_motion(&whole, vmi_body_to_space(absolute));
+    return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2.
-   VM_BAD_ARGUMENT: a null pointer. */
+/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2,
+   with its statuses */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     whole = vmi_body_to_space(to);
-    b = vmi_body_to_space(relative);
-    vm_to_absolute(&whole, &b, &b);
-    *absolute = vmi_body_to_plane(&b, relative->angle);
-    return VM_OK;
+    b = vmi_absolute_motion(&whole, vmi_body_to_space(relative));
+    return vmi_put_body2(&b, relative->angle, absolute);
 }
 
 /* ---- jumps ---- */
@@ -2556,16 +2602,16 @@ VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *re
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* What the rest would be if the part left with its velocity, but turned as the whole does */
+/* What the rest would be if the part left with its velocity, but turned as the whole does; the bodies are valid, but
+   for an infinite velocity of the part */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
     vm_body unturned = *part;
     const vmi_bodies list = vmi_bodies_in_space(1, &unturned);
     vmi_principal p;
-    int status = vmi_check_body(whole);
-    if (!status) status = vmi_check_bodies(&list);
-    if (status) return status;
+    int status;
+    if (!vmi_vec3_finite(part->v)) return VM_NOT_FINITE;
     unturned.omega = whole->omega;
     *frame = vmi_frame_of(whole, &list, VMI_SEPARATE);
     status = vmi_jump_total(frame, whole, VMI_SEPARATE, &list, external_or_NULL, rest);
@@ -2604,12 +2650,15 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
+    const vmi_bodies parts = vmi_bodies_in_space(1, part);
     vmi_frame frame;
     vmi_lump rest;
     vm_body b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(part); /* before the division by its mass */
+    if (rest_v_or_NULL && !vmi_vec3_finite(*rest_v_or_NULL)) return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !vmi_vec3_finite(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    status = vmi_check_jump(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
     if (rest_v_or_NULL) b.v = vmi_part_velocity(whole, part, external_or_NULL, *rest_v_or_NULL);
@@ -2647,8 +2696,7 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
 {
     vm_body2 unturned = *part;
     const vmi_bodies list = vmi_bodies_in_plane(1, &unturned);
-    const int status = vmi_check_body2(part);
-    if (status) return status;
+    if (!VM_IS_FINITE(part->vx) || !VM_IS_FINITE(part->vy)) return VM_NOT_FINITE;
     unturned.omega = whole->omega;
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
@@ -2676,12 +2724,16 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
 {
+    const vmi_bodies parts = vmi_bodies_in_plane(1, part);
     vmi_frame frame;
     vmi_lump rest;
     vm_body2 b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    status = vmi_check_body2(part);
+    if (rest_v_or_NULL && !(VM_IS_FINITE(rest_v_or_NULL[0]) && VM_IS_FINITE(rest_v_or_NULL[1])))
+        return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !VM_IS_FINITE(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
     if (rest_v_or_NULL) vmi_push_part2(whole, external_or_NULL, rest_v_or_NULL, &b);
@@ -2695,14 +2747,16 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
 
 /* Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part
    keeps its own spin (Table 3, 7, asked for v_r). *moving is the part with, of all such velocities, the one with the
-   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. VM_SINGULAR if
-   SS2 = 0, so that no velocity turns the rest. Other statuses as those of vm_separate2. */
+   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The velocity in
+   *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those of
+   vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
     vmi_frame frame;
     vmi_lump rest;
     vm_body2 b;
+    const vmi_bodies parts = vmi_bodies_in_plane(1, &b);
     vm_real dx, dy, h, c;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
@@ -2712,7 +2766,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     dy = b.y - whole->y;
     b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
-    status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
+    status = vmi_check_jump2(whole, &parts, external_or_NULL);
+    if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
     /* h, what the part's spin and the rest's leave, must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
@@ -2746,10 +2801,10 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     int i;
     if (!whole || !one_more || n < 0 || (n > 0 && !bodies)) return VM_NAN;
     for (i = 0; i < n; i++) {
-        vm_to_relative(whole, bodies + i, &b);
+        b = vmi_relative_motion(whole, bodies[i]);
         sum += vm_kinetic_energy(&b);
     }
-    vm_to_relative(whole, one_more, &b);
+    b = vmi_relative_motion(whole, *one_more);
     return sum + vm_kinetic_energy(&b);
 }
 
@@ -3899,12 +3954,12 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 
 /* A motion prepared by vm_torque_free_init. Plain data: it may be copied. The fields are for reading at most.
 
-   Accuracy, measured up to 1e6 turns, with the inputs taken as exact: attitude within 8 eps (rad), omega within 5 eps
-   |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps in an
-   input changes the attitude by eps times the angle turned, and by more next to the separatrix, since every turn-over
-   then moves. If there are products of inertia, the principal moments are known to two words only: 5e-12 rad after 1e6
-   turns at 1 - m = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10 eps tr(I)
-   |omega|. Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
+   Accuracy, measured up to 1e6 turns, with the inputs taken as exact: attitude within 8 eps (rad), omega within 5
+   eps |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps
+   in an input changes the attitude by eps times the angle turned, and by more next to the separatrix, since every
+   turn-over then moves. If there are products of inertia, the principal moments are known to two words only: 5e-12
+   rad after 1e6 turns at 1 - m = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10
+   eps tr(I) |omega|. Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
 
    Cost: a time takes about 20 times the C library's sin, preparing a motion 10 to 20 times that, and 40 times with
    products of inertia. */
@@ -4238,8 +4293,9 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     vm_torque_free m;
     vmi_torque_free_body b;
     vmi_vec3_two omega;
-    int status = vmi_check_body(body), k;
-    if (!status && !VM_IS_FINITE(t0)) status = VM_NOT_FINITE;
+    int status, k;
+    if (!VM_IS_FINITE(t0)) return VM_NOT_FINITE;
+    status = vmi_check_body(body);
     if (status) return status;
     memset(&m, 0, sizeof m);
     m.body = *body;
@@ -4329,7 +4385,10 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
-    const int status = vm_torque_free_init(&motion, body, 0);
+    int status;
+    if (!body || !later) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vm_torque_free_init(&motion, body, 0);
     return status ? status : vm_torque_free_at(&motion, t, later);
 }
 

@@ -54,8 +54,8 @@ typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* N s: (6) with (20), (21); zero but for rounding errors */
     vm_vec3 angular_momentum;       /* about the point, N m s: (12), (17) with (22); zero but for rounding errors */
     vm_real momentum_scale;         /* N s, the sum of all M |v| and the size of the impulse */
-    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|, since a
-       position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
+    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|,
+       since a position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
 } vm_balance;
@@ -134,6 +134,15 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
     return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
 }
 
+/* Of two statuses, VM_OK or errors, the error that comes first in the manual's table: VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, by rising size of the number */
+VM_API int vmi_first_error(int a, int b)
+{
+    if (a == VM_OK) return b;
+    if (b == VM_OK) return a;
+    return a > b ? a : b;
+}
+
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
 VM_API int vmi_check_body(const vm_body *b)
 {
@@ -183,14 +192,15 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* The status of the first body that is not valid, VM_BAD_ARGUMENT for n < 0 and for bodies that are not there */
+/* VM_OK if all bodies are valid, else the first of their errors in the table; VM_BAD_ARGUMENT for n < 0 and for
+   bodies that are not there */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
     if (list->n < 0 || (list->n > 0 && !list->in_space && !list->in_plane)) return VM_BAD_ARGUMENT;
-    for (i = 0; i < list->n && !status; i++) {
-        if (list->in_plane) status = vmi_check_body2(list->in_plane + i);
-        else status = vmi_check_body(list->in_space + i);
+    for (i = 0; i < list->n; i++) {
+        if (list->in_plane) status = vmi_first_error(status, vmi_check_body2(list->in_plane + i));
+        else status = vmi_first_error(status, vmi_check_body(list->in_space + i));
     }
     return status;
 }

@@ -36,16 +36,16 @@ VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *re
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* What the rest would be if the part left with its velocity, but turned as the whole does */
+/* What the rest would be if the part left with its velocity, but turned as the whole does; the bodies are valid, but
+   for an infinite velocity of the part */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
     vm_body unturned = *part;
     const vmi_bodies list = vmi_bodies_in_space(1, &unturned);
     vmi_principal p;
-    int status = vmi_check_body(whole);
-    if (!status) status = vmi_check_bodies(&list);
-    if (status) return status;
+    int status;
+    if (!vmi_vec3_finite(part->v)) return VM_NOT_FINITE;
     unturned.omega = whole->omega;
     *frame = vmi_frame_of(whole, &list, VMI_SEPARATE);
     status = vmi_jump_total(frame, whole, VMI_SEPARATE, &list, external_or_NULL, rest);
@@ -84,12 +84,15 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
+    const vmi_bodies parts = vmi_bodies_in_space(1, part);
     vmi_frame frame;
     vmi_lump rest;
     vm_body b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(part); /* before the division by its mass */
+    if (rest_v_or_NULL && !vmi_vec3_finite(*rest_v_or_NULL)) return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !vmi_vec3_finite(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    status = vmi_check_jump(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
     if (rest_v_or_NULL) b.v = vmi_part_velocity(whole, part, external_or_NULL, *rest_v_or_NULL);
@@ -127,8 +130,7 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
 {
     vm_body2 unturned = *part;
     const vmi_bodies list = vmi_bodies_in_plane(1, &unturned);
-    const int status = vmi_check_body2(part);
-    if (status) return status;
+    if (!VM_IS_FINITE(part->vx) || !VM_IS_FINITE(part->vy)) return VM_NOT_FINITE;
     unturned.omega = whole->omega;
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
@@ -156,12 +158,16 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
 {
+    const vmi_bodies parts = vmi_bodies_in_plane(1, part);
     vmi_frame frame;
     vmi_lump rest;
     vm_body2 b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    status = vmi_check_body2(part);
+    if (rest_v_or_NULL && !(VM_IS_FINITE(rest_v_or_NULL[0]) && VM_IS_FINITE(rest_v_or_NULL[1])))
+        return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !VM_IS_FINITE(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
     if (rest_v_or_NULL) vmi_push_part2(whole, external_or_NULL, rest_v_or_NULL, &b);
@@ -175,14 +181,16 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
 
 /* Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part
    keeps its own spin (Table 3, 7, asked for v_r). *moving is the part with, of all such velocities, the one with the
-   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. VM_SINGULAR if
-   SS2 = 0, so that no velocity turns the rest. Other statuses as those of vm_separate2. */
+   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The velocity in
+   *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those of
+   vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
     vmi_frame frame;
     vmi_lump rest;
     vm_body2 b;
+    const vmi_bodies parts = vmi_bodies_in_plane(1, &b);
     vm_real dx, dy, h, c;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
@@ -192,7 +200,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
     dy = b.y - whole->y;
     b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
-    status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
+    status = vmi_check_jump2(whole, &parts, external_or_NULL);
+    if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
     /* h, what the part's spin and the rest's leave, must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */

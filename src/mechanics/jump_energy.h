@@ -23,10 +23,10 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     int i;
     if (!whole || !one_more || n < 0 || (n > 0 && !bodies)) return VM_NAN;
     for (i = 0; i < n; i++) {
-        vm_to_relative(whole, bodies + i, &b);
+        b = vmi_relative_motion(whole, bodies[i]);
         sum += vm_kinetic_energy(&b);
     }
-    vm_to_relative(whole, one_more, &b);
+    b = vmi_relative_motion(whole, *one_more);
     return sum + vm_kinetic_energy(&b);
 }
 

@@ -157,8 +157,16 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
+/* The status of what is given for a jump */
+VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
+{
+    const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
+    if (!external_or_NULL || vmi_impulse_finite(external_or_NULL)) return status;
+    return vmi_first_error(status, VM_NOT_FINITE);
+}
+
 /* The first body after the jump: with the others attached (sign = 1) or without them (-1), and after the impulse.
-   The others are joined among each other first. VM_BAD_MASS, VM_NOT_FINITE (the impulse). */
+   The others are joined among each other first. VM_BAD_MASS if no mass is left. */
 VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
                           const vm_impulse *external_or_NULL, vmi_lump *total)
 {
@@ -172,10 +180,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
         else status = vmi_join(frame, &sum, 1, &lump);
     }
     if (others->n > 0 && !status) status = vmi_join(frame, total, sign, &sum);
-    if (status || !external_or_NULL) return status;
-    if (!vmi_impulse_finite(external_or_NULL)) return VM_NOT_FINITE;
-    vmi_apply_impulse(frame, total, external_or_NULL);
-    return VM_OK;
+    if (!status && external_or_NULL) vmi_apply_impulse(frame, total, external_or_NULL);
+    return status;
 }
 
 /* Principal axes of a lump, whose moments become some that a body can have exactly. VM_NOT_FINITE, VM_BAD_INERTIA if
@@ -213,8 +219,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     vm_body b;
     int status;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_check_bodies(&list);
+    status = vmi_check_jump(body, &list, external_or_NULL);
     if (status) return status;
     frame = vmi_frame_of(body, &list, sign);
     status = vmi_jump_total(&frame, body, sign, &list, external_or_NULL, &lump);

@@ -47,21 +47,28 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* vmi_jump_total for bodies of the plane, which are checked here, with the moment of the total clamped */
+/* vmi_check_jump in the plane */
+VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
+{
+    const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
+    vm_impulse impulse;
+    if (!external_or_NULL) return status;
+    impulse = vmi_impulse_to_space(external_or_NULL);
+    return vmi_impulse_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
+}
+
+/* vmi_jump_total for bodies of the plane, with the moment of the total clamped */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
-    vm_impulse impulse;
+    const vm_body lifted = vmi_body_to_space(body);
     const vm_impulse *given = NULL;
-    vm_body lifted;
-    int status = vmi_check_body2(body);
-    if (!status) status = vmi_check_bodies(others);
-    if (status) return status;
+    vm_impulse impulse;
+    int status;
     if (external_or_NULL) {
         impulse = vmi_impulse_to_space(external_or_NULL);
         given = &impulse;
     }
-    lifted = vmi_body_to_space(body);
     *frame = vmi_frame_of(&lifted, others, sign);
     status = vmi_jump_total(frame, &lifted, sign, others, given, total);
     return status ? status : vmi_lump_clamp_moments2(total);
@@ -76,8 +83,9 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     vmi_lump lump;
     vm_body2 b;
     int status;
-    if (!body || !result || (n > 0 && !others)) return VM_BAD_ARGUMENT;
-    status = vmi_jump_total2(body, &list, sign, external_or_NULL, &frame, &lump);
+    if (!body || !result) return VM_BAD_ARGUMENT;
+    status = vmi_check_jump2(body, &list, external_or_NULL);
+    if (!status) status = vmi_jump_total2(body, &list, sign, external_or_NULL, &frame, &lump);
     if (status) return status;
     b.mass = lump.mass;
     b.inertia = lump.inertia.zz;

@@ -27,58 +27,81 @@ VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
     return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
+/* The motion of b relative to the frame that moves rigidly with the body `to`; nothing is checked */
+VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
+{
+    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
+    b.omega = vmi_sub(b.omega, to->omega);
+    return b;
+}
+
+/* The absolute motion of b, which is given relative to the body `to`; nothing is checked */
+VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
+{
+    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vmi_add(to->omega, b.omega);
+    return b;
+}
+
+/* *result becomes b, if all numbers are finite */
+VM_API int vmi_put_body(const vm_body *b, vm_body *result)
+{
+    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    *result = *b;
+    return VM_OK;
+}
+
+/* *result becomes b, a body of the plane with this angle, if all numbers are finite */
+VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
+{
+    if (!vmi_body_finite(b) || !VM_IS_FINITE(angle)) return VM_NOT_FINITE;
+    *result = vmi_body_to_plane(b, angle);
+    return VM_OK;
+}
+
 /* Motion of a body relative to the frame that moves rigidly with the body `to`: v and omega of *relative become
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
    and all else is copied; axes and origin stay the inertial ones. relative may be absolute. VM_BAD_ARGUMENT: a null
-   pointer. The bodies are not checked: NaN in them gives NaN. */
+   pointer. VM_NOT_FINITE: a number of absolute or of the motion of `to`, or a result, is not finite. Masses and
+   inertias are not looked at otherwise. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    b = *absolute;
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
-    *relative = b;
-    return VM_OK;
+    b = vmi_relative_motion(to, *absolute);
+    return vmi_put_body(&b, relative);
 }
 
-/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative. absolute may
-   be relative. VM_BAD_ARGUMENT: a null pointer. The bodies are not checked: NaN in them gives NaN. */
+/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative, with its
+   statuses. absolute may be relative. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    b = *relative;
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
-    *absolute = b;
-    return VM_OK;
+    b = vmi_absolute_motion(to, *relative);
+    return vmi_put_body(&b, absolute);
 }
 
 /* Motion of a body of the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change
-   as in vm_to_relative, all else is copied. VM_BAD_ARGUMENT: a null pointer. */
+   as in vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     whole = vmi_body_to_space(to);
-    b = vmi_body_to_space(absolute);
-    vm_to_relative(&whole, &b, &b);
-    *relative = vmi_body_to_plane(&b, absolute->angle);
-    return VM_OK;
+    b = vmi_relative_motion(&whole, vmi_body_to_space(absolute));
+    return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2.
-   VM_BAD_ARGUMENT: a null pointer. */
+/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2,
+   with its statuses */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     whole = vmi_body_to_space(to);
-    b = vmi_body_to_space(relative);
-    vm_to_absolute(&whole, &b, &b);
-    *absolute = vmi_body_to_plane(&b, relative->angle);
-    return VM_OK;
+    b = vmi_absolute_motion(&whole, vmi_body_to_space(relative));
+    return vmi_put_body2(&b, relative->angle, absolute);
 }
 
 /* ---- jumps ---- */

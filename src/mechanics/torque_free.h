@@ -30,12 +30,12 @@
 
 /* A motion prepared by vm_torque_free_init. Plain data: it may be copied. The fields are for reading at most.
 
-   Accuracy, measured up to 1e6 turns, with the inputs taken as exact: attitude within 8 eps (rad), omega within 5 eps
-   |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps in an
-   input changes the attitude by eps times the angle turned, and by more next to the separatrix, since every turn-over
-   then moves. If there are products of inertia, the principal moments are known to two words only: 5e-12 rad after 1e6
-   turns at 1 - m = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10 eps tr(I)
-   |omega|. Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
+   Accuracy, measured up to 1e6 turns, with the inputs taken as exact: attitude within 8 eps (rad), omega within 5
+   eps |omega|, also next to the separatrix (1 - m from 1e-2 to 1e-27) and for nearly equal moments. An error of eps
+   in an input changes the attitude by eps times the angle turned, and by more next to the separatrix, since every
+   turn-over then moves. If there are products of inertia, the principal moments are known to two words only: 5e-12
+   rad after 1e6 turns at 1 - m = 1e-16 (float: 4e-4 rad for needles, 8e-3 at 1e-6). Angular momentum stays within 10
+   eps tr(I) |omega|. Components of omega below 2^-505 (float 2^-57) of the largest count as 0.
 
    Cost: a time takes about 20 times the C library's sin, preparing a motion 10 to 20 times that, and 40 times with
    products of inertia. */
@@ -369,8 +369,9 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     vm_torque_free m;
     vmi_torque_free_body b;
     vmi_vec3_two omega;
-    int status = vmi_check_body(body), k;
-    if (!status && !VM_IS_FINITE(t0)) status = VM_NOT_FINITE;
+    int status, k;
+    if (!VM_IS_FINITE(t0)) return VM_NOT_FINITE;
+    status = vmi_check_body(body);
     if (status) return status;
     memset(&m, 0, sizeof m);
     m.body = *body;
@@ -460,7 +461,10 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
-    const int status = vm_torque_free_init(&motion, body, 0);
+    int status;
+    if (!body || !later) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vm_torque_free_init(&motion, body, 0);
     return status ? status : vm_torque_free_at(&motion, t, later);
 }
 
