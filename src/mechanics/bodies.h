@@ -129,6 +129,12 @@ VM_API int vmi_body_finite(const vm_body *b)
            vmi_inertia_finite(&b->inertia) && vmi_quat_is_finite(b->q);
 }
 
+VM_API int vmi_body2_is_finite(const vm_body2 *b)
+{
+    return VM_IS_FINITE(b->mass) && VM_IS_FINITE(b->inertia) && vmi_vec3_finite(vmi_vec3(b->x, b->y, b->angle)) &&
+           vmi_vec3_finite(vmi_vec3(b->vx, b->vy, b->omega));
+}
+
 VM_API int vmi_impulse_finite(const vm_impulse *j)
 {
     return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
@@ -154,8 +160,7 @@ VM_API int vmi_check_body(const vm_body *b)
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
 VM_API int vmi_check_body2(const vm_body2 *b)
 {
-    const vm_body lifted = vmi_body_to_space(b);
-    if (!vmi_body_finite(&lifted) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
+    if (!vmi_body2_is_finite(b)) return VM_NOT_FINITE;
     if (!(b->mass > 0)) return VM_BAD_MASS;
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }

@@ -54,8 +54,9 @@ VM_API int vmi_put_body(const vm_body *b, vm_body *result)
 /* *result becomes b, a body of the plane with this angle, if all numbers are finite */
 VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
 {
-    if (!vmi_body_finite(b) || !VM_IS_FINITE(angle)) return VM_NOT_FINITE;
-    *result = vmi_body_to_plane(b, angle);
+    const vm_body2 flat = vmi_body_to_plane(b, angle);
+    if (!vmi_body2_is_finite(&flat)) return VM_NOT_FINITE;
+    *result = flat;
     return VM_OK;
 }
 
