@@ -96,11 +96,11 @@
        vm_strerror                    The meaning of a status as a line of text, which says what to do where it can
 
      base/lambert: Lambert's function W
-       vm_lambert_w0                  Lambert's W, w e^w = x
-       vm_lambert_wm1                 Documented with vm_lambert_w0
-       vm_wright_omega                The same from the logarithm of the argument, which itself may be too large or too small to be a number
-       vm_lambert_w0_neg_exp          Documented with vm_wright_omega
-       vm_lambert_wm1_neg_exp         Documented with vm_wright_omega
+       vm_lambert_w0                  Lambert's W, upper branch
+       vm_lambert_wm1                 Lambert's W, lower branch
+       vm_wright_omega                Wright's omega function
+       vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1
+       vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
      mechanics/inertia: tensors of inertia
        vm_inertia_possible            1 where a body can have this inertia
@@ -442,10 +442,10 @@
 
 /* base/status.h - the statuses that functions return, and what each of them means
 
-   Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A positive
-   number means that the result is there, with a remark. A negative number means that nothing was done: the outputs are
-   untouched. The same mistake has the same status in every function, and where a call has several mistakes, the status
-   names the first of them in this order:
+   Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
+   positive number means that the result is there, with a remark. A negative number means that nothing was done: the
+   outputs are untouched. The same mistake has the same status in every function, and where a call has several
+   mistakes, the status names the first of them in this order:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -464,19 +464,19 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body without inertia about one axis (a rod, a point) keeps its spin about
+    VM_NULL_AXIS = 1,            /* done, but a body without inertia about an axis (a rod, a point) keeps its spin about
                                     this axis, and the angular momentum that was left for it is lost */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
     VM_NOT_FINITE = -2,          /* a number that was given, or that arises, is infinite or NaN */
     VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the mass of the rest */
-    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation this may be the inertia of the rest */
+    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
     VM_NO_LAW = -7,              /* the chosen route does not exist for this oscillator */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: no body moves in this way, or an effect or event cannot act on one that does */
+    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
@@ -530,7 +530,7 @@ VM_API const char *vm_strerror(int status)
     case VM_MASS_IS_NO_STATE: return "the stream needs a body whose mass is a state: use vm_scene_body_with_mass_state";
     case VM_TOO_MANY_EVENTS: return "events follow each other without end: let an event stop the run";
     case VM_BAD_OPTIONS: return "the integrator refuses its options: check the tolerances, h0, h_min and h_max";
-    case VM_STEP_TOO_SMALL: return "steps became too short to change the time: allow a larger tolerance or softer forces";
+    case VM_STEP_TOO_SMALL: return "steps became too short to change the time: allow a larger tolerance";
     case VM_MAX_STEPS: return "max_steps steps did not reach t_end: run again to continue, or allow more";
     case VM_SHORT_ARRAY: return "an array is too short: give y or work more room";
     case VM_BAD_TIMES: return "the times of output must rise, and t_end must not lie before the present time";
@@ -558,11 +558,18 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 }
 
 #endif
-/* base/linear.h - systems of linear equations */
+/* base/linear.h - systems of linear equations
+
+   Solves a x = b for a few unknowns. A matrix is an array of n n numbers, row after row.
+
+       vm_real a[4] = {2, 1, 1, 3}, b[2] = {3, 5};
+       vmi_solve_linear(2, a, b); // b is now x = (0.8, 1.4)
+
+   Tests: tests/test_lagrange.c, tests/test_scenes.c. */
 #ifndef VARMASS_BASE_LINEAR_H
 #define VARMASS_BASE_LINEAR_H
 
-/* Elimination of column k of a x = b, a n by n, row after row, below the diagonal */
+/* Eliminates the entries of column k below the diagonal from a x = b. */
 VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
 {
     int i, j;
@@ -573,7 +580,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
     }
 }
 
-/* a x = b for a without entries below the diagonal: x replaces b */
+/* Solves a x = b for a matrix without entries below the diagonal; x replaces b. */
 VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
 {
     int j, k;
@@ -583,8 +590,8 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
     }
 }
 
-/* a x = b, a dense and n by n, row after row, by elimination with row pivoting: x replaces b, a is destroyed.
-   VM_SINGULAR, b destroyed, where a column has no pivot. */
+/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. VM_SINGULAR
+   where a column has no pivot; b is overwritten then, too. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -608,10 +615,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* a x = b for a mass matrix a, scaled to unit diagonal, which makes units and sizes of the coordinates nothing and
-   the condition number nearly the least that scaling can (van der Sluis 1969): x replaces b, a is destroyed, scale
-   is n numbers of work. Rows are not exchanged: a positive definite matrix does not need it, and of any other a pivot
-   is not positive. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
+/* Solves a x = b for a mass matrix, which is symmetric and positive definite. x replaces b, a is overwritten, and
+   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then units of the
+   coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
+   1969). Rows need not be exchanged. VM_SINGULAR where an entry of the diagonal is not positive or a pivot is below 4
+   n eps, which happens for every matrix that is not positive definite. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -633,19 +641,24 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 }
 
 #endif
-/* base/zero.h - a zero of a function between two bounds */
+/* base/zero.h - a zero of a function between two points where its signs differ
+
+       vm_real x = vmi_find_zero(f, ctx, 0, 2, f(0, ctx), f(2, ctx));
+
+   Tests: tests/test_jeffcott.c, tests/test_diagnostics.c. */
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* The zero of f in [a, b], where it has the values fa, fb of opposite signs: regula falsi whose standing end is
-   halved (Illinois), a bisection wherever that does not halve the interval in three steps; to the resolution of x
-   */
+/* The zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs. Method: the
+   secant through the ends of the interval, where the value at an end that has stayed twice is halved (Illinois), and
+   a bisection after every fourth step that has not made the interval eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
     vm_real width = VM_FABS(b - a);
     int i, side = 0;
-    if (fa == 0 || fb == 0) return fa == 0 ? a : b;
+    if (fa == 0) return a;
+    if (fb == 0) return b;
     for (i = 1; i < 3 * VM_MANT_DIG + 60; i++) {
         vm_real x = a - fa * ((b - a) / (fb - fa)), fx;
         if (i % 4 == 0) {
@@ -671,31 +684,42 @@ VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
             side = -1;
         }
     }
-    return VM_FABS(fa) < VM_FABS(fb) ? a : b;
+    if (VM_FABS(fa) < VM_FABS(fb)) return a;
+    return b;
 }
 
 #endif
-/* base/hypot.h - the length of a plane vector without overflow */
+/* base/hypot.h - the length of a vector in the plane
+
+   Tests: tests/test_jumps.c, tests/test_laws.c. */
 #ifndef VARMASS_BASE_HYPOT_H
 #define VARMASS_BASE_HYPOT_H
 
-/* sqrt(x^2 + y^2), within 2 ulp, where the squares overflow too */
+/* sqrt(x^2 + y^2) within 2 ulp, also where the squares overflow or underflow; NaN if x or y is NaN */
 VM_API vm_real vmi_hypot(vm_real x, vm_real y)
 {
-    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = a > b ? a : b, least = a > b ? b : a;
-    const vm_real q = most > 0 ? least / most : 0;
-    return x == x && y == y ? most * VM_SQRT(1 + q * q) : VM_NAN;
+    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = vmi_larger(a, b), least = vmi_smaller(b, a);
+    vm_real q = 0;
+    if (x != x || y != y) return VM_NAN;
+    if (most > 0) q = least / most;
+    return most * VM_SQRT(1 + q * q);
 }
 
 #endif
-/* base/complex.h - complex numbers */
+/* base/complex.h - complex numbers
+
+       vm_complex z = vmi_c_times(vmi_complex(0, 1), vmi_complex(3, 4)); // i (3 + 4i) = -4 + 3i
+
+   Tests: tests/test_jeffcott.c, tests/test_broken_rotor.c. */
 #ifndef VARMASS_BASE_COMPLEX_H
 #define VARMASS_BASE_COMPLEX_H
 
+/* The complex number re + i im */
 typedef struct VM_TAG(vm_complex) {
     vm_real re, im;
 } vm_complex;
 
+/* re + i im */
 VM_API vm_complex vmi_complex(vm_real re, vm_real im)
 {
     vm_complex z;
@@ -704,28 +728,33 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
+/* a + b, a - b, c a, i c a */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
-VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); } /* i c a */
+VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); }
 
+/* a b */
 VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
     return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
+/* The conjugate of a, re - i im */
 VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
 
-VM_API vm_complex vmi_c_turn(vm_real angle) /* e^(i angle) */
+/* e^(i angle) */
+VM_API vm_complex vmi_c_turn(vm_real angle)
 {
     vm_complex e;
     vmi_sincos(angle, &e.im, &e.re);
     return e;
 }
 
+/* |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* a/b by Smith's method, where b.re^2 + b.im^2 may underflow */
+/* a/b by Smith's method, which is right where the square of |b| overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
@@ -740,12 +769,20 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 }
 
 #endif
-/* base/polynomial.h - all roots of a polynomial */
+/* base/polynomial.h - all roots of a polynomial
+
+   The polynomial is c[0] z^n + c[1] z^(n-1) + ... + c[n] with c[0] != 0. Its roots, real and complex, are found
+   together, by the method of Ehrlich and Aberth.
+
+       vm_real c[3] = {1, -3, 2}, re[2], im[2];
+       vmi_poly_roots(2, c, re, im); // 2 and 1
+
+   Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* The step of z = (re[i], im[i]) towards a root of c[0] z^n + ... + c[n], which the other approximations repel:
-   p/p' of p over the product of the z - z_j (Ehrlich, Aberth). 0 where p is within its rounding errors of 0. */
+/* The correction of the approximate root number i: Newton's step p/p' for the polynomial divided by all z - z_j of
+   the other approximations, which keeps them from meeting. 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -773,6 +810,7 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
+/* 1 where the polynomial at the real number x is 0 within its rounding errors */
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);
@@ -784,6 +822,7 @@ VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
     return VM_FABS(p) <= (vm_real)(4 * n) * VM_EPSILON * size;
 }
 
+/* Exchanges the roots i and j. */
 VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 {
     const vm_real x = re[i], y = im[i];
@@ -793,11 +832,12 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Makes what rounding left of an imaginary part 0, and conjugate the others by twos: im > 0, then im < 0; by rising
-   |im|, real ones by falling re */
+/* Orders the roots: real ones first, from the largest to the smallest, then conjugate pairs by rising |im|, im > 0
+   before im < 0. Imaginary parts that only rounding has left become 0, and the two roots of a pair become exactly
+   conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* the distance by which rounding splits a double root */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -820,7 +860,8 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     }
 }
 
-/* The roots of c[0] z^n + ... + c[n], c[0] != 0, simple ones each to a few n eps times its condition number */
+/* The n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times its
+   condition number. */
 VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const int most_sweeps = 100;
@@ -829,7 +870,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* not symmetric about the real axis, which no step would then leave */
+    for (i = 0; i < m; i++) /* the start must not be symmetric about the real axis, else it stays so */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -843,22 +884,32 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 }
 
 #endif
-/* base/scalars.h - expm1, log1p, checked powers and quotients that tend to 0/0 */
+/* base/scalars.h - functions that keep their digits where the plain formula loses them
+
+   e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the limits of the C
+   library's.
+
+       vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
+
+   Tests: tests/test_lambert.c, tests/test_drum.c, tests/test_laws.c. */
 #ifndef VARMASS_BASE_SCALARS_H
 #define VARMASS_BASE_SCALARS_H
 
-/* x^y for x >= 0, within 0.6 ulp, with the limits of pow at 0 and infinity; NaN for x < 0 */
+/* Infinity if the condition holds, else 0 */
+VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
+
+/* x^y for x >= 0 within 0.6 ulp, with the limits of the C library's pow at 0 and infinity; NaN for x < 0 */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;
     if (y == 0 || x == 1) return 1;
-    if (x == 0 || x > VM_MAX) return (y > 0) == (x > 0) ? VM_INFINITY : 0;
-    if (!VM_IS_FINITE(y)) return (y > 0) == (x > 1) ? VM_INFINITY : 0;
+    if (x == 0 || x > VM_MAX) return vmi_infinity_if((y > 0) == (x > 0));
+    if (!VM_IS_FINITE(y)) return vmi_infinity_if((y > 0) == (x > 1));
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
-/* e^y - 1 in two words: within 2^-(p+4) (1 + e^y), p the type's digits; relative to the result below 2^-p for small
-   y. Infinity where it overflows */
+/* e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real; for small
+   y it is below 2^-p of the result. Infinity where the result overflows. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -867,18 +918,20 @@ VM_API vm_two vmi_expm1(vm_two y)
     vm_two sum, power;
     int k;
     if (y.hi > largest) return vmi_two(VM_INFINITY, 0);
-    if (!(y.hi > least)) return vmi_two(y.hi == y.hi ? -1 : y.hi, 0);
+    if (y.hi != y.hi) return vmi_two(y.hi, 0);
+    if (!(y.hi > least)) return vmi_two(-1, 0);
     p = vmi_exp_core(y.hi, y.lo, &k, &p_lo);
     if (k == 0) return vmi_two(p, p_lo);
     sum = vmi_fast_two_sum(1, p);
     power = vmi_fast_two_sum(sum.hi, sum.lo + p_lo);
     power = vmi_two(vmi_ldexp(power.hi, k), vmi_ldexp(power.lo, k));
     sum = vmi_two_sum(power.hi, -1);
-    return VM_IS_FINITE(power.hi) ? vmi_fast_two_sum(sum.hi, sum.lo + power.lo) : vmi_two(power.hi, 0);
+    if (!VM_IS_FINITE(power.hi)) return vmi_two(power.hi, 0);
+    return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
 }
 
-/* ln(1 + x) in two words, for -1 < x < 1e299 (float 1e34; NaN beyond): relative error below 2^-(p+7), p the type's
-   digits. 1 + x = y (1 + t) with y one word: ln y has it, and t is below an ulp of 1 */
+/* ln(1 + x) in two words for -1 < x < 1e299 (float 1e34), NaN beyond. The relative error is below 2^-(p+7), where p
+   is the number of digits of vm_real. 1 + x = y (1 + t), where y is one word and t is below an ulp of 1. */
 VM_API vm_two vmi_log1p(vm_two x)
 {
     const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
@@ -887,21 +940,25 @@ VM_API vm_two vmi_log1p(vm_two x)
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
 }
 
-/* (e^x - 1)/x and ln(1 + x)/x, 1 at x = 0, within 2 eps */
+/* (e^x - 1)/x within 2 eps, 1 at x = 0 */
 VM_API vm_real vmi_exp_ratio(vm_real x)
 {
     if (x > VM_MAX) return x;
-    return x == 0 ? 1 : vmi_expm1(vmi_two(x, 0)).hi / x;
+    if (x == 0) return 1;
+    return vmi_expm1(vmi_two(x, 0)).hi / x;
 }
 
+/* ln(1 + x)/x within 2 eps, 1 at x = 0, NaN for x <= -1 */
 VM_API vm_real vmi_log_ratio(vm_real x)
 {
     if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
-    return x == 0 ? 1 : vmi_log1p(vmi_two(x, 0)).hi / x;
+    if (x == 0) return 1;
+    return vmi_log1p(vmi_two(x, 0)).hi / x;
 }
 
-/* (x - y)/x^2 with y = ln(1 + x), both given: in two words for |x| >= 1/4, but for what the words of x and y lose in
-   the difference; below that within 2 ulp, by x = 2u/(1 - u), ln(1 + x) = 2 u + 2 u^3 P(u^2), |u| <= 1/7 */
+/* (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 it is a quotient in two words, whose error is that
+   of x and y, amplified by the subtraction. For smaller |x| it is within 2 ulp, by the series of ln((1 + u)/(1 - u))
+   with u = x/(2 + x), |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
 #if VM_MANT_DIG > 24
@@ -918,20 +975,28 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 }
 
 #endif
-/* base/lambert.h - Lambert's function W */
+/* base/lambert.h - Lambert's function W
+
+   w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
+   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The forms that take the logarithm of the argument work
+   where the argument itself would overflow or underflow.
+
+       vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
+
+   Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start that is right to
+   2 %. The residual is computed in two words, so that little but the rounding of the last step remains.
+   Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
 
-/* -- Lambert's W: two steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), of fourth order, from 2 % and less.
-   The residual is taken in two words, so that the last step leaves little but its own rounding -- */
-/* The relative correction of w, whose residual is z = ln(x/w) - w; w1 = 1 + w */
+/* The relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and w1 = 1 + w */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* w from l = ln|x|, away from the branch point */
+/* W from l = ln|x| and a start w, for x that is not close to -1/e */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 {
     int i;
@@ -943,16 +1008,18 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* w = -1 - v from s = -1 - ln(-x): v - ln(1 + v) = s, with v > 0 for W_-1 and < 0 for W_0; s down to -eps/2, less
-   than an ulp of x beyond the branch point, counts as 0. Starts: of W_-1 by Barry, Culligan-Hensley and Barry (ACM
-   TOMS 21, 1995); of W_0, for s < 0.4, the series in sqrt(2s) */
+/* W from s = -1 - ln(-x), for x close to -1/e; lower is 1 for W_-1, 0 for W_0. w = -1 - v, where v - ln(1 + v) = s, v
+   > 0 for W_-1 and v < 0 for W_0. A number x that rounding has put below -1/e (s down to -eps/2) counts as -1/e. The
+   start for W_-1 is by Barry, Culligan-Hensley and Barry (ACM TOMS 21, 1995), that for W_0 a series in sqrt(2s), good
+   for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
     vm_real v, dv = 0;
     vm_two sum;
     int i;
-    if (!(s.hi > 0)) return s.hi > -VM_EPSILON / 2 ? -1 : VM_NAN;
+    if (!(s.hi > -VM_EPSILON / 2)) return VM_NAN;
+    if (s.hi <= 0) return -1;
     if (lower) v = s.hi + 2 / barry * (1 - 1 / (1 + barry / 2 * root));
     else v = -root * (1 - root * (VM_C(1.) / 3 - root / 36));
     for (i = 0; i < 2; i++) {
@@ -960,8 +1027,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
         v += dv;
         x = vmi_two(v, 0);
         ln = vmi_log1p(x);
-        z = VM_FABS(v) < VM_C(0.25) ? vmi_two_times(vmi_log1p_rest(x, ln), vmi_two_product(v, v))
-                                    : vmi_two_plus(x, vmi_minus(ln));
+        if (VM_FABS(v) < VM_C(0.25)) z = vmi_two_times(vmi_log1p_rest(x, ln), vmi_two_product(v, v));
+        else z = vmi_two_plus(x, vmi_minus(ln));
         z = vmi_two_plus(z, vmi_minus(s));
         dv = (1 + v) * vmi_lambert_correction(-v, z.hi);
     }
@@ -969,7 +1036,7 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* -1 - ln(-x) for x < -1/4: from 1 + e x in two words, which keeps every digit of the distance to -1/e */
+/* -1 - ln(-x) for x < -1/4, computed from 1 + e x in two words, which keeps all digits of the distance to -1/e */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -982,24 +1049,29 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* Start of W_0 for -1/4 <= x < 1: within 0.02 */
+/* A start for W_0, right to 2 %, for -1/4 <= x < 1 */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* and above, from L = ln(1 + x) (Winitzki) */
+/* A start for W_0, right to 2 %, for x >= 1, from L = ln(1 + x) (Winitzki) */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
-/* Lambert's W, w e^w = x: the branches W_0 >= -1 for x >= -1/e, and W_-1 <= -1 for -1/e <= x < 0. The number next to
-   -1/e, a little below it, counts as -1/e and gives -1; W_-1(0) = -infinity. Within 1 ulp, x taken as exact. */
+/* Lambert's W, upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x, a pure number, is taken as exact;
+   the result is within 1 ulp. NaN for x < -1/e, except that the number next to -1/e counts as -1/e and gives -1; NaN
+   for infinite x. Time: 4 logarithms. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
+    vm_real start;
     if (x == 0 || x != x) return x;
     if (!VM_IS_FINITE(x)) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
-    return vmi_lambert_far(vmi_log(VM_FABS(x)),
-                           x < 1 ? vmi_lambert_pade(x) : vmi_lambert_winitzki(vmi_log(1 + x).hi));
+    if (x < 1) start = vmi_lambert_pade(x);
+    else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
+    return vmi_lambert_far(vmi_log(VM_FABS(x)), start);
 }
 
-/* Documented with vm_lambert_w0. */
+/* Lambert's W, lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x, a pure number, is taken as
+   exact; the result is within 1 ulp. -infinity at x = 0, NaN for x > 0 and x < -1/e, except that the number next to
+   -1/e counts as -1/e and gives -1. Time: 4 logarithms. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;
@@ -1010,20 +1082,24 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* W_0(x) = x for ln|x| below */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* for ln|x| below this number W_0(x) = x */
 
-/* The same from the logarithm of the argument, which itself may be too large or too small to be a number:
-   W_0(e^l) for all l (Wright's omega), W_0(-e^l) and W_-1(-e^l) for l <= -1 */
+/* Wright's omega function: W_0(e^l), the solution of w + ln w = l, for any l.
+   e^l itself may overflow or underflow. l is taken as exact; the result is within 1 ulp. NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
+    const vm_real direct_from = 40; /* from here on ln(1 + e^l) = l */
+    vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
-    return vmi_lambert_far(vmi_two(l, 0), l < 0    ? vmi_lambert_pade(vmi_exp(l, 0))
-                                          : l < 40 ? vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi)
-                                                   : vmi_lambert_winitzki(l));
+    if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
+    else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
+    else start = vmi_lambert_winitzki(l);
+    return vmi_lambert_far(vmi_two(l, 0), start);
 }
 
-/* Documented with vm_wright_omega. */
+/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1.
+   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
@@ -1032,7 +1108,8 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* Documented with vm_wright_omega. */
+/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1.
+   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;

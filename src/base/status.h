@@ -1,9 +1,9 @@
 /* base/status.h - the statuses that functions return, and what each of them means
 
-   Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A positive
-   number means that the result is there, with a remark. A negative number means that nothing was done: the outputs are
-   untouched. The same mistake has the same status in every function, and where a call has several mistakes, the status
-   names the first of them in this order:
+   Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
+   positive number means that the result is there, with a remark. A negative number means that nothing was done: the
+   outputs are untouched. The same mistake has the same status in every function, and where a call has several
+   mistakes, the status names the first of them in this order:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -25,19 +25,19 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body without inertia about one axis (a rod, a point) keeps its spin about
+    VM_NULL_AXIS = 1,            /* done, but a body without inertia about an axis (a rod, a point) keeps its spin about
                                     this axis, and the angular momentum that was left for it is lost */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
     VM_NOT_FINITE = -2,          /* a number that was given, or that arises, is infinite or NaN */
     VM_BAD_MASS = -3,            /* a mass is not positive; in a separation this may be the mass of the rest */
-    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation this may be the inertia of the rest */
+    VM_BAD_INERTIA = -4,         /* no body can have this inertia; in a separation it may be that of the rest */
     VM_SINGULAR = -5,            /* a system of linear equations has no unique solution */
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
     VM_NO_LAW = -7,              /* the chosen route does not exist for this oscillator */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: no body moves in this way, or an effect or event cannot act on one that does */
+    VM_BAD_MOTION = -9,          /* scenes: a motion that does not exist, or on which an effect or event cannot act */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
@@ -91,7 +91,7 @@ VM_API const char *vm_strerror(int status)
     case VM_MASS_IS_NO_STATE: return "the stream needs a body whose mass is a state: use vm_scene_body_with_mass_state";
     case VM_TOO_MANY_EVENTS: return "events follow each other without end: let an event stop the run";
     case VM_BAD_OPTIONS: return "the integrator refuses its options: check the tolerances, h0, h_min and h_max";
-    case VM_STEP_TOO_SMALL: return "steps became too short to change the time: allow a larger tolerance or softer forces";
+    case VM_STEP_TOO_SMALL: return "steps became too short to change the time: allow a larger tolerance";
     case VM_MAX_STEPS: return "max_steps steps did not reach t_end: run again to continue, or allow more";
     case VM_SHORT_ARRAY: return "an array is too short: give y or work more room";
     case VM_BAD_TIMES: return "the times of output must rise, and t_end must not lie before the present time";
