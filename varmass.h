@@ -8476,7 +8476,7 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
    function that its body, effect or event needs, so that the executable holds no other. All arrays are the caller's.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
-       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
+       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
        vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
@@ -8574,7 +8574,7 @@ struct VM_TAG(vm_scene_body) {
     vmi_mat3 axes;          /* of a growing body: its axes now, in inertial ones */
     int listed_orders;      /* bits (1 << order) of the effects on it so far, while vm_scene_check runs */
     int status;             /* VM_OK, or why the constructor could not make it */
-    vm_real held;           /* kg: the mass before an event, which switching an effect must not change */
+    vm_real noted_mass;     /* kg: the mass before an event, which switching an effect must not change */
 };
 
 /* Position (m), velocity (m/s) and acceleration (m/s^2) at time t of a point whose motion is given */
@@ -8710,7 +8710,7 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* n_events of them */
     ode_event *located; /* room for n_events, for the integrator, which locates the events */
     int n_events;
-    vm_budget *book; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET numbers join the state */
+    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET numbers join the state */
     /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
        another number than 0 */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
@@ -9291,7 +9291,7 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
    rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
    added.
 
-       dydt[1] = (vm_force_spring(50, 3, y[0]) + vm_force_damper(2, y[1])) / mass; // -50 x^3 - 2 v
+       dydt[1] = (vm_force_spring(y[0], 50, 3) + vm_force_damper(y[1], 2)) / mass; // -50 x^3 - 2 v
 
    Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_FORCES_H
@@ -9299,7 +9299,7 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 
 /* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
    no power. */
-VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
+VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
@@ -9307,49 +9307,50 @@ VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
     return -VM_COPYSIGN(k, x) * vmi_pow_checked(VM_FABS(x), alpha) * (x != 0);
 }
 
-/* The force of a linear damper: -b v. b in N s/m takes energy out if it is positive. */
-VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v) { return -b * v; }
+/* The force of a linear damper: -damping v. damping in N s/m takes energy out if it is positive. */
+VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
 /* The force of Van der Pol's damper: (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
    takes it out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v) { return (b - c * (x * x)) * v; }
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
 
 /* The torque of a motor whose characteristic is a straight line: torque - kappa omega. torque in N m is that at rest,
    kappa in N m s. */
-VM_INLINE vm_real vm_force_motor(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
+VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real torque, vm_real kappa) { return torque - kappa * omega; }
 
 /* The force of harmonic excitation: force cos(frequency t + phase). frequency in rad/s, phase in rad. */
-VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t)
+VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real force, vm_real frequency, vm_real phase)
 {
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
     return force * c;
 }
 
-/* The reactive force of a stream: rate (u + share v - v). The stream brings rate kg/s (carries off, if rate < 0), and
-   its own velocity is u + share v. */
-VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v)
+/* The reactive force of a stream: rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
+   the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
+   velocity u relative to the body. */
+VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
-    return rate * (u + (share - 1) * v);
+    return rate * (u - reactive * v);
 }
 
-/* The weight of a mass: mass g. It points along the coordinate, so that g is negative where the coordinate points
-   up. */
+/* The weight of a mass: mass g. It points along the coordinate, so that g is negative where the coordinate points up.
+   mass in kg, g in m/s^2. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
 /* The force of an elastic shaft: -k r |r|^(alpha-1) towards the origin of its plane, r = (x, y) in m. The components go
    to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN below. */
-VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm_real *fx, vm_real *fy)
+VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(k, alpha, r) / r : 0;
+    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(r, k, alpha) / r : 0;
     *fx = f * x;
     *fy = f * y;
 }
 
 /* The force of a rotating unbalance: m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
    frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
-VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
+VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -9360,13 +9361,14 @@ VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real 
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane: coupling (-vy, vx). coupling in kg/s. The components go to *fx
-   and *fy; nothing happens if one of these pointers is NULL. It does no work. */
-VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy)
+/* The gyroscopic force across a velocity in the plane: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
+   pointers is NULL. */
+VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -coupling * vy;
-    *fy = coupling * vx;
+    *fx = -2 * gyro * vy;
+    *fy = 2 * gyro * vx;
 }
 
 #endif
@@ -9454,7 +9456,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
     const vm_real extension = vmi_effect_x(e, y) - e->p[VMI_SPRING_REST];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_spring(e->p[VMI_SPRING_STIFFNESS], e->p[VMI_SPRING_EXPONENT], extension));
+    vmi_effect_act(e, vm_force_spring(extension, e->p[VMI_SPRING_STIFFNESS], e->p[VMI_SPRING_EXPONENT]));
 }
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
@@ -9497,14 +9499,14 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_damper(e->p[VMI_DAMPER_DAMPING], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper: the force -b v. b in N s/m takes energy out if it is positive. */
-VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b)
+/* A linear damper: the force -damping v. damping in N s/m takes energy out if it is positive. */
+VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
-    e.p[VMI_DAMPER_DAMPING] = b;
+    e.p[VMI_DAMPER_DAMPING] = damping;
     return e;
 }
 
@@ -9516,12 +9518,12 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation: the torque -b omega. b in N m s takes energy out if it is positive. For a body on an axle,
-   in the plane, or free. */
-VM_API vm_effect vm_effect_rotational_damper(int body, vm_real b)
+/* A damper of the rotation: the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
+   on an axle, in the plane, or free. */
+VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_rotational_damper);
-    e.p[VMI_DAMPER_DAMPING] = b;
+    e.p[VMI_DAMPER_DAMPING] = damping;
     e.motions = 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_FREE;
     return e;
 }
@@ -9533,7 +9535,7 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     const vm_real b = e->p[VMI_VAN_DER_POL_FEEDING], c = e->p[VMI_VAN_DER_POL_LIMITING];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_van_der_pol(b, c, vmi_effect_x(e, y), vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
 /* Van der Pol's damper: the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
@@ -9548,18 +9550,18 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
 
 enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
 
-VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
 /* A motor whose characteristic is a straight line: the torque torque - kappa v. torque in N m is that at rest, kappa is
    in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
 {
-    vm_effect e = vmi_effect(body, coordinate, vmi_apply_drive);
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
     e.p[VMI_MOTOR_TORQUE] = torque;
     e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
@@ -9572,7 +9574,7 @@ VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, 
     const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(e->p[VMI_HARMONIC_FORCE], frequency, phase, t));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
 }
 
 /* Harmonic excitation: the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
@@ -9636,7 +9638,7 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_shaft(k, alpha, y[e->x], y[e->x + 1], &fx, &fy);
+    vm_force_shaft(y[e->x], y[e->x + 1], k, alpha, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
@@ -9661,7 +9663,7 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     vm_real fx, fy;
     (void)y;
     (void)s;
-    vm_force_unbalance(e->p[VMI_UNBALANCE_SIZE], frequency, phase, t, &fx, &fy);
+    vm_force_unbalance(t, e->p[VMI_UNBALANCE_SIZE], frequency, phase, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
@@ -9678,24 +9680,25 @@ VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real freque
     return e;
 }
 
-enum { VMI_GYROSCOPIC_COUPLING };
+enum { VMI_GYROSCOPIC_GYRO };
 
 VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_gyroscopic(e->p[VMI_GYROSCOPIC_COUPLING], y[e->v], y[e->v + 1], &fx, &fy);
+    vm_force_gyroscopic(y[e->v], y[e->v + 1], e->p[VMI_GYROSCOPIC_GYRO], &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity: coupling (-vy, vx). coupling in kg/s. For a body in the plane, or a point, on
-   whose coordinates 0 and 1 it acts. It does no work. */
-VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
+/* A gyroscopic force across the velocity: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does
+   no work. */
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
-    e.p[VMI_GYROSCOPIC_COUPLING] = coupling;
+    e.p[VMI_GYROSCOPIC_GYRO] = gyro;
     e.motions = VMI_FLAT;
     return e;
 }
@@ -9704,13 +9707,13 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
    A mass law M(t, x, v) says what mass a body has at any time; the mass is then no state of the scene. What joins or
-   leaves has the velocity u + share v, where v is that of the body. So M v' = F + M' (u + share v - v), with
-     share = 0  the absolute velocity u: the full reactive force (156), with u = 0 that of Levi-Civita (167)-(169);
-     share = 1  the velocity of the body and u beyond it: no reactive force if u = 0 (166).
+   leaves has the velocity u + (1 - reactive) v, where v is that of the body. So M v' = F + M' (u - reactive v), with
+     reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
+     reactive = 0  the velocity of the body and u beyond it: no reactive force if u = 0 (166).
    x and v are those of a line or an axle: J(phi), J(omega). For any other motion a law is M(t). u is in m/s; on a line
    u.x alone counts, on an axle too, in rad/s.
 
-       vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1); // body 0 loses 10 g/s, which keeps its velocity
+       vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
    A law stands before the other effects on its body, and a body has one at the most. What jumps add comes on top of the
    law. If an event switches a law off, the mass stays as it is; if it switches a law on, the law goes on from the mass
@@ -9720,23 +9723,23 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
 #ifndef VARMASS_SCENES_MASS_H
 #define VARMASS_SCENES_MASS_H
 
-/* Places of the parameters of mass laws and of streams: the velocity u (three numbers), its share of the body's
-   velocity, and the coefficient of a law or the rate of a stream */
-enum { VMI_MASS_U = 0, VMI_MASS_SHARE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
+/* Places of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the coefficient
+   of a law or the rate of a stream */
+enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
-/* Adds the reactive force rate (u + share v - v) to each coordinate in which the mass moves, and to the budget what the
+/* Adds the reactive force rate (u - reactive v) to each coordinate in which the mass moves, and to the budget what the
    mass brings */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
-                                  vm_real share)
+                                  vm_real reactive)
 {
     vm_load *load = e->load;
     const vm_real *v = y + e->v;
     const int n = vmi_scene_directions(s->bodies[e->body].motion);
     int i;
     for (i = 0; i < n; i++) {
-        const vm_real joining = u[i] + share * v[i], push = rate * (joining - v[i]);
+        const vm_real joining = u[i] + (1 - reactive) * v[i], push = rate * (joining - v[i]);
         load->force[i] += push;
-        if (!s->book) continue;
+        if (!s->budget) continue;
         load->reactive[i] += push;
         load->brought[i] += rate * joining;
         load->brought_energy += rate * joining * joining / 2;
@@ -9747,34 +9750,34 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 /* Gives the body the mass of a law. M' = by_t + by_x v + by_v v'; the last term is not known before the acceleration
    is, so that (M'(v) (v - u)) v' goes to the other side of the equation, into extra_mass. */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
-                                const vm_real *u, vm_real share)
+                                const vm_real *u, vm_real reactive)
 {
     vm_load *load = e->load;
     const vm_real v = y[e->v];
     load->mass = now->mass + s->bodies[e->body].law_offset;
-    load->extra_mass = now->by_v * ((1 - share) * v - u[0]);
+    load->extra_mass = now->by_v * (reactive * v - u[0]);
     load->mass_by_v = now->by_v;
-    load->joining_v = u[0] + share * v;
-    vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v, u, share);
+    load->joining_v = u[0] + (1 - reactive) * v;
+    vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v, u, reactive);
 }
 
 VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_mass_now now = e->law(t, y[e->x], y[e->v], e->ctx);
-    vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_SHARE]);
+    vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
 /* A mass law M(t, x, v) that the caller's function returns, with its reactive force. The velocity of the mass that
-   joins or leaves is u + share v (see above). VM_BAD_ARGUMENT at the start where law is NULL. A run ends with
+   joins or leaves is u + (1 - reactive) v (see above). VM_BAD_ARGUMENT at the start where law is NULL. A run ends with
    VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
-                                    void *ctx, vm_vec3 u, vm_real share)
+                                    void *ctx, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_law : NULL);
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
-    e.p[VMI_MASS_SHARE] = share;
+    e.p[VMI_MASS_REACTIVE] = reactive;
     e.order = VMI_ORDER_MASS_LAW;
     e.law = law;
     e.ctx = ctx;
@@ -9803,20 +9806,20 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
         now.mass += c * v * v;
         now.by_v = 2 * c * v;
     }
-    vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_SHARE]);
+    vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. kind is VM_MASS_OF_T, VM_MASS_OF_X or
-   VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of the mass that joins or leaves is u + share v,
-   with u along coordinate 0. VM_BAD_ARGUMENT at the start for another kind; errors of a run as in
+   VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of the mass that joins or leaves is
+   u + (1 - reactive) v, with u along coordinate 0. VM_BAD_ARGUMENT at the start for another kind; errors of a run as in
    vm_effect_mass_law. */
-VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)
+VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
     if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* refused by vm_scene_check */
     e.variant = kind;
     e.p[VMI_MASS_U] = u;
-    e.p[VMI_MASS_SHARE] = share;
+    e.p[VMI_MASS_REACTIVE] = reactive;
     e.p[VMI_MASS_COEFFICIENT] = c;
     if (kind != VM_MASS_OF_T) e.motions = VMI_SINGLE;
     e.order = VMI_ORDER_MASS_LAW;
@@ -9836,7 +9839,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
    mechanics/streams.h explains the symbols.
 
        vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
-       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 0)}; // 5 kg/s, whose own velocity is falls, a vm_vec3
+       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s of velocity falls, a vm_vec3
 
    Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_STREAMS_H
@@ -9847,19 +9850,19 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
     const vm_real rate = e->p[VMI_MASS_RATE];
     (void)t;
     e->load->mass_rate += rate;
-    vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_SHARE]);
+    vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
 /* A stream that crosses at the mass centre, with its reactive force. The mass of the body must be a state
    (VM_MASS_IS_NO_STATE). rate in kg/s (on an axle kg m^2/s) is negative for mass that leaves; its own velocity is
-   u + share v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
-VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
+   u + (1 - reactive) v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
+VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
-    e.p[VMI_MASS_SHARE] = share;
+    e.p[VMI_MASS_REACTIVE] = reactive;
     e.p[VMI_MASS_RATE] = rate;
     e.needs = VMI_NEEDS_MASS_STATE;
     return e;
@@ -9882,7 +9885,7 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
-    c->seen.energy = s->book != NULL;
+    c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
@@ -9896,7 +9899,7 @@ VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossin
     const vm_scene_body *b = s->bodies + e->body;
     vm_load *load = e->load;
     vmi_scene_add(b, load->force, force, torque);
-    if (!s->book) return;
+    if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
     load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
@@ -9914,7 +9917,7 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
     load->centre_rate = vmi_add(load->centre_rate, shift);
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
-    if (!s->book) return;
+    if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
     turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
     vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
@@ -10019,22 +10022,22 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
    and the inertia grows by rho b h radius^3 per radian. In layers, the torque has a kink at each complete turn.
    vm_band_at computes what is wound up at any angle; vm_effect_band is the mass law of the drum in a scene.
 
-       vm_band band = {0.2, 0.01, 0.5, 800, 0, 1, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
+       vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
 
    Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_BAND_H
 #define VARMASS_SCENES_BAND_H
 
-/* A band. Its own velocity is speed + share (radius omega): it moves with the drum for speed = 0, share = 1, and it
-   comes at the absolute velocity `speed` for share = 0. */
+/* A band. Its own velocity is speed + (1 - reactive) (radius omega): it comes at the absolute velocity `speed` for
+   reactive = 1, and it moves with the drum for speed = 0, reactive = 0. */
 typedef struct VM_TAG(vm_band) {
     vm_real radius;    /* m: R, of the bare drum, > 0 */
     vm_real thickness; /* m: h, >= 0 */
     vm_real width;     /* m: b, >= 0 */
     vm_real density;   /* kg/m^3: rho, >= 0 */
     vm_real speed;     /* m/s */
-    vm_real share;     /* a pure number */
+    vm_real reactive;     /* a pure number */
     int by_layer;      /* 1: in layers; 0: along a spiral */
 } vm_band;
 
@@ -10102,7 +10105,7 @@ enum {
     VMI_BAND_WIDTH,
     VMI_BAND_DENSITY,
     VMI_BAND_SPEED,
-    VMI_BAND_SHARE
+    VMI_BAND_REACTIVE
 };
 
 VM_API vm_band vmi_band_of(const vm_effect *e)
@@ -10113,7 +10116,7 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     b.width = e->p[VMI_BAND_WIDTH];
     b.density = e->p[VMI_BAND_DENSITY];
     b.speed = e->p[VMI_BAND_SPEED];
-    b.share = e->p[VMI_BAND_SHARE];
+    b.reactive = e->p[VMI_BAND_REACTIVE];
     b.by_layer = e->variant;
     return b;
 }
@@ -10128,7 +10131,7 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;
-    vmi_scene_apply_law(e, y, s, &now, &u, band.share);
+    vmi_scene_apply_law(e, y, s, &now, &u, band.reactive);
 }
 
 VM_API int vmi_band_check(const vm_effect *e)
@@ -10152,7 +10155,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
     e.p[VMI_BAND_WIDTH] = band->width;
     e.p[VMI_BAND_DENSITY] = band->density;
     e.p[VMI_BAND_SPEED] = band->speed;
-    e.p[VMI_BAND_SHARE] = band->share;
+    e.p[VMI_BAND_REACTIVE] = band->reactive;
     e.variant = band->by_layer != 0;
     return e;
 }
@@ -10313,7 +10316,7 @@ VM_API int vm_scene_size(const vm_scene *scene)
     int i, size = 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
-    if (scene->book) size += VM_BUDGET;
+    if (scene->budget) size += VM_BUDGET;
     return size;
 }
 
@@ -10400,7 +10403,7 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budg
 VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->budget != NULL);
     for (i = 0; i < s->n_effects; i++) {
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
@@ -10459,7 +10462,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
         status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
-    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
+    if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
     if (s->status) vmi_scene_refuse(s, before, dydt);
     return 0;
 }
@@ -10759,7 +10762,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
     vmi_scene_presence(scene);
     vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
-    if (scene->book) scene->book->open(scene, y, y + end);
+    if (scene->budget) scene->budget->open(scene, y, y + end);
     return VM_OK;
 }
 
@@ -10867,13 +10870,13 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
 /* At the start of the scene: notes what is there, and sets the sums to 0 */
 VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 {
-    const vm_budget functions = *s->book;
+    const vm_budget functions = *s->budget;
     int i;
-    memset(s->book, 0, sizeof *s->book);
-    s->book->open = functions.open;
-    s->book->rates = functions.rates;
-    s->book->totals = functions.totals;
-    vmi_scene_totals(s, y, s->book);
+    memset(s->budget, 0, sizeof *s->budget);
+    s->budget->open = functions.open;
+    s->budget->rates = functions.rates;
+    s->budget->totals = functions.totals;
+    vmi_scene_totals(s, y, s->budget);
     for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
@@ -10883,7 +10886,7 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
-    scene->book = budget_or_NULL;
+    scene->budget = budget_or_NULL;
     if (!budget_or_NULL) return;
     memset(budget_or_NULL, 0, sizeof *budget_or_NULL);
     budget_or_NULL->open = vmi_scene_open_budget;
@@ -10897,7 +10900,7 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
    VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
-    const vm_budget *start = scene ? scene->book : NULL;
+    const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
     if (!start || !y || !budget) return VM_BAD_ARGUMENT;
@@ -11051,7 +11054,7 @@ VM_API vm_event vm_then_stop(vm_event event)
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) s->bodies[i].held = s->bodies[i].load.mass;
+    for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
 /* Gives all bodies the mass that was noted. Switching a mass law, and a jump, would otherwise change a mass without
@@ -11064,7 +11067,7 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
-        const vm_real lacking = b->held - b->load.mass;
+        const vm_real lacking = b->noted_mass - b->load.mass;
         if (b->away || b->mass_is_state) continue;
         b->mass += lacking;
         b->law_offset += lacking;
@@ -11242,11 +11245,11 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vm_scene_body *body = s->bodies + e->jump_body, *other = s->bodies + e->other;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     vmi_scene_note_masses(s);
-    body->held = result->mass;
+    body->noted_mass = result->mass;
     other->away = part_or_NULL == NULL;
     vmi_scene_shift_centre(s, e->jump_body, result->r, y);
     if (part_or_NULL) {
-        other->held = part_or_NULL->mass;
+        other->noted_mass = part_or_NULL->mass;
         if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
         vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
     }
@@ -11260,7 +11263,7 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
 VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
-    vm_budget *budget = s->book;
+    vm_budget *budget = s->budget;
     vm_budget before, after;
     if (budget) budget->totals(s, y, &before);
     vmi_scene_put_jump(e, t, y, result, part_or_NULL);
@@ -11537,7 +11540,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
                                 const rk45_options *options_or_NULL)
 {
     rk45_options o = rk45_defaults(options_or_NULL);
-    const int n = vm_scene_size(s), n_bodies = s->book ? n - VM_BUDGET : n;
+    const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET : n;
     vm_real *atol = work + RK45_WORK(n);
     int i;
     for (i = 0; i < n_bodies; i++) atol[i] = o.atol_each ? o.atol_each[i] : o.atol;

@@ -111,13 +111,13 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
 /* At the start of the scene: notes what is there, and sets the sums to 0 */
 VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 {
-    const vm_budget functions = *s->book;
+    const vm_budget functions = *s->budget;
     int i;
-    memset(s->book, 0, sizeof *s->book);
-    s->book->open = functions.open;
-    s->book->rates = functions.rates;
-    s->book->totals = functions.totals;
-    vmi_scene_totals(s, y, s->book);
+    memset(s->budget, 0, sizeof *s->budget);
+    s->budget->open = functions.open;
+    s->budget->rates = functions.rates;
+    s->budget->totals = functions.totals;
+    vmi_scene_totals(s, y, s->budget);
     for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
@@ -127,7 +127,7 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
-    scene->book = budget_or_NULL;
+    scene->budget = budget_or_NULL;
     if (!budget_or_NULL) return;
     memset(budget_or_NULL, 0, sizeof *budget_or_NULL);
     budget_or_NULL->open = vmi_scene_open_budget;
@@ -141,7 +141,7 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
    VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
-    const vm_budget *start = scene ? scene->book : NULL;
+    const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
     if (!start || !y || !budget) return VM_BAD_ARGUMENT;

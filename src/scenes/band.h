@@ -7,7 +7,7 @@
    and the inertia grows by rho b h radius^3 per radian. In layers, the torque has a kink at each complete turn.
    vm_band_at computes what is wound up at any angle; vm_effect_band is the mass law of the drum in a scene.
 
-       vm_band band = {0.2, 0.01, 0.5, 800, 0, 1, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
+       vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
 
    Tests: tests/test_scene_streams.c. */
@@ -20,15 +20,15 @@
 #include "mass.h"
 #include "scene.h"
 
-/* A band. Its own velocity is speed + share (radius omega): it moves with the drum for speed = 0, share = 1, and it
-   comes at the absolute velocity `speed` for share = 0. */
+/* A band. Its own velocity is speed + (1 - reactive) (radius omega): it comes at the absolute velocity `speed` for
+   reactive = 1, and it moves with the drum for speed = 0, reactive = 0. */
 typedef struct VM_TAG(vm_band) {
     vm_real radius;    /* m: R, of the bare drum, > 0 */
     vm_real thickness; /* m: h, >= 0 */
     vm_real width;     /* m: b, >= 0 */
     vm_real density;   /* kg/m^3: rho, >= 0 */
     vm_real speed;     /* m/s */
-    vm_real share;     /* a pure number */
+    vm_real reactive;     /* a pure number */
     int by_layer;      /* 1: in layers; 0: along a spiral */
 } vm_band;
 
@@ -96,7 +96,7 @@ enum {
     VMI_BAND_WIDTH,
     VMI_BAND_DENSITY,
     VMI_BAND_SPEED,
-    VMI_BAND_SHARE
+    VMI_BAND_REACTIVE
 };
 
 VM_API vm_band vmi_band_of(const vm_effect *e)
@@ -107,7 +107,7 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     b.width = e->p[VMI_BAND_WIDTH];
     b.density = e->p[VMI_BAND_DENSITY];
     b.speed = e->p[VMI_BAND_SPEED];
-    b.share = e->p[VMI_BAND_SHARE];
+    b.reactive = e->p[VMI_BAND_REACTIVE];
     b.by_layer = e->variant;
     return b;
 }
@@ -122,7 +122,7 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;
-    vmi_scene_apply_law(e, y, s, &now, &u, band.share);
+    vmi_scene_apply_law(e, y, s, &now, &u, band.reactive);
 }
 
 VM_API int vmi_band_check(const vm_effect *e)
@@ -146,7 +146,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
     e.p[VMI_BAND_WIDTH] = band->width;
     e.p[VMI_BAND_DENSITY] = band->density;
     e.p[VMI_BAND_SPEED] = band->speed;
-    e.p[VMI_BAND_SHARE] = band->share;
+    e.p[VMI_BAND_REACTIVE] = band->reactive;
     e.variant = band->by_layer != 0;
     return e;
 }

@@ -89,7 +89,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
     const vm_real extension = vmi_effect_x(e, y) - e->p[VMI_SPRING_REST];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_spring(e->p[VMI_SPRING_STIFFNESS], e->p[VMI_SPRING_EXPONENT], extension));
+    vmi_effect_act(e, vm_force_spring(extension, e->p[VMI_SPRING_STIFFNESS], e->p[VMI_SPRING_EXPONENT]));
 }
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
@@ -132,14 +132,14 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_damper(e->p[VMI_DAMPER_DAMPING], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper: the force -b v. b in N s/m takes energy out if it is positive. */
-VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b)
+/* A linear damper: the force -damping v. damping in N s/m takes energy out if it is positive. */
+VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
-    e.p[VMI_DAMPER_DAMPING] = b;
+    e.p[VMI_DAMPER_DAMPING] = damping;
     return e;
 }
 
@@ -151,12 +151,12 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation: the torque -b omega. b in N m s takes energy out if it is positive. For a body on an axle,
-   in the plane, or free. */
-VM_API vm_effect vm_effect_rotational_damper(int body, vm_real b)
+/* A damper of the rotation: the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
+   on an axle, in the plane, or free. */
+VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_rotational_damper);
-    e.p[VMI_DAMPER_DAMPING] = b;
+    e.p[VMI_DAMPER_DAMPING] = damping;
     e.motions = 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_FREE;
     return e;
 }
@@ -168,7 +168,7 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     const vm_real b = e->p[VMI_VAN_DER_POL_FEEDING], c = e->p[VMI_VAN_DER_POL_LIMITING];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_van_der_pol(b, c, vmi_effect_x(e, y), vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
 /* Van der Pol's damper: the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
@@ -183,18 +183,18 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
 
 enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
 
-VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
 /* A motor whose characteristic is a straight line: the torque torque - kappa v. torque in N m is that at rest, kappa is
    in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
 {
-    vm_effect e = vmi_effect(body, coordinate, vmi_apply_drive);
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
     e.p[VMI_MOTOR_TORQUE] = torque;
     e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
@@ -207,7 +207,7 @@ VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, 
     const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(e->p[VMI_HARMONIC_FORCE], frequency, phase, t));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
 }
 
 /* Harmonic excitation: the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
@@ -271,7 +271,7 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_shaft(k, alpha, y[e->x], y[e->x + 1], &fx, &fy);
+    vm_force_shaft(y[e->x], y[e->x + 1], k, alpha, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
@@ -296,7 +296,7 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     vm_real fx, fy;
     (void)y;
     (void)s;
-    vm_force_unbalance(e->p[VMI_UNBALANCE_SIZE], frequency, phase, t, &fx, &fy);
+    vm_force_unbalance(t, e->p[VMI_UNBALANCE_SIZE], frequency, phase, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
@@ -313,24 +313,25 @@ VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real freque
     return e;
 }
 
-enum { VMI_GYROSCOPIC_COUPLING };
+enum { VMI_GYROSCOPIC_GYRO };
 
 VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_gyroscopic(e->p[VMI_GYROSCOPIC_COUPLING], y[e->v], y[e->v + 1], &fx, &fy);
+    vm_force_gyroscopic(y[e->v], y[e->v + 1], e->p[VMI_GYROSCOPIC_GYRO], &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity: coupling (-vy, vx). coupling in kg/s. For a body in the plane, or a point, on
-   whose coordinates 0 and 1 it acts. It does no work. */
-VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
+/* A gyroscopic force across the velocity: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does
+   no work. */
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
-    e.p[VMI_GYROSCOPIC_COUPLING] = coupling;
+    e.p[VMI_GYROSCOPIC_GYRO] = gyro;
     e.motions = VMI_FLAT;
     return e;
 }

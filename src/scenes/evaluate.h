@@ -37,7 +37,7 @@ VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budg
 VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->budget != NULL);
     for (i = 0; i < s->n_effects; i++) {
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
@@ -96,7 +96,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
         status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
-    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
+    if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
     if (s->status) vmi_scene_refuse(s, before, dydt);
     return 0;
 }

@@ -132,7 +132,7 @@ VM_API vm_event vm_then_stop(vm_event event)
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) s->bodies[i].held = s->bodies[i].load.mass;
+    for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
 /* Gives all bodies the mass that was noted. Switching a mass law, and a jump, would otherwise change a mass without
@@ -145,7 +145,7 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
-        const vm_real lacking = b->held - b->load.mass;
+        const vm_real lacking = b->noted_mass - b->load.mass;
         if (b->away || b->mass_is_state) continue;
         b->mass += lacking;
         b->law_offset += lacking;

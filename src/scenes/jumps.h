@@ -145,11 +145,11 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vm_scene_body *body = s->bodies + e->jump_body, *other = s->bodies + e->other;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
     vmi_scene_note_masses(s);
-    body->held = result->mass;
+    body->noted_mass = result->mass;
     other->away = part_or_NULL == NULL;
     vmi_scene_shift_centre(s, e->jump_body, result->r, y);
     if (part_or_NULL) {
-        other->held = part_or_NULL->mass;
+        other->noted_mass = part_or_NULL->mass;
         if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
         vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
     }
@@ -163,7 +163,7 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
 VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
-    vm_budget *budget = s->book;
+    vm_budget *budget = s->budget;
     vm_budget before, after;
     if (budget) budget->totals(s, y, &before);
     vmi_scene_put_jump(e, t, y, result, part_or_NULL);

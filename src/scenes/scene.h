@@ -5,7 +5,7 @@
    function that its body, effect or event needs, so that the executable holds no other. All arrays are the caller's.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
-       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
+       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
        vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
@@ -110,7 +110,7 @@ struct VM_TAG(vm_scene_body) {
     vmi_mat3 axes;          /* of a growing body: its axes now, in inertial ones */
     int listed_orders;      /* bits (1 << order) of the effects on it so far, while vm_scene_check runs */
     int status;             /* VM_OK, or why the constructor could not make it */
-    vm_real held;           /* kg: the mass before an event, which switching an effect must not change */
+    vm_real noted_mass;     /* kg: the mass before an event, which switching an effect must not change */
 };
 
 /* Position (m), velocity (m/s) and acceleration (m/s^2) at time t of a point whose motion is given */
@@ -246,7 +246,7 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* n_events of them */
     ode_event *located; /* room for n_events, for the integrator, which locates the events */
     int n_events;
-    vm_budget *book; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET numbers join the state */
+    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET numbers join the state */
     /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
        another number than 0 */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);

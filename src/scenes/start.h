@@ -116,7 +116,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
     vmi_scene_presence(scene);
     vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
-    if (scene->book) scene->book->open(scene, y, y + end);
+    if (scene->budget) scene->budget->open(scene, y, y + end);
     return VM_OK;
 }
 

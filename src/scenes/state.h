@@ -29,7 +29,7 @@ VM_API int vm_scene_size(const vm_scene *scene)
     int i, size = 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
-    if (scene->book) size += VM_BUDGET;
+    if (scene->budget) size += VM_BUDGET;
     return size;
 }
 

@@ -10,7 +10,7 @@
    mechanics/streams.h explains the symbols.
 
        vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
-       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 0)}; // 5 kg/s, whose own velocity is falls, a vm_vec3
+       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s of velocity falls, a vm_vec3
 
    Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_STREAMS_H
@@ -32,19 +32,19 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
     const vm_real rate = e->p[VMI_MASS_RATE];
     (void)t;
     e->load->mass_rate += rate;
-    vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_SHARE]);
+    vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
 /* A stream that crosses at the mass centre, with its reactive force. The mass of the body must be a state
    (VM_MASS_IS_NO_STATE). rate in kg/s (on an axle kg m^2/s) is negative for mass that leaves; its own velocity is
-   u + share v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
-VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
+   u + (1 - reactive) v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
+VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
     e.p[VMI_MASS_U] = u.x;
     e.p[VMI_MASS_U + 1] = u.y;
     e.p[VMI_MASS_U + 2] = u.z;
-    e.p[VMI_MASS_SHARE] = share;
+    e.p[VMI_MASS_REACTIVE] = reactive;
     e.p[VMI_MASS_RATE] = rate;
     e.needs = VMI_NEEDS_MASS_STATE;
     return e;
@@ -67,7 +67,7 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
-    c->seen.energy = s->book != NULL;
+    c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
@@ -81,7 +81,7 @@ VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossin
     const vm_scene_body *b = s->bodies + e->body;
     vm_load *load = e->load;
     vmi_scene_add(b, load->force, force, torque);
-    if (!s->book) return;
+    if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
     load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
@@ -99,7 +99,7 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
     load->centre_rate = vmi_add(load->centre_rate, shift);
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
-    if (!s->book) return;
+    if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
     turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
     vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
