@@ -8508,7 +8508,7 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
    An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
    a point or a free body. On an axle, the moment of inertia takes the place of the mass and a torque that of the force.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c, tests/test_scene_streams.c. */
+   Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 
@@ -8778,7 +8778,7 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
    positive (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite
    (VM_NOT_FINITE).
 
-   Tests: tests/test_scenes.c. */
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
 #define VARMASS_SCENES_MOTIONS_H
 
@@ -8969,20 +8969,17 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
 
-/* q' = q (0, omega)/2, and a term that draws the length of q to 1, as exp(-t) */
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
+   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
 VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
 {
-    const vm_real pull = (1 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)) / 2;
-    vm_quat spin, turn;
-    spin.w = 0;
-    spin.x = omega.x / 2;
-    spin.y = omega.y / 2;
-    spin.z = omega.z / 2;
-    turn = vmi_quat_times(q, spin);
-    rates[0] = turn.w + pull * q.w;
-    rates[1] = turn.x + pull * q.x;
-    rates[2] = turn.y + pull * q.y;
-    rates[3] = turn.z + pull * q.z;
+    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
 /* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so
@@ -9293,7 +9290,7 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 
        dydt[1] = (vm_force_spring(y[0], 50, 3) + vm_force_damper(y[1], 2)) / mass; // -50 x^3 - 2 v
 
-   Tests: tests/test_scene_effects.c. */
+   Tests: tests/test_forces.c. */
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
@@ -9719,7 +9716,7 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
    law. If an event switches a law off, the mass stays as it is; if it switches a law on, the law goes on from the mass
    that is there (of M0 + c t then only c counts). So a switch never changes a mass suddenly.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
 #define VARMASS_SCENES_MASS_H
 
@@ -10025,7 +10022,7 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
 
-   Tests: tests/test_scene_streams.c. */
+   Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_BAND_H
 #define VARMASS_SCENES_BAND_H
 
@@ -10169,7 +10166,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_links.c. */
 #ifndef VARMASS_SCENES_LINKS_H
 #define VARMASS_SCENES_LINKS_H
 
@@ -10300,7 +10297,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
 
-   Tests: tests/test_scenes.c. */
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
@@ -10376,7 +10373,7 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
        rk87_init(&run, vm_scene_rhs, &scene, vm_scene_size(&scene), t, y, &options, work); // after vm_scene_start
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EVALUATE_H
 #define VARMASS_SCENES_EVALUATE_H
 
@@ -10477,7 +10474,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
        int status = vm_scene_check(&scene, &fault);
        if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status)); // effect 1: no body has ...
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_runs.c, tests/test_scene_bodies.c, tests/test_refusals_scenes.c. */
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
@@ -10659,7 +10656,7 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
        vm_scene_fault fault;
        int status = vm_scene_start(&scene, t, y, &fault); // y: vm_scene_size(&scene) numbers
 
-   Tests: tests/test_scenes.c. */
+   Tests: tests/test_scene_runs.c. */
 #ifndef VARMASS_SCENES_START_H
 #define VARMASS_SCENES_START_H
 
@@ -10778,7 +10775,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
        ...                                              // vm_scene_start, vm_scene_run
        vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c, tests/test_scene_streams.c. */
+   Tests: tests/test_scene_runs.c, tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_BALANCE_H
 #define VARMASS_SCENES_BALANCE_H
 
@@ -10944,7 +10941,7 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
    and a crossing are within rounding of each other, either may be the first. To get the times (or states) of all events
    of one run, set scene.located[i].times (or .states) and .room after the start.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
 #define VARMASS_SCENES_EVENTS_H
 
@@ -11139,7 +11136,7 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
    bodies that cannot jump together (VM_BAD_MOTION), a body with itself (VM_SAME_BODY), and a part that cannot be a
    body.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 
@@ -11381,7 +11378,7 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 
        status = vm_scene_run(&scene, &t, 10, y, work, NULL); // from t to 10 s; work: VM_SCENE_WORK(size) numbers
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c, tests/test_events.c. */
+   Tests: tests/test_scene_runs.c, tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_RUN_H
 #define VARMASS_SCENES_RUN_H
 

@@ -9,7 +9,7 @@
        ...                                              // vm_scene_start, vm_scene_run
        vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c, tests/test_scene_streams.c. */
+   Tests: tests/test_scene_runs.c, tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_BALANCE_H
 #define VARMASS_SCENES_BALANCE_H
 

@@ -10,7 +10,7 @@
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
 
-   Tests: tests/test_scene_streams.c. */
+   Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_BAND_H
 #define VARMASS_SCENES_BAND_H
 

@@ -7,7 +7,7 @@
        int status = vm_scene_check(&scene, &fault);
        if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status)); // effect 1: no body has ...
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_runs.c, tests/test_scene_bodies.c, tests/test_refusals_scenes.c. */
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 

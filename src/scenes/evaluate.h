@@ -5,7 +5,7 @@
 
        rk87_init(&run, vm_scene_rhs, &scene, vm_scene_size(&scene), t, y, &options, work); // after vm_scene_start
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EVALUATE_H
 #define VARMASS_SCENES_EVALUATE_H
 

@@ -17,7 +17,7 @@
    and a crossing are within rounding of each other, either may be the first. To get the times (or states) of all events
    of one run, set scene.located[i].times (or .states) and .room after the start.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
 #define VARMASS_SCENES_EVENTS_H
 

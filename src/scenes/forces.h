@@ -7,7 +7,7 @@
 
        dydt[1] = (vm_force_spring(y[0], 50, 3) + vm_force_damper(y[1], 2)) / mass; // -50 x^3 - 2 v
 
-   Tests: tests/test_scene_effects.c. */
+   Tests: tests/test_forces.c. */
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 

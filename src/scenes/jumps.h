@@ -25,7 +25,7 @@
    bodies that cannot jump together (VM_BAD_MOTION), a body with itself (VM_SAME_BODY), and a part that cannot be a
    body.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 

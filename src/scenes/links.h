@@ -6,7 +6,7 @@
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_links.c. */
 #ifndef VARMASS_SCENES_LINKS_H
 #define VARMASS_SCENES_LINKS_H
 

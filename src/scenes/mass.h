@@ -13,7 +13,7 @@
    law. If an event switches a law off, the mass stays as it is; if it switches a law on, the law goes on from the mass
    that is there (of M0 + c t then only c counts). So a switch never changes a mass suddenly.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c. */
+   Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
 #define VARMASS_SCENES_MASS_H
 

@@ -13,7 +13,7 @@
    positive (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite
    (VM_NOT_FINITE).
 
-   Tests: tests/test_scenes.c. */
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
 #define VARMASS_SCENES_MOTIONS_H
 
@@ -213,20 +213,17 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
 
-/* q' = q (0, omega)/2, and a term that draws the length of q to 1, as exp(-t) */
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
+   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
 VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
 {
-    const vm_real pull = (1 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)) / 2;
-    vm_quat spin, turn;
-    spin.w = 0;
-    spin.x = omega.x / 2;
-    spin.y = omega.y / 2;
-    spin.z = omega.z / 2;
-    turn = vmi_quat_times(q, spin);
-    rates[0] = turn.w + pull * q.w;
-    rates[1] = turn.x + pull * q.x;
-    rates[2] = turn.y + pull * q.y;
-    rates[3] = turn.z + pull * q.z;
+    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
 /* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so

@@ -4,7 +4,7 @@
 
        status = vm_scene_run(&scene, &t, 10, y, work, NULL); // from t to 10 s; work: VM_SCENE_WORK(size) numbers
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c, tests/test_events.c. */
+   Tests: tests/test_scene_runs.c, tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_RUN_H
 #define VARMASS_SCENES_RUN_H
 

@@ -37,7 +37,7 @@
    An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
    a point or a free body. On an axle, the moment of inertia takes the place of the mass and a torque that of the force.
 
-   Tests: tests/test_scenes.c, tests/test_scene_effects.c, tests/test_scene_streams.c. */
+   Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 

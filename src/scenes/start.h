@@ -5,7 +5,7 @@
        vm_scene_fault fault;
        int status = vm_scene_start(&scene, t, y, &fault); // y: vm_scene_size(&scene) numbers
 
-   Tests: tests/test_scenes.c. */
+   Tests: tests/test_scene_runs.c. */
 #ifndef VARMASS_SCENES_START_H
 #define VARMASS_SCENES_START_H
 

@@ -6,7 +6,7 @@
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
 
-   Tests: tests/test_scenes.c. */
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
