@@ -333,103 +333,103 @@
        vm_envelope_error              Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings
        vm_adiabaticity                q/Om, what averaging takes for small
 
-     scenes/motions: how each kind of body moves
-       vm_scene_body_line             Bodies
-       vm_scene_body_axle             Documented with vm_scene_body_line
-       vm_scene_body_plane            Documented with vm_scene_body_line
-       vm_scene_body_point            Documented with vm_scene_body_line
-       vm_scene_body_free             Documented with vm_scene_body_line
-       vm_scene_body_with_mass_state  the same, its mass a state
-       vm_scene_body_absent           the same, not yet there
+     scenes/motions: the bodies of a scene, and how each of them moves
+       vm_scene_body_line             A body on a line
+       vm_scene_body_axle             A body on a fixed axle
+       vm_scene_body_plane            A body in the plane
+       vm_scene_body_point            A point in space
+       vm_scene_body_free             A body that moves and turns freely in space, as *start says
+       vm_scene_body_with_mass_state  A body whose mass is a state, so that streams can change it
+       vm_scene_body_absent           A body that is not present until an event brings it in
 
      scenes/growing: bodies whose mass centre and inertia change
-       vm_scene_body_growing_plane    The same, its mass, the mass centre in the body and its inertia states
-       vm_scene_body_growing_free     Documented with vm_scene_body_growing_plane
+       vm_scene_body_growing_plane    A growing body in the plane, made of one by vm_scene_body_plane
+       vm_scene_body_growing_free     A growing body in space, made of one by vm_scene_body_free
 
-     scenes/forces: forces as functions of numbers
-       vm_force_spring                Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them
-       vm_force_damper                -b v
-       vm_force_van_der_pol           (b - c x^2) v
-       vm_force_motor                 torque - kappa omega
-       vm_force_harmonic              Documented with vm_force_spring
-       vm_force_stream                rate (u + share v - v)
-       vm_force_gravity               mass g
-       vm_force_shaft                 Documented with vm_force_spring
-       vm_force_unbalance             Documented with vm_force_spring
-       vm_force_gyroscopic            Documented with vm_force_spring
+     scenes/forces: the forces of effects, as functions of numbers
+       vm_force_spring                The force of a spring
+       vm_force_damper                The force of a linear damper
+       vm_force_van_der_pol           The force of Van der Pol's damper
+       vm_force_motor                 The torque of a motor whose characteristic is a straight line
+       vm_force_harmonic              The force of harmonic excitation
+       vm_force_stream                The reactive force of a stream
+       vm_force_gravity               The weight of a mass
+       vm_force_shaft                 The force of an elastic shaft
+       vm_force_unbalance             The force of a rotating unbalance
+       vm_force_gyroscopic            The gyroscopic force across a velocity in the plane
 
-     scenes/effects: effects that act on coordinates
-       vm_effect_gravity              Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction
-       vm_effect_spring               vm_force_spring of x - rest
-       vm_effect_linear_spring        the same with alpha = 1
-       vm_effect_damper               Documented with vm_effect_spring
-       vm_effect_rotational_damper    -b omega
-       vm_effect_van_der_pol          Documented with vm_effect_spring
-       vm_effect_motor                Documented with vm_effect_spring
-       vm_effect_harmonic             Documented with vm_effect_spring
-       vm_effect_force_between        Documented with vm_effect_force
-       vm_effect_force                a force of one's own, which depends on t and the coordinate, and on what ctx points to
-       vm_effect_custom               an effect of one's own, which may depend on everything
-       vm_effect_shaft                an elastic shaft
-       vm_effect_unbalance            an unbalance m e (kg m) that turns with Omega = frequency
-       vm_effect_gyroscopic           force coupling (-vy, vx)
+     scenes/effects: springs, dampers, motors and other forces on a coordinate
+       vm_effect_gravity              Gravity along a coordinate
+       vm_effect_spring               A nonlinear spring
+       vm_effect_linear_spring        A linear spring
+       vm_effect_damper               A linear damper
+       vm_effect_rotational_damper    A damper of the rotation
+       vm_effect_van_der_pol          Van der Pol's damper
+       vm_effect_motor                A motor whose characteristic is a straight line
+       vm_effect_harmonic             Harmonic excitation
+       vm_effect_force_between        A force that the caller's function returns, between two coordinates
+       vm_effect_force                A force that the caller's function returns
+       vm_effect_custom               An effect that the caller's function applies, which may depend on the whole state
+       vm_effect_shaft                An elastic shaft
+       vm_effect_unbalance            A rotating unbalance
+       vm_effect_gyroscopic           A gyroscopic force across the velocity
 
-     scenes/mass: laws of mass
-       vm_effect_mass_law             A mass law
-       vm_effect_mass                 
-       vm_effect_varying              The same, of a stream that varies
+     scenes/mass: mass that follows a law, and its reactive force
+       vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns, with its reactive force
+       vm_effect_mass                 A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force
 
-     scenes/streams: streams of mass onto and out of bodies of a scene
-       vm_effect_stream               A stream, for a body whose mass is a state
-       vm_effect_stream_mass          A stream of chapter 5 that crosses at a point of a growing body and is put there (in body axes from where the mass centre was at first; a stream with a store is refused)
-       vm_effect_stream_force         Documented with vm_effect_stream_mass
-       vm_effect_stream_moment        Documented with vm_effect_stream_mass
-       vm_effect_stream_torque        Documented with vm_effect_stream_mass
+     scenes/streams: streams of mass into and out of the bodies of a scene
+       vm_effect_stream               A stream that crosses at the mass centre, with its reactive force
+       vm_effect_stream_mass          Mass, mass centre and inertia that a stream at a point brings to a growing body
+       vm_effect_stream_force         Reactive force M' (u - v) of a stream at a point of a growing body (156)
+       vm_effect_stream_moment        Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158)
+       vm_effect_stream_torque        Torque M' kappa omega2 - I' omega of a stream on a growing body (157)
+       vm_effect_varying              An effect of a stream that varies in time
 
-     scenes/band: a band that winds up
-       vm_band_at                     phi < 0
-       vm_effect_band                 Documented with vm_band_at
+     scenes/band: a band that winds up on a drum or off it
+       vm_band_at                     Radius, mass and inertia of the band that is wound up at the angle phi
+       vm_effect_band                 A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque
 
-     scenes/links: rigid links between bodies
-       vm_effect_link                 a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and another (on a line, too) or, other = VM_GROUND, a point that moves as given, which may be above the plane
+     scenes/links: rigid links and cords between bodies
+       vm_effect_link                 A rigid link of a given length, or a cord, which can only pull
 
-     scenes/state: the state of a scene
-       vm_scene_size                  numbers in the state; VM_BAD_ARGUMENT for null pointers
-       vm_scene_body_at               Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that when the right-hand side was last evaluated
+     scenes/state: the state of a scene: its size, and the bodies in it
+       vm_scene_size                  How many numbers the state of a scene has
+       vm_scene_body_at               The motion of a body in the state y
 
      scenes/evaluate: the right-hand side of a scene
-       vm_scene_rhs                   An ode_rhs; ctx is the scene, which has been started
+       vm_scene_rhs                   The right-hand side of a scene that has been started, an ode_rhs; ctx is the scene
 
-     scenes/check: what can be wrong in a scene
-       vm_scene_check                 Everything that can be wrong with a scene
+     scenes/check: what can be wrong with a scene
+       vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
 
-     scenes/start: how a scene starts
-       vm_scene_start                 Checks the scene, and makes the state at the start
+     scenes/start: the start of a scene
+       vm_scene_start                 Start of a scene at time t
 
-     scenes/balance: the book of momentum, angular momentum and energy
-       vm_scene_keep_budget           Before vm_scene_start
-       vm_scene_budget_at             Momentum, angular momentum and energy in state y, what came in since the start, and the defects
+     scenes/balance: the budget of momentum, angular momentum and energy of a scene
+       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer
+       vm_scene_budget_at             The budget of a scene in the state y at time t
 
-     scenes/events: events of a scene and what they do
-       vm_event_at                    Events
-       vm_event_position              passes value
-       vm_event_velocity              Documented with vm_event_at
-       vm_event_mass                  > 0
-       vm_event_user                  Documented with vm_event_at
-       vm_then_stop                   ..
-       vm_then_switch                 Documented with vm_then_stop
-       vm_then_user                   Documented with vm_then_separate_on_line
+     scenes/events: when an event happens, and what it does
+       vm_event_at                    An event at a time (s), which happens once
+       vm_event_position              An event when a position crosses a value
+       vm_event_velocity              An event when a velocity crosses a value
+       vm_event_mass                  An event when a mass crosses a value
+       vm_event_user                  An event when a function of the caller's crosses zero
+       vm_then_stop                   The event ends the run, which returns VM_STOPPED
+       vm_then_switch                 The event switches an effect off (off = 1) or on (0)
+       vm_then_user                   The event calls a function of the caller's
 
-     scenes/jumps: separation and attachment as events
-       vm_then_separate_on_line       The same, of bodies on a line or on an axle, or in the plane, which link no more than that (docs/scene-sizes.md)
-       vm_then_separate_in_plane      Documented with vm_then_separate_on_line
-       vm_then_separate               Documented with vm_then_stop
-       vm_then_attach_on_line         Documented with vm_then_separate_on_line
-       vm_then_attach_in_plane        Documented with vm_then_separate_on_line
-       vm_then_attach                 Documented with vm_then_stop
+     scenes/jumps: separation and attachment as events of a scene
+       vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
+       vm_then_separate_in_plane      The event separates a part from a body in the plane
+       vm_then_separate               The event separates a part from a body of any motion
+       vm_then_attach_on_line         The event attaches a body to another one on its line or its axle
+       vm_then_attach_in_plane        The event attaches a body to another one in the plane
+       vm_then_attach                 The event attaches a body to another one, of any motion
 
-     scenes/run: runs of a scene
-       vm_scene_run                   On from *t to t_end >= *t by rk45, events included */
+     scenes/run: runs of a scene with its events and its output
+       vm_scene_run                   Run of a scene from *t to t_end by rk45, with its events and its output */
 #ifndef VARMASS_H
 #define VARMASS_H
 
@@ -8952,216 +8952,293 @@ VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_re
 }
 
 #endif
-/* scenes/scene.h - what a scene is: bodies, effects, events */
-#ifndef VARMASS_SCENES_SCENE_H
-#define VARMASS_SCENES_SCENE_H
+/* scenes/scene.h - what a scene is made of: bodies, effects, events
 
-/* -- Scenes --
+   A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
+   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers to the one
+   function that its body, effect or event needs, so that the executable holds no other. All arrays are the caller's.
 
-   A scene is what a sketch shows: bodies, the effects that act on them, the events that change it. Its right-hand
-   side goes through the effects that are listed, and nothing else; what is not listed is not linked either, since
-   each constructor below binds the one function that it needs. All arrays are the caller's.
-
-       vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};                 // 2 kg, at x = 0.1 m, at rest
-       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 1),  // loses 10 g/s, which keeps its velocity
+       vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
+       vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s, which keeps its velocity
                               vm_effect_spring(0, 0, VM_GROUND, 0, 50, 3, 0)};
        vm_scene scene;
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                          // 2 = vm_scene_size(&scene)
-       vm_scene_fault culprit;
+       vm_scene_fault fault;
        int status;
-       memset(&scene, 0, sizeof scene);                                      // what is not set is zero: not there
+       memset(&scene, 0, sizeof scene);                                      // what is not set is absent
        scene.bodies = bodies;
        scene.n_bodies = 1;
        scene.effects = effects;
        scene.n_effects = 2;
-       status = vm_scene_start(&scene, t, y, &culprit);                      // checks, and fills y
-       if (status < 0) printf("%s %d: %s\n", culprit.kind, culprit.index, vm_strerror(status));
+       status = vm_scene_start(&scene, t, y, &fault);                        // checks the scene, and fills y
+       if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status));
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
-   With events, scene.events and scene.located (as many) and scene.n_events are set as well, before the start. Bodies,
-   effects and events are known by their index. A start begins everything anew, as the bodies, effects and events were
-   made; a second vm_scene_run goes on where the first ended. From the start on all arrays stay where they are.
-   Where scene.y_size = VM_LENGTH(y) and scene.work_size = VM_LENGTH(work) are set, a start and a run check that the
-   arrays are long enough: VM_SHORT_ARRAY.
-   An evaluation takes some 80 instructions a line body and 20 to 40 an effect, beyond what its force takes: 3 and 0.3
-   times the C library's sin.
+   Bodies, effects and events are known by their index. With events, scene.events, scene.located (as many) and
+   scene.n_events are set as well, before the start. From the start on all arrays stay where they are. A start begins
+   everything anew, as the constructors have made it; a second vm_scene_run goes on where the first one ended.
+   An evaluation takes about 80 instructions for a body on a line and 20 to 40 for an effect, beyond the arithmetic of
+   its force. That is 3 times and 0.3 times the C library's sin.
 
-   The state has so many numbers a body: a line, an axle 2 (angle and angular velocity), the plane 6, a point 6, free
-   in space 13; one more where the mass is itself a state. Positions come first, from bodies[i].at on:
-     line   x, v                                     point  r (3), v (3)
-     axle   angle, omega                             free   r (3), q (4), v (3), omega (3, in body axes)
-     plane  x, y, angle, vx, vy, omega               then the mass; of a growing body the mass centre in its axes
-   from where it was first, 2 in the plane or 3, and the inertia about it, 1 or 6 (xx, yy, zz, xy, xz, yz).
-   An effect acts on coordinates: 0 of a line or an axle; x, y, angle = 0, 1, 2 in the plane; x, y, z = 0, 1, 2 of a
-   point or a free body. What is called mass is the moment of inertia on an axle, and then a force is a torque. */
-enum { VM_LINE = 1, VM_AXLE, VM_PLANE, VM_POINT, VM_FREE }; /* how a body can move */
-enum { VM_GROUND = -1 };                                    /* instead of a body */
+   The state y has so many numbers for each body, from y[bodies[i].at] on, positions first:
+     line   x, v                                 point  r (3), v (3)
+     axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
+     plane  x, y, angle, vx, vy, omega
+   One more number follows where the mass is a state. For a growing body two further groups follow: where the mass
+   centre is, in body axes and from where it was at the start (2 numbers in the plane, else 3), and the inertia about it
+   (1 number in the plane, else xx, yy, zz, xy, xz, yz).
 
+   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z of
+   a point or a free body. On an axle, the moment of inertia takes the place of the mass and a torque that of the force.
+
+   Tests: tests/test_scenes.c and tests/test_scene_*.c. Flash that each part takes: docs/scene-sizes.md. */
+#ifndef VARMASS_SCENES_SCENE_H
+#define VARMASS_SCENES_SCENE_H
+
+enum {
+    VM_LINE = 1, /* along a line */
+    VM_AXLE,     /* about a fixed axle */
+    VM_PLANE,    /* in the plane: translation and rotation */
+    VM_POINT,    /* in space, without rotation */
+    VM_FREE      /* in space, with rotation */
+}; /* the motions of a body */
+
+enum { VM_GROUND = -1 }; /* in place of the index of a body: an effect acts against the ground */
+
+/* Sums of what acts on a body at one evaluation. Every evaluation clears them, and then each effect adds its part. */
 typedef struct VM_TAG(vm_load) {
-    vm_real mass;      /* now */
-    vm_real extra;     /* to be added to the mass that accelerates, (M'(v) (v - u)) of mass laws M(v) */
-    vm_real mass_rate; /* of a mass that is a state */
-    vm_real force[6];  /* of each coordinate; 3 to 5 the torque on a free body, inertial axes */
-    vm_real by_v, own; /* M'(v), and the velocity of what joins or leaves then */
-    /* only of growing bodies: of r' beyond v, m/s, inertial axes; of the mass centre in the body, of the inertia,
-       body axes */
-    vm_vec3 drift, centre_rate;
-    vm_inertia inertia_rate;
-    /* only where there is a book: */
-    vm_real reactive[6], brought[6]; /* of force, what is reactive; momentum that streams bring, by the second */
-    vm_real brought_energy, mixing;  /* their energy, and what is lost as they take on the body's velocity, W */
-} vm_load;                           /* what acts on a body at the moment */
+    vm_real mass;       /* kg (on an axle kg m^2): the mass now */
+    vm_real extra_mass; /* kg: M'(v) (v - u) of a mass law M(v), which accelerates together with the mass */
+    vm_real mass_rate;  /* kg/s, where the mass is a state */
+    vm_real force[6];   /* N (N m on an angle), on each coordinate; 3 to 5: the torque on a free body, inertial axes */
+    vm_real mass_by_v;  /* kg s/m: M'(v) of a mass law M(v) */
+    vm_real joining_v;  /* m/s: the velocity of the mass that joins or leaves by such a law */
+    /* for growing bodies alone */
+    vm_vec3 drift;           /* m/s: r' - v, since the mass centre moves in the body; inertial axes */
+    vm_vec3 centre_rate;     /* m/s, of the mass centre in the body, body axes */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes */
+    /* where the scene keeps a budget */
+    vm_real reactive[6];    /* N, N m: the part of `force` that is reactive */
+    vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
+    vm_real brought_energy; /* W: kinetic energy that streams bring per second */
+    vm_real mixing;         /* W: energy that is lost as this mass takes on the velocity of the body */
+} vm_load;
 
 typedef struct VM_TAG(vm_scene_body) vm_scene_body;
 
+/* A body of a scene, made by vm_scene_body_line and its like; the caller changes no field. */
 struct VM_TAG(vm_scene_body) {
-    int motion;                 /* VM_LINE, ... */
-    int mass_is_state;          /* so that streams can change it */
-    int grows;                  /* so are the mass centre in the body and the inertia */
-    int absent;                 /* not there until an event brings it in */
-    int positions, coordinates; /* numbers of the state that are positions, velocities */
-    int at, mass_at; /* where its state begins, the mass in it; set by vm_scene_start, as all that follows */
-    int away;        /* not there now */
-    /* what the motion needs, so that others are not linked; begin, of growing bodies, before the effects */
+    /* set by the constructor */
+    int motion;        /* VM_LINE, ... */
+    int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
+    int grows;         /* 1: mass centre and inertia are numbers of the state as well */
+    int absent;        /* 1: the body is not present until an event brings it in */
+    int positions;     /* how many numbers of its state are positions */
+    int coordinates;   /* how many are velocities */
+    /* set by vm_scene_start, and kept up to date by a run */
+    int at;      /* index into y of the first number of its state */
+    int mass_at; /* index into y of the mass, where it is a state */
+    int away;    /* 1 while the body is not present */
+    /* What the motion needs, as pointers, so that a scene links only the motions of its bodies.
+       accelerate: the derivatives of the state from the load; returns a status.
+       begin: NULL, or what a growing body prepares before the effects of an evaluation. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
-    vm_real mass; /* now, where neither a state nor a law says it */
-    vm_load load; /* what acts on it now */
-    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);
-    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);
-    int (*check)(const vm_body *start); /* null, or of its inertia */
-    vm_body start;  /* as it starts: of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z and angle */
-    vm_real angle;  /* rad, of an axle or in the plane */
-    vm_real jumped; /* what jumps, and switching it off and on, have added to the mass of a law */
-    vm_inertia inertia, filled; /* now; the same with something about the null axes of a rod or a point */
-    vmi_mat3 axes;              /* of a growing body, now */
-    int acted;                  /* a mark of vm_scene_check */
-    int status;                 /* VM_OK, or why its constructor could not make it */
-    vm_real held;               /* its mass before an event, which switching effects must not change */
+    vm_real mass; /* kg: the mass, where it is neither a state nor given by a law */
+    vm_load load; /* what acts on it at the last evaluation */
+    void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes the state */
+    void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads the state */
+    int (*check)(const vm_body *start); /* NULL, or a check of its inertia, which returns a status */
+    vm_body start;                      /* as it starts; of a line mass, r.x, v.x; of an axle mass (kg m^2), omega.z */
+    vm_real angle;                      /* rad: the angle at which an axle or a body in the plane starts */
+    vm_real law_offset;     /* kg: what jumps, and switching the mass law, have added to the mass by its law */
+    vm_inertia inertia;     /* kg m^2: now, body axes */
+    vm_inertia invertible;  /* kg m^2: the same with a dummy moment about each axis that has none */
+    vmi_mat3 axes;          /* of a growing body: its axes now, in inertial ones */
+    int listed_orders;      /* bits (1 << order) of the effects on it so far, while vm_scene_check runs */
+    int status;             /* VM_OK, or why the constructor could not make it */
+    vm_real noted_mass;     /* kg: the mass before an event, which switching an effect must not change */
 };
 
-/* Position (m), velocity and acceleration of a point that moves as given */
+/* Position (m), velocity (m/s) and acceleration (m/s^2) at time t of a point whose motion is given */
 typedef void (*vm_moving_point)(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx);
 typedef struct VM_TAG(vm_scene) vm_scene;
 typedef struct VM_TAG(vm_effect) vm_effect;
 typedef struct VM_TAG(vm_event) vm_event;
 
-/* What a mass law returns: the mass now, kg (on an axle kg m^2), and its derivatives, M(t, x, v) */
+/* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
 typedef struct VM_TAG(vm_mass_now) {
-    vm_real mass, by_t, by_x, by_v;
+    vm_real mass; /* kg (on an axle kg m^2) */
+    vm_real by_t; /* kg/s */
+    vm_real by_x; /* kg/m (on an axle kg m^2/rad) */
+    vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad) */
 } vm_mass_now;
 
-struct VM_TAG(vm_effect) {
-    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene);
-    int idle; /* now: 1 switched off, 2 since a body is not there, 3 both; of vm_scene_start, as x to other_load */
-    int x, v, other_x, other_v;  /* y[x], y[v]: position and velocity on which it acts, and those against which */
-    vm_load *load, *other_load;  /* of the bodies; null for the ground */
-    int body, coordinate;        /* on what it acts */
-    int other, other_coordinate; /* against what: another body or VM_GROUND */
-    vm_real p[6];                /* parameters, in the order of the constructor's arguments */
-    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force, N or N m */
-    vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
-    vm_moving_point point;                                          /* of vm_effect_link */
-    const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
-    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* null, or of vm_effect_varying */
-    int (*check)(const vm_effect *effect);                                   /* null, or of the parameters */
-    void *ctx;
-    unsigned motions, other_motions; /* bit (1 << motion) for each motion that it can act on, against */
-    int needs_mass_state;            /* streams do, some of them a growing body (2) */
-    int order;                       /* 0 mass laws, 1 the others, 2 links, which are reactions to the others */
-    int off;                         /* at the start it is switched off */
-    int not_on_angle;                /* set where the angle of a body in the plane is no coordinate for it */
+/* The place of an effect in the list of effects on its body */
+enum {
+    VMI_ORDER_MASS_LAW = 0, /* first, since the others need the mass */
+    VMI_ORDER_FORCE = 1,
+    VMI_ORDER_LINK = 2 /* last, since its force is the reaction to the others */
 };
 
+/* What an effect needs of the mass of its body */
+enum { VMI_NEEDS_ANY_MASS = 0, VMI_NEEDS_MASS_STATE = 1, VMI_NEEDS_GROWING_BODY = 2 };
+
+/* Why an effect does not act now, as bits of vm_effect.idle */
+enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
+
+/* An effect, made by vm_effect_spring and its like. To write a new one: effects.h says how, above vmi_effect. */
+struct VM_TAG(vm_effect) {
+    /* set by the constructor */
+    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
+    int variant; /* which of its variants it is: the kind of mass law, a band in layers, a cord */
+    /* set by vm_scene_start, so that an evaluation need not look for it */
+    int idle;             /* bits VMI_IDLE_..., 0 while the effect acts */
+    int x, v;             /* indices into y: position and velocity of the coordinate on which it acts */
+    int other_x, other_v; /* indices into y: position and velocity of the coordinate that takes the reaction */
+    vm_load *load;        /* of the body */
+    vm_load *other_load;  /* of the body that takes the reaction; NULL for the ground */
+    /* set by the constructor, too */
+    int body, coordinate;        /* on what it acts */
+    int other, other_coordinate; /* against what: another body, or VM_GROUND */
+    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
+    vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force: N or N m */
+    vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
+    vm_moving_point point;                                          /* of vm_effect_link: NULL, or the far end */
+    const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
+    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* NULL, or of vm_effect_varying */
+    int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
+    void *ctx;                             /* handed to the caller's function */
+    unsigned motions;                      /* bit (1 << motion) for each motion of a body on which it can act */
+    unsigned other_motions;                /* and of a body against which it can act */
+    int needs;                             /* VMI_NEEDS_... */
+    int order;                             /* VMI_ORDER_... */
+    int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
+    int not_on_angle; /* 1: the angle of a body in the plane is no coordinate for it */
+};
+
+/* What a jump event does */
+enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
+
+/* An event: when it happens, made by vm_event_at and its like, and what happens then, by vm_then_stop and its like. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; null: at time */
-    int (*then)(vm_event *event, vm_real t, vm_real *y); /* a status; VM_STOPPED ends the run; null: only counted */
-    vm_real time;                  /* s, where when is null; of a crossing when it was last, or the start */
-    int direction;                 /* > 0 rising, < 0 falling, 0 both */
-    int watches, body, coordinate; /* set where it watches a body: what passes */
-    vm_real value;                 /* this value */
-    int switches, effect, off;     /* set where it switches an effect on or off */
-    /* null, or of a jump: what it is on a line, in the plane, or any, and on what motions; 1 where other separates
-       from jump_body, -1 where it is attached to it */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* crosses zero; NULL: it happens at `time` */
+    int (*then)(vm_event *event, vm_real t, vm_real *y); /* a status; VM_STOPPED ends the run; NULL: only counted */
+    vm_real time;  /* s: when it happens, where `when` is NULL; else when it last happened, or when the scene started */
+    int direction; /* > 0: `when` rises through zero; < 0: it falls; 0: both */
+    /* of events that watch a body: they happen when its coordinate, velocity or mass crosses `value` */
+    int watches; /* 1: it watches a body */
+    int body, coordinate;
+    vm_real value;
+    /* of events that switch an effect */
+    int switches; /* 1: it switches an effect */
+    int effect;   /* index of the effect */
+    int off;      /* 1: off; 0: on */
+    /* of jumps: check returns a status; jump computes the motion afterwards, on a line, in the plane, or anywhere */
     int (*check)(const vm_scene *scene, const vm_event *event);
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
-    unsigned motions;
-    int jumps, jump_body, other;
-    vm_body part; /* what separates; its motion relative to the body, in its axes, where relative is set */
-    int relative;
-    vm_impulse external; /* acts during the jump */
+    unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
+    int jump_kind;       /* VMI_JUMP_... */
+    int jump_body;       /* the body that loses or gains mass */
+    int other;           /* the body that separates from it, or is attached to it */
+    vm_body part;        /* the part that separates */
+    int relative;        /* 1: the motion of `part` is relative to the body, in its axes */
+    vm_impulse external; /* acts from outside during the jump; the caller may set it */
+    /* of vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
-    void *ctx, *then_ctx; /* of the one, of the other */
-    long most;            /* it happens so often; 0: as often as it may */
-    long count;           /* it has happened so often */
-    long seen;            /* the scene's own from here on */
-    vm_scene *scene;
-    int status; /* VM_OK, or why a constructor could not make it */
+    void *ctx;      /* handed to user_when */
+    void *then_ctx; /* handed to user_then */
+    /* for the caller */
+    long most;  /* it happens so often at the most; 0: without limit. The caller may set it */
+    long count; /* how often it has happened */
+    /* set by vm_scene_start, and kept up to date by a run */
+    long seen;       /* crossings that the integrator had counted when the run last looked */
+    vm_scene *scene; /* to which it belongs */
+    int status;      /* VM_OK, or why a constructor could not make it */
 };
 
-/* What came in from outside, and whether it balances: vm_scene_keep_budget asks for it */
 typedef struct VM_TAG(vm_budget) vm_budget;
 
+/* The budget of momentum, angular momentum and energy: what is there, what came in from outside, and the difference.
+   vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
-    vm_vec3 impulse, angular_impulse;        /* of the effects, about the origin */
-    vm_vec3 brought, brought_angular;        /* momentum and angular momentum that streams and mass laws brought */
-    vm_real work, brought_energy, mixing;    /* of the effects; of the streams; lost as they mix */
-    vm_vec3 momentum, angular_momentum;      /* of all bodies */
-    vm_real energy;                          /* kinetic */
-    vm_real jump_energy;                     /* that jumps have added */
-    vm_vec3 momentum_defect, angular_defect; /* what is there less what was there and what came */
-    vm_real energy_defect;
-    /* by pointers, so that without a book they are not linked */
+    vm_vec3 impulse;          /* N s, of the effects and of the external impulses of jumps */
+    vm_vec3 angular_impulse;  /* N m s, of the same, about the origin */
+    vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
+    vm_vec3 brought_angular;  /* N m s: angular momentum that they brought, about the origin */
+    vm_real work;             /* J, of the effects, reactive forces excepted */
+    vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought */
+    vm_real mixing;           /* J: lost as this mass took on the velocity of the body */
+    vm_vec3 momentum;         /* N s, of all bodies that are present */
+    vm_vec3 angular_momentum; /* N m s, of all bodies that are present, about the origin */
+    vm_real energy;           /* J: their kinetic energy */
+    vm_real jump_energy;      /* J: kinetic energy that jumps have added */
+    vm_vec3 momentum_defect;  /* N s: what is there, minus what was there at the start, minus what came in */
+    vm_vec3 angular_defect;   /* N m s, likewise */
+    vm_real energy_defect;    /* J, likewise */
+    /* internal; as pointers, so that a scene without a budget links none of it */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
-    void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *book);
+    void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
 };
 
+/* A scene. Fields that are 0 or NULL mean: there is none. */
 struct VM_TAG(vm_scene) {
-    vm_scene_body *bodies;
+    /* set by the caller before vm_scene_start */
+    vm_scene_body *bodies; /* n_bodies of them */
     int n_bodies;
-    vm_effect *effects;
+    vm_effect *effects; /* n_effects of them */
     int n_effects;
-    vm_event *events;
-    ode_event *located; /* n_events of them too, for the integrator */
+    vm_event *events;   /* n_events of them */
+    ode_event *located; /* room for n_events, for the integrator, which locates the events */
     int n_events;
-    vm_budget *book; /* of vm_scene_keep_budget: what was there at the start; VM_BUDGET numbers join the state */
-    int (*output)(vm_real t, const vm_real *y, vm_scene *scene,
-                  void *ctx); /* null, or called as a run starts and after each step; nonzero stops */
-    const vm_real *times; /* null, or n_times increasing times: then output is called at them, not after steps */
+    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET numbers join the state */
+    /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
+       another number than 0 */
+    int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
+    const vm_real *times; /* s: n_times increasing times at which output is called instead */
     int n_times;
-    void *output_ctx;
-    int status, ode_status; /* of the right-hand side (an effect that cannot act sets it); of the integrator */
-    int y_size, work_size;  /* 0, or how many numbers y and work have room for: then a start and a run check it */
-    int size;               /* of the state when it was started, 0 before */
+    void *output_ctx; /* handed to output */
+    int y_size;       /* how many numbers y has room for: a start and a run then check it. 0: they do not */
+    int work_size;    /* how many numbers work has room for, likewise */
+    /* set by vm_scene_start and by a run, for the caller to read */
+    int status;     /* of the right-hand side: VM_OK, or why a body cannot be accelerated or an effect cannot act */
+    int ode_status; /* of the integrator: ODE_... */
+    int size;       /* how many numbers the state has; 0 before the start */
 };
 
+/* Sets of motions, a bit (1 << motion) each */
 enum {
-    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE,
+    VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* one coordinate */
     VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT,
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
+/* The place of the mass among the numbers of a body, where it is a state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
+/* How many numbers of the state belong to the body */
 VM_INLINE int vmi_scene_body_size(const vm_scene_body *b)
 {
-    return vmi_scene_mass_at(b) + (b->mass_is_state != 0) + (b->grows ? b->motion == VM_PLANE ? 3 : 9 : 0);
+    int size = vmi_scene_mass_at(b) + (b->mass_is_state != 0);
+    if (b->grows) size += b->motion == VM_PLANE ? 2 + 1 : 3 + 6; /* mass centre and inertia */
+    return size;
 }
 
-/* Position and velocity on which an effect acts, relative to those against which; the ground's are 0 */
+/* Position on which an effect acts, relative to the coordinate that takes the reaction; the ground's position is 0 */
 VM_INLINE vm_real vmi_effect_x(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->x] - y[e->other_x] : y[e->x];
 }
 
+/* Velocity on which an effect acts, relative to the coordinate that takes the reaction; the ground's velocity is 0 */
 VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
 {
     return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
-/* f on the body of e, -f on what it acts against */
+/* Adds the force f to the coordinate of the effect, and -f to the one that takes the reaction */
 VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
     e->load->force[e->coordinate] += f;
@@ -9169,7 +9246,22 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 }
 
 #endif
-/* scenes/motions.h - how each kind of body moves */
+/* scenes/motions.h - the bodies of a scene, and how each of them moves
+
+   A body moves along a line, about an axle, in the plane, or in space: there as a point or, with rotation, free. Its
+   constructor states how it starts, in SI units. Each kind of body brings four functions: put writes its motion into
+   the state, get reads it from there, accelerate computes the derivatives of the state from the load, and check refuses
+   an inertia that it cannot have.
+
+       vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
+                                 vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
+                                 vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
+
+   The constructors check nothing but NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not
+   positive (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite
+   (VM_NOT_FINITE).
+
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
 #define VARMASS_SCENES_MOTIONS_H
 
@@ -9185,11 +9277,13 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
     return b;
 }
 
-/* A line and an axle: one coordinate */
+/* -- One coordinate: a line and an axle -- */
+
+/* x'' = F/(M + extra mass) */
 VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     rates[0] = state[1];
-    rates[1] = b->load.force[0] / (b->load.mass + b->load.extra);
+    rates[1] = b->load.force[0] / (b->load.mass + b->load.extra_mass);
     return VM_OK;
 }
 
@@ -9208,8 +9302,7 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->v.x = state[1];
 }
 
-/* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
-   body may be a rod, whose spin about itself then stays. */
+/* A body on a line. mass in kg, x in m, v in m/s. */
 VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
@@ -9236,7 +9329,7 @@ VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->inertia.zz = now->mass;
 }
 
-/* Documented with vm_scene_body_line. */
+/* A body on a fixed axle. inertia about the axle in kg m^2, angle in rad, omega in rad/s. */
 VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
@@ -9249,41 +9342,48 @@ VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real 
     return b;
 }
 
+/* -- The plane -- */
+
+enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* its state */
+
 VM_API int vmi_plane_check(const vm_body *start) { return start->inertia.zz > 0 ? VM_OK : VM_BAD_INERTIA; }
 
 VM_API int vmi_plane_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
     for (i = 0; i < 3; i++) rates[i] = state[3 + i];
-    for (i = 0; i < 2; i++) rates[3 + i] = b->load.force[i] / b->load.mass;
-    rates[5] = b->load.force[2] / b->inertia.zz;
+    rates[VMI_PLANE_VX] = b->load.force[0] / b->load.mass;
+    rates[VMI_PLANE_VY] = b->load.force[1] / b->load.mass;
+    rates[VMI_PLANE_OMEGA] = b->load.force[2] / b->inertia.zz;
     return VM_OK;
 }
 
 VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     (void)b;
-    state[0] = now->r.x;
-    state[1] = now->r.y;
-    state[2] = angle;
-    state[3] = now->v.x;
-    state[4] = now->v.y;
-    state[5] = now->omega.z;
+    state[VMI_PLANE_X] = now->r.x;
+    state[VMI_PLANE_Y] = now->r.y;
+    state[VMI_PLANE_ANGLE] = angle;
+    state[VMI_PLANE_VX] = now->v.x;
+    state[VMI_PLANE_VY] = now->v.y;
+    state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
+/* As a lamina: the moments about x and y, which no motion in the plane asks for, make a body that is possible */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
-    now->r.x = state[0];
-    now->r.y = state[1];
-    now->v.x = state[3];
-    now->v.y = state[4];
-    vmi_sincos(state[2] / 2, &now->q.z, &now->q.w);
-    now->omega.z = state[5];
-    now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
+    now->r.x = state[VMI_PLANE_X];
+    now->r.y = state[VMI_PLANE_Y];
+    now->v.x = state[VMI_PLANE_VX];
+    now->v.y = state[VMI_PLANE_VY];
+    vmi_sincos(state[VMI_PLANE_ANGLE] / 2, &now->q.z, &now->q.w);
+    now->omega.z = state[VMI_PLANE_OMEGA];
+    now->inertia.xx = now->inertia.yy = now->inertia.zz / 2;
 }
 
-/* Documented with vm_scene_body_line. */
+/* A body in the plane. mass in kg, inertia about the mass centre in kg m^2 (> 0), r in m, angle in rad (anticlockwise),
+   v in m/s, omega in rad/s. r.z and v.z do not count. */
 VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
                                     vm_real omega)
 {
@@ -9302,13 +9402,17 @@ VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 
     return b;
 }
 
+/* -- A point in space -- */
+
 VM_API int vmi_point_body_check(const vm_body *start)
 {
     const vm_inertia *i = &start->inertia;
     const int none = i->xx == 0 && i->yy == 0 && i->zz == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
-    return none ? VM_OK : VM_BAD_INERTIA;
+    if (none) return VM_OK;
+    return VM_BAD_INERTIA;
 }
 
+/* r' and v' of a point, and of a free body, whose state has q between r and v */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -9319,24 +9423,18 @@ VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *stat
 
 VM_API void vmi_point_body_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
-    vm_real *v = state + b->positions;
     (void)angle;
-    state[0] = now->r.x;
-    state[1] = now->r.y;
-    state[2] = now->r.z;
-    v[0] = now->v.x;
-    v[1] = now->v.y;
-    v[2] = now->v.z;
+    vmi_set3(state, now->r);
+    vmi_set3(state + b->positions, now->v);
 }
 
 VM_API void vmi_point_body_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    const vm_real *v = state + b->positions;
-    now->r = vmi_vec3(state[0], state[1], state[2]);
-    now->v = vmi_vec3(v[0], v[1], v[2]);
+    now->r = vmi_get3(state);
+    now->v = vmi_get3(state + b->positions);
 }
 
-/* Documented with vm_scene_body_line. */
+/* A point in space. mass in kg, r in m, v in m/s. */
 VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
@@ -9350,90 +9448,90 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
     return b;
 }
 
-VM_API vm_quat vmi_free_quat(const vm_real *state)
+/* -- A free body in space -- */
+
+enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
+
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
+   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
+VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
 {
-    vm_quat q;
-    q.w = state[3];
-    q.x = state[4];
-    q.y = state[5];
-    q.z = state[6];
-    return q;
+    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
-/* Euler's equations in body axes, and the quaternion's, whose length is drawn to 1 (as exp(-t)). About the null axis
-   of a rod, which no load turns, the spin stays. */
-VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+/* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so
+   the spin about the null axis of a rod stays: no load turns a rod about it. */
+VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
-    const vm_inertia *i = &b->filled;
-    const vm_vec3 w = vmi_vec3(state[10], state[11], state[12]);
-    const vm_quat q = vmi_free_quat(state);
-    const vm_real *f = b->load.force, pull = (1 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)) / 2;
-    const vmi_mat3 axes = vmi_rotation(q);
-    const vm_vec3 torque = vmi_times_transposed(&axes, vmi_vec3(f[3], f[4], f[5]));
-    const vm_vec3 h = vmi_sub(torque, vmi_cross(w, vmi_inertia_times(&b->inertia, w)));
-    vm_quat spin, turn;
+    const vm_inertia *i = &b->invertible;
+    const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
     vm_real a[9];
-    spin.w = 0;
-    spin.x = w.x / 2;
-    spin.y = w.y / 2;
-    spin.z = w.z / 2;
-    turn = vmi_quat_times(q, spin);
-    vmi_point_body_accelerate(b, state, rates);
-    rates[3] = turn.w + pull * q.w;
-    rates[4] = turn.x + pull * q.x;
-    rates[5] = turn.y + pull * q.y;
-    rates[6] = turn.z + pull * q.z;
+    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
     a[1] = a[3] = i->xy;
     a[2] = a[6] = i->xz;
     a[5] = a[7] = i->yz;
-    rates[10] = h.x;
-    rates[11] = h.y;
-    rates[12] = h.z;
-    return vmi_solve_linear(3, a, rates + 10) ? VM_BAD_INERTIA : VM_OK;
+    if (vmi_solve_linear(3, a, rates)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
-/* Euler's equations are solved with something about a null axis, too: it finds nothing to accelerate there */
-VM_API vm_inertia vmi_free_filled(const vm_inertia *i)
+VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
-    const vm_real trace = i->xx + i->yy + i->zz;
+    const vm_quat q = vmi_get_quat(state + VMI_FREE_Q);
+    const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
+    const vmi_mat3 axes = vmi_rotation(q);
+    vmi_point_body_accelerate(b, state, rates);
+    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
+}
+
+/* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
+   an axis, so that the dummy accelerates nothing. */
+VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
+{
+    const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
     vmi_principal p = vmi_principal_axes(i);
     int k, null_axes = 0;
     for (k = 0; k < 3; k++)
         if (!(p.moment[k] > vmi_slack(i))) {
-            p.moment[k] = trace > 0 ? trace : 1;
+            p.moment[k] = dummy;
             null_axes++;
         }
-    return null_axes ? vmi_inertia_from(&p) : *i;
+    if (null_axes > 0) return vmi_inertia_from(&p);
+    return *i;
 }
 
 VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
-    const vmi_mat3 turn = vmi_rotation(now->q);
-    const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
-    b->filled = vmi_free_filled(&now->inertia);
+    const vmi_mat3 axes = vmi_rotation(now->q);
+    b->invertible = vmi_invertible_inertia(&now->inertia);
     vmi_point_body_put(b, now, angle, state);
-    state[3] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
-    state[4] = now->q.x;
-    state[5] = now->q.y;
-    state[6] = now->q.z;
-    state[10] = omega.x;
-    state[11] = omega.y;
-    state[12] = omega.z;
+    state[VMI_FREE_Q] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
+    state[VMI_FREE_Q + 1] = now->q.x;
+    state[VMI_FREE_Q + 2] = now->q.y;
+    state[VMI_FREE_Q + 3] = now->q.z;
+    vmi_set3(state + VMI_FREE_OMEGA, vmi_times_transposed(&axes, now->omega));
 }
 
 VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    vmi_mat3 turn;
+    vmi_mat3 axes;
     vmi_point_body_get(b, state, now);
-    now->q = vmi_free_quat(state);
-    turn = vmi_rotation(now->q);
-    now->omega = vmi_times(&turn, vmi_vec3(state[10], state[11], state[12]));
+    now->q = vmi_get_quat(state + VMI_FREE_Q);
+    axes = vmi_rotation(now->q);
+    now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* Documented with vm_scene_body_line. */
+/* A body that moves and turns freely in space, as *start says. It may be a rod, whose spin about itself then stays.
+   VM_BAD_ARGUMENT at the start of the scene where start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -9447,45 +9545,58 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
     return b;
 }
 
-/* the same, its mass a state */
+/* -- Any body -- */
+
+/* A body whose mass is a state, so that streams can change it. Otherwise it is `body`. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* the same, not yet there */
+/* A body that is not present until an event brings it in. Otherwise it is `body`. Effects on it do not act before. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* Numbers by coordinate as vectors: the part that moves the mass centre, the part that turns, inertial axes */
+/* How many coordinates the mass moves in; of an axle, the one in which the inertia turns */
+VM_INLINE int vmi_scene_directions(int motion)
+{
+    if (motion <= VM_AXLE) return 1;
+    return motion == VM_PLANE ? 2 : 3;
+}
+
+/* Numbers by coordinate as a vector, inertial axes: the part that moves the mass centre */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
     if (b->motion == VM_LINE) return vmi_vec3(a[0], 0, 0);
-    return vmi_vec3(a[0], a[1], b->motion == VM_PLANE ? 0 : a[2]);
+    if (b->motion == VM_PLANE) return vmi_vec3(a[0], a[1], 0);
+    return vmi_get3(a);
 }
 
+/* Numbers by coordinate as a vector: the part that turns the body, in the axes in which the numbers are */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
     if (b->motion == VM_PLANE) return vmi_vec3(0, 0, a[2]);
-    return b->motion == VM_FREE ? vmi_vec3(a[3], a[4], a[5]) : vmi_vec3(0, 0, 0);
+    if (b->motion == VM_FREE) return vmi_get3(a + 3);
+    return vmi_vec3(0, 0, 0);
 }
 
+/* The angular velocity of a body, inertial axes */
 VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
 {
-    const vm_vec3 w = vmi_scene_turning(b, y + b->at + b->positions);
+    const vm_vec3 omega = vmi_scene_turning(b, y + b->at + b->positions);
     vmi_mat3 axes;
-    if (b->motion != VM_FREE) return w;
-    axes = vmi_rotation(vmi_free_quat(y + b->at));
-    return vmi_times(&axes, w);
+    if (b->motion != VM_FREE) return omega;
+    axes = vmi_rotation(vmi_get_quat(y + b->at + VMI_FREE_Q));
+    return vmi_times(&axes, omega);
 }
 
-/* The way back: a += these */
+/* Adds two vectors to numbers by coordinate: the inverse of vmi_scene_moving and vmi_scene_turning */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {
@@ -9503,12 +9614,28 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 }
 
 #endif
-/* scenes/growing.h - bodies whose mass centre and inertia change */
+/* scenes/growing.h - bodies whose mass centre and inertia change
+
+   The mass, the mass centre in the body, and the inertia of a growing body are numbers of the state, so that streams
+   can cross at its points (streams.h). It moves in the plane or in space. A body without extension (a rod, a point)
+   cannot grow.
+
+       vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
+       vm_effect effects[] = {vm_effect_stream_mass(0, &stream), vm_effect_stream_force(0, &stream)};
+
+   Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
-/* After the mass: where the mass centre is in the body, 2 or 3 numbers, then the inertia, 1 or 6 */
-VM_INLINE int vmi_growth(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
+/* Where the mass centre begins in the state of a growing body: after the mass */
+VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
+
+/* Where its inertia begins: after the 2 or 3 numbers of the mass centre */
+VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
+{
+    const int directions = b->motion == VM_PLANE ? 2 : 3;
+    return vmi_growth_centre_at(b) + directions;
+}
 
 VM_API void vmi_growth_begin(vm_scene_body *b)
 {
@@ -9519,13 +9646,13 @@ VM_API void vmi_growth_begin(vm_scene_body *b)
 
 VM_API vm_vec3 vmi_growth_centre(const vm_scene_body *b, const vm_real *state)
 {
-    const vm_real *c = state + vmi_growth(b);
+    const vm_real *c = state + vmi_growth_centre_at(b);
     return vmi_vec3(c[0], c[1], b->motion == VM_PLANE ? 0 : c[2]);
 }
 
 VM_API void vmi_growth_put_centre(const vm_scene_body *b, vm_vec3 centre, vm_real *state)
 {
-    vm_real *c = state + vmi_growth(b);
+    vm_real *c = state + vmi_growth_centre_at(b);
     c[0] = centre.x;
     c[1] = centre.y;
     if (b->motion != VM_PLANE) c[2] = centre.z;
@@ -9535,11 +9662,11 @@ VM_API void vmi_plane_growing_begin(vm_scene_body *b, const vm_real *state)
 {
     vm_real s, c;
     vmi_growth_begin(b);
-    vmi_sincos(state[2], &s, &c);
+    vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
     b->axes.x = vmi_vec3(c, s, 0);
     b->axes.y = vmi_vec3(-s, c, 0);
     b->axes.z = vmi_vec3(0, 0, 1);
-    b->inertia.zz = state[vmi_growth(b) + 2];
+    b->inertia.zz = state[vmi_growth_inertia_at(b)];
 }
 
 VM_API int vmi_plane_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
@@ -9547,33 +9674,34 @@ VM_API int vmi_plane_growing_accelerate(const vm_scene_body *b, const vm_real *s
     const vm_load *load = &b->load;
     if (!(b->inertia.zz > 0)) return VM_BAD_INERTIA;
     vmi_plane_accelerate(b, state, rates);
-    rates[0] += load->drift.x;
-    rates[1] += load->drift.y;
+    rates[VMI_PLANE_X] += load->drift.x;
+    rates[VMI_PLANE_Y] += load->drift.y;
     vmi_growth_put_centre(b, load->centre_rate, rates);
-    rates[vmi_growth(b) + 2] = load->inertia_rate.zz;
+    rates[vmi_growth_inertia_at(b)] = load->inertia_rate.zz;
     return VM_OK;
 }
 
 VM_API void vmi_plane_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vmi_plane_put(b, now, angle, state);
-    state[vmi_growth(b) + 2] = now->inertia.zz;
+    state[vmi_growth_inertia_at(b)] = now->inertia.zz;
 }
 
 VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    now->inertia.zz = state[vmi_growth(b) + 2];
+    now->inertia.zz = state[vmi_growth_inertia_at(b)];
     vmi_plane_get(b, state, now);
 }
 
-/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run
-   ends with VM_BAD_INERTIA when they leave an inertia that no body can have. A rod or a point cannot grow. */
+/* A growing body in the plane, made of one by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when its inertia is
+   no longer positive. VM_BAD_MOTION at the start for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.begin = vmi_plane_growing_begin;
     body.accelerate = vmi_plane_growing_accelerate;
-    body.put = body.motion == VM_PLANE ? vmi_plane_growing_put : NULL; /* NULL is refused by vm_scene_check */
+    body.put = NULL; /* refused by vm_scene_check */
+    if (body.motion == VM_PLANE) body.put = vmi_plane_growing_put;
     body.get = vmi_plane_growing_get;
     return body;
 }
@@ -9581,68 +9709,77 @@ VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 {
     vmi_growth_begin(b);
-    b->axes = vmi_rotation(vmi_free_quat(state));
-    b->inertia = b->filled = vmi_get_inertia(state + vmi_growth(b) + 3);
+    b->axes = vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    b->inertia = b->invertible = vmi_get_inertia(state + vmi_growth_inertia_at(b));
 }
 
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* which Euler's equations below do not use */
+    vmi_inertia_ldl factors; /* not used: Euler's equations below solve with pivots */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
-    vmi_set_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
+    vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
     if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
-    rates[0] += load->drift.x;
-    rates[1] += load->drift.y;
-    rates[2] += load->drift.z;
+    rates[VMI_FREE_R] += load->drift.x;
+    rates[VMI_FREE_R + 1] += load->drift.y;
+    rates[VMI_FREE_R + 2] += load->drift.z;
     return VM_OK;
 }
 
 VM_API void vmi_free_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vmi_free_put(b, now, angle, state);
-    vmi_set_inertia(state + vmi_growth(b) + 3, &now->inertia);
+    vmi_set_inertia(state + vmi_growth_inertia_at(b), &now->inertia);
 }
 
 VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    now->inertia = vmi_get_inertia(state + vmi_growth(b) + 3);
+    now->inertia = vmi_get_inertia(state + vmi_growth_inertia_at(b));
     vmi_free_get(b, state, now);
 }
 
-/* A rod or a point has no axis about which a stream could turn it */
+/* A rod or a point has an axis about which no stream could turn it, and is refused */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
     const int status = vmi_check_body(start);
     if (status) return status;
-    return vmi_inertia_factor_if_possible(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    if (!vmi_inertia_factor_if_possible(&start->inertia, &factors)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
-/* Documented with vm_scene_body_growing_plane. */
+/* A growing body in space, made of one by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have its
+   inertia any longer. VM_BAD_MOTION at the start for any other body, VM_BAD_INERTIA for a rod. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;
     body.begin = vmi_free_growing_begin;
     body.accelerate = vmi_free_growing_accelerate;
-    body.put = body.motion == VM_FREE ? vmi_free_growing_put : NULL;
+    body.put = NULL; /* refused by vm_scene_check */
+    if (body.motion == VM_FREE) body.put = vmi_free_growing_put;
     body.get = vmi_free_growing_get;
     return body;
 }
 
 #endif
-/* scenes/forces.h - forces as functions of numbers */
+/* scenes/forces.h - the forces of effects, as functions of numbers
+
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
+   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
+   rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
+   added.
+
+       dydt[1] = (vm_force_spring(y[0], 50, 3) + vm_force_damper(y[1], 2)) / mass; // -50 x^3 - 2 v
+
+   Tests: tests/test_forces.c. */
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
-/* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
-   rate. A spring's force (248), k in N/m^alpha, alpha >= 0; a damper's, b in N s/m; that of Van der Pol's (404), c in
-   N s/m^3; a drive's, torque in N m, kappa in N m s; force cos(frequency t + phase), frequency in rad/s; the reactive
-   force of a stream of rate kg/s whose own velocity is u + share v. Within some eps of the terms that are added. */
-/* -k x |x|^(alpha-1) */
-VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
+/* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
+   no power. */
+VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
@@ -9650,43 +9787,50 @@ VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
     return -VM_COPYSIGN(k, x) * vmi_pow_checked(VM_FABS(x), alpha) * (x != 0);
 }
 
-/* -b v */
-VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v) { return -b * v; }
+/* The force of a linear damper: -damping v. damping in N s/m takes energy out if it is positive. */
+VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* (b - c x^2) v */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v) { return (b - c * (x * x)) * v; }
+/* The force of Van der Pol's damper: (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
+   takes it out at large amplitudes. */
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
 
-/* torque - kappa omega */
-VM_INLINE vm_real vm_force_motor(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
+/* The torque of a motor whose characteristic is a straight line: torque - kappa omega. torque in N m is that at rest,
+   kappa in N m s. */
+VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real torque, vm_real kappa) { return torque - kappa * omega; }
 
-/* Documented with vm_force_spring. */
-VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t)
+/* The force of harmonic excitation: force cos(frequency t + phase). frequency in rad/s, phase in rad. */
+VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real force, vm_real frequency, vm_real phase)
 {
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
     return force * c;
 }
 
-/* rate (u + share v - v) */
-VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v)
+/* The reactive force of a stream: rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
+   the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
+   velocity u relative to the body. */
+VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
-    return rate * (u + (share - 1) * v);
+    return rate * (u - reactive * v);
 }
 
-/* mass g */
+/* The weight of a mass: mass g. It points along the coordinate, so that g is negative where the coordinate points up.
+   mass in kg, g in m/s^2. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* Documented with vm_force_spring. */
-VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm_real *fx, vm_real *fy)
+/* The force of an elastic shaft: -k r |r|^(alpha-1) towards the origin of its plane, r = (x, y) in m. The components go
+   to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN below. */
+VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(k, alpha, r) / r : 0;
+    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(r, k, alpha) / r : 0;
     *fx = f * x;
     *fy = f * y;
 }
 
-/* Documented with vm_force_spring. */
-VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
+/* The force of a rotating unbalance: m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
+   frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
+VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -9697,24 +9841,52 @@ VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real 
     *fy = size * s;
 }
 
-/* Documented with vm_force_spring. */
-VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy)
+/* The gyroscopic force across a velocity in the plane: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
+   pointers is NULL. */
+VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -coupling * vy;
-    *fy = coupling * vx;
+    *fx = -2 * gyro * vy;
+    *fy = 2 * gyro * vx;
 }
 
 #endif
-/* scenes/effects.h - effects that act on coordinates */
+/* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
+
+   An effect exerts a force of forces.h on a coordinate of a body. x and v are then the position and the velocity of
+   this coordinate. Where an effect acts against another body, x and v are relative to a coordinate of that body, which
+   takes the reaction; against VM_GROUND they are relative to a point at rest. A mass law of a body stands before the
+   other effects on it, and a link stands after them.
+
+       vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
+                              vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
+                              vm_effect_damper(1, 0, 0, 0, 5)};                     // 5 N s/m between bodies 1 and 0
+
+   Arguments of all constructors here: `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
+   coordinates of them (scene.h has a list). A constructor checks nothing but functions that are missing; vm_scene_check
+   and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
+   domain.
+
+   Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EFFECTS_H
 #define VARMASS_SCENES_EFFECTS_H
 
 #include <string.h>
 
-/* An effect on one coordinate, against another */
-VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coordinate, unsigned motions, vm_real p0,
-                            vm_real p1, vm_real p2)
+/* To add an effect, write one block like that of the spring below, and nothing else in the headers:
+     an enum          the places of its parameters in p[6];
+     vmi_apply_NAME   adds its force to the loads, at each evaluation;
+     vmi_NAME_check   only where not all finite parameters are allowed: returns a status;
+     vm_effect_NAME   the constructor: vmi_effect, the parameters by name, and what differs from its defaults (the
+                      motions on which it can act, the check).
+   The force itself may be a function of forces.h. */
+
+/* An effect on a coordinate of a body against another one. It may act on all motions, is neither a mass law nor a link,
+   and its parameters are 0. */
+VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
+                                    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
+                                                  vm_scene *scene))
 {
     vm_effect e;
     memset(&e, 0, sizeof e);
@@ -9722,377 +9894,467 @@ VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coord
     e.coordinate = coordinate;
     e.other = other;
     e.other_coordinate = other_coordinate;
-    e.motions = motions;
+    e.apply = apply;
+    e.motions = VMI_ALL_MOTIONS;
     e.other_motions = VMI_ALL_MOTIONS;
-    e.order = 1;
-    e.p[0] = p0;
-    e.p[1] = p1;
-    e.p[2] = p2;
+    e.order = VMI_ORDER_FORCE;
     return e;
 }
+
+/* An effect on a coordinate of a body against the ground; otherwise it is what vmi_effect_between makes */
+VM_API vm_effect vmi_effect(int body, int coordinate,
+                            void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene))
+{
+    return vmi_effect_between(body, coordinate, VM_GROUND, 0, apply);
+}
+
+enum { VMI_GRAVITY_G };
 
 VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)y;
     (void)s;
-    e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[0]);
+    e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other
-   body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction. A mass law of a body stands
-   before what else acts on it. */
-/* M g, along the coordinate: g = -9.81 where it points upwards; not on an angle */
+/* Gravity along a coordinate: the force M g, with the mass M of the body now. g in m/s^2 is -9.81 where the coordinate
+   points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS & ~(1 << VM_AXLE), g, 0, 0);
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_gravity);
+    e.p[VMI_GRAVITY_G] = g;
+    e.motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
     e.not_on_angle = 1;
-    e.apply = vmi_apply_gravity;
     return e;
 }
 
+enum { VMI_SPRING_STIFFNESS, VMI_SPRING_EXPONENT, VMI_SPRING_REST };
+
 VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real extension = vmi_effect_x(e, y) - e->p[VMI_SPRING_REST];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_spring(e->p[0], e->p[1], vmi_effect_x(e, y) - e->p[2]));
+    vmi_effect_act(e, vm_force_spring(extension, e->p[VMI_SPRING_STIFFNESS], e->p[VMI_SPRING_EXPONENT]));
 }
 
-VM_API int vmi_power_check(const vm_effect *e) { return e->p[1] >= 0 ? VM_OK : VM_DOMAIN; } /* alpha */
+VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* vm_force_spring of x - rest */
+/* A nonlinear spring: the force -k z |z|^(alpha-1) (248), z = x - rest. k in N/m^alpha may have either sign; rest is in
+   m or rad. VM_DOMAIN for alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, alpha, rest);
-    e.apply = vmi_apply_spring;
-    e.check = vmi_power_check;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_spring);
+    e.p[VMI_SPRING_STIFFNESS] = k;
+    e.p[VMI_SPRING_EXPONENT] = alpha;
+    e.p[VMI_SPRING_REST] = rest;
+    e.check = vmi_spring_check;
     return e;
 }
 
 VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real extension = vmi_effect_x(e, y) - e->p[VMI_SPRING_REST];
     (void)t;
     (void)s;
-    vmi_effect_act(e, -e->p[0] * (vmi_effect_x(e, y) - e->p[2]));
+    vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* the same with alpha = 1: no power is linked */
+/* A linear spring: the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
+   it links no power. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, 1, rest);
-    e.apply = vmi_apply_linear_spring;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_linear_spring);
+    e.p[VMI_SPRING_STIFFNESS] = k;
+    e.p[VMI_SPRING_REST] = rest;
     return e;
 }
+
+enum { VMI_DAMPER_DAMPING };
 
 VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_damper(e->p[0], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* Documented with vm_effect_spring. */
-VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b)
+/* A linear damper: the force -damping v. damping in N s/m takes energy out if it is positive. */
+VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, b, 0, 0);
-    e.apply = vmi_apply_damper;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
+    e.p[VMI_DAMPER_DAMPING] = damping;
     return e;
 }
 
 VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 torque = vmi_scale(-e->p[0], vmi_scene_spin(b, y));
+    const vm_vec3 torque = vmi_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* -b omega: on an axle, in the plane, free */
-VM_API vm_effect vm_effect_rotational_damper(int body, vm_real b)
+/* A damper of the rotation: the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
+   on an axle, in the plane, or free. */
+VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_FREE, b, 0, 0);
-    e.apply = vmi_apply_rotational_damper;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_rotational_damper);
+    e.p[VMI_DAMPER_DAMPING] = damping;
+    e.motions = 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_FREE;
     return e;
 }
+
+enum { VMI_VAN_DER_POL_FEEDING, VMI_VAN_DER_POL_LIMITING };
 
 VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real b = e->p[VMI_VAN_DER_POL_FEEDING], c = e->p[VMI_VAN_DER_POL_LIMITING];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_van_der_pol(e->p[0], e->p[1], vmi_effect_x(e, y), vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Documented with vm_effect_spring. */
+/* Van der Pol's damper: the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
+   it out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, b, c, 0);
-    e.apply = vmi_apply_van_der_pol;
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_van_der_pol);
+    e.p[VMI_VAN_DER_POL_FEEDING] = b;
+    e.p[VMI_VAN_DER_POL_LIMITING] = c;
     return e;
 }
 
-VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
+
+VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(e->p[0], e->p[1], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* Documented with vm_effect_spring. */
+/* A motor whose characteristic is a straight line: the torque torque - kappa v. torque in N m is that at rest, kappa is
+   in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, torque, kappa, 0);
-    e.apply = vmi_apply_drive;
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
+    e.p[VMI_MOTOR_TORQUE] = torque;
+    e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
 }
+
+enum { VMI_HARMONIC_FORCE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(e->p[0], e->p[1], e->p[2], t));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
 }
 
-/* Documented with vm_effect_spring. */
+/* Harmonic excitation: the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
+   phase in rad. */
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, force, frequency, phase);
-    e.apply = vmi_apply_harmonic;
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_harmonic);
+    e.p[VMI_HARMONIC_FORCE] = force;
+    e.p[VMI_HARMONIC_FREQUENCY] = frequency;
+    e.p[VMI_HARMONIC_PHASE] = phase;
     return e;
 }
 
-VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)s;
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* Documented with vm_effect_force. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle);
+   x and v are relative to the other coordinate, which takes the reaction. VM_BAD_ARGUMENT at the start where force is
+   NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, 0, 0, 0);
-    e.apply = force ? vmi_apply_user : NULL;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, force ? vmi_apply_force : NULL);
     e.force = force;
     e.ctx = ctx;
     return e;
 }
 
-/* a force of one's own, which depends on t and the coordinate, and on what ctx points to */
+/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle), for time, position and
+   velocity of the coordinate. VM_BAD_ARGUMENT at the start where force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* an effect of one's own, which may depend on everything: apply adds to effect->load->force[coordinate], to
-   load->mass_rate where the mass is a state, to load->mass where it is neither a state nor of a law; it may read
-   load->mass, y[effect->x] and y[effect->v], the first coordinate's, y[scene->bodies[i].at] and what follows of body
-   i, effect->p and effect->ctx, and load->force, which is what the effects before it in the list have made: a stop,
-   listed last, can take from it what it holds. other, or VM_GROUND: a body without which it does not act either,
-   effect->other_load and so on */
+/* An effect that the caller's function applies, which may depend on the whole state.
+   apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
+   neither a state nor given by a law, to effect->load->mass.
+   apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
+   body i from y[scene->bodies[i].at] on; effect->p and effect->ctx; and effect->load->force, the sum of the effects
+   that stand before it in the list, so that a stop that is listed last can take away the force that it holds.
+   other is another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load,
+   effect->other_x and effect->other_v belong to the other one. VM_BAD_ARGUMENT at the start where apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
                                     void *ctx)
 {
-    vm_effect e = vmi_effect(body, 0, other, 0, VMI_ALL_MOTIONS, 0, 0, 0);
-    e.apply = apply;
+    vm_effect e = vmi_effect_between(body, 0, other, 0, apply);
     e.ctx = ctx;
     return e;
 }
 
 VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real k = e->p[VMI_SPRING_STIFFNESS], alpha = e->p[VMI_SPRING_EXPONENT];
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_shaft(e->p[0], e->p[1], y[e->x], y[e->x + 1], &fx, &fy);
+    vm_force_shaft(y[e->x], y[e->x + 1], k, alpha, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a body in the plane, a point */
+/* An elastic shaft: the force -k r |r|^(alpha-1) towards the origin, r = (x, y). k in N/m^alpha; VM_DOMAIN for
+   alpha < 0. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, k, alpha, 0);
-    e.apply = vmi_apply_shaft;
-    e.check = vmi_power_check;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
+    e.p[VMI_SPRING_STIFFNESS] = k;
+    e.p[VMI_SPRING_EXPONENT] = alpha;
+    e.motions = VMI_FLAT;
+    e.check = vmi_spring_check;
     return e;
 }
+
+enum { VMI_UNBALANCE_SIZE, VMI_UNBALANCE_FREQUENCY, VMI_UNBALANCE_PHASE };
 
 VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real frequency = e->p[VMI_UNBALANCE_FREQUENCY], phase = e->p[VMI_UNBALANCE_PHASE];
     vm_real fx, fy;
     (void)y;
     (void)s;
-    vm_force_unbalance(e->p[0], e->p[1], e->p[2], t, &fx, &fy);
+    vm_force_unbalance(t, e->p[VMI_UNBALANCE_SIZE], frequency, phase, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* an unbalance m e (kg m) that turns with Omega = frequency: m e Omega^2 (cos, sin)(Omega t + phase) */
+/* A rotating unbalance: the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
+   in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, unbalance, frequency, phase);
-    e.apply = vmi_apply_unbalance;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
+    e.p[VMI_UNBALANCE_SIZE] = unbalance;
+    e.p[VMI_UNBALANCE_FREQUENCY] = frequency;
+    e.p[VMI_UNBALANCE_PHASE] = phase;
+    e.motions = VMI_FLAT;
     return e;
 }
+
+enum { VMI_GYROSCOPIC_GYRO };
 
 VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_gyroscopic(e->p[0], y[e->v], y[e->v + 1], &fx, &fy);
+    vm_force_gyroscopic(y[e->v], y[e->v + 1], e->p[VMI_GYROSCOPIC_GYRO], &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* force coupling (-vy, vx) */
-VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
+/* A gyroscopic force across the velocity: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does
+   no work. */
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, coupling, 0, 0);
-    e.apply = vmi_apply_gyroscopic;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
+    e.p[VMI_GYROSCOPIC_GYRO] = gyro;
+    e.motions = VMI_FLAT;
     return e;
 }
 
 #endif
-/* scenes/mass.h - laws of mass */
+/* scenes/mass.h - mass that follows a law, and its reactive force
+
+   A mass law M(t, x, v) says what mass a body has at any time; the mass is then no state of the scene. What joins or
+   leaves has the velocity u + (1 - reactive) v, where v is that of the body. So M v' = F + M' (u - reactive v), with
+     reactive = 1  the absolute velocity u: the full reactive force (156), with u = 0 Levi-Civita's (167)-(169);
+     reactive = 0  the velocity of the body and u beyond it: no reactive force if u = 0 (166).
+   x and v are those of a line or an axle: J(phi), J(omega). For any other motion a law is M(t). u is in m/s; on a line
+   u.x alone counts, on an axle too, in rad/s.
+
+       vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
+
+   A law stands before the other effects on its body, and a body has one at the most. What jumps add comes on top of the
+   law. If an event switches a law off, the mass stays as it is; if it switches a law on, the law goes on from the mass
+   that is there (of M0 + c t then only c counts). So a switch never changes a mass suddenly.
+
+   Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
 #define VARMASS_SCENES_MASS_H
 
-enum { VM_MASS_OF_T, VM_MASS_OF_X, VM_MASS_OF_V2 }; /* M0 + c t, M0 + c x, M0 + c v^2, M0 as the body was made */
+/* Places of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the coefficient
+   of a law or the rate of a stream */
+enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
-/* rate (u + (share - 1) v) on each coordinate that moves the mass */
+/* Adds the reactive force rate (u - reactive v) to each coordinate in which the mass moves, and to the budget what the
+   mass brings */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
-                                  vm_real share)
+                                  vm_real reactive)
 {
     vm_load *load = e->load;
     const vm_real *v = y + e->v;
-    const int motion = s->bodies[e->body].motion, n = motion <= VM_AXLE ? 1 : motion == VM_PLANE ? 2 : 3;
+    const int n = vmi_scene_directions(s->bodies[e->body].motion);
     int i;
     for (i = 0; i < n; i++) {
-        const vm_real own = u[i] + share * v[i], push = rate * (own - v[i]);
+        const vm_real joining = u[i] + (1 - reactive) * v[i], push = rate * (joining - v[i]);
         load->force[i] += push;
-        if (!s->book) continue;
+        if (!s->budget) continue;
         load->reactive[i] += push;
-        load->brought[i] += rate * own;
-        load->brought_energy += rate * own * own / 2;
-        load->mixing += push * (own - v[i]) / 2;
+        load->brought[i] += rate * joining;
+        load->brought_energy += rate * joining * joining / 2;
+        load->mixing += push * (joining - v[i]) / 2;
     }
 }
 
-/* The mass is now that of the law; M' = by_t + by_x v + by_v v' */
+/* Gives the body the mass of a law. M' = by_t + by_x v + by_v v'; the last term is not known before the acceleration
+   is, so that (M'(v) (v - u)) v' goes to the other side of the equation, into extra_mass. */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
-                                const vm_real *u, vm_real share)
+                                const vm_real *u, vm_real reactive)
 {
     vm_load *load = e->load;
     const vm_real v = y[e->v];
-    load->mass = now->mass + s->bodies[e->body].jumped;
-    load->extra = now->by_v * ((1 - share) * v - u[0]);
-    load->by_v = now->by_v;
-    load->own = u[0] + share * v;
-    vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v, u, share);
+    load->mass = now->mass + s->bodies[e->body].law_offset;
+    load->extra_mass = now->by_v * (reactive * v - u[0]);
+    load->mass_by_v = now->by_v;
+    load->joining_v = u[0] + (1 - reactive) * v;
+    vmi_scene_reactive(e, y, s, now->by_t + now->by_x * v, u, reactive);
 }
 
 VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_mass_now now = e->law(t, y[e->x], y[e->v], e->ctx);
-    vmi_scene_apply_law(e, y, s, &now, e->p, e->p[3]);
+    vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law: M(t, x, v), with the reactive force M' (u + share v - v). share = 1, u = 0: what joins or leaves has
-   the body's velocity, no reactive force; 0: its own velocity is u, of which u.x counts on a line and, in rad/s, on
-   an axle. x and v are those of a line or an axle (J(phi), J(omega)); of any other body the law is M(t). What jumps
-   add comes on top of the law. If an event switches a law off, the mass stays as it is; if it switches a law on,
-   the law goes on from the mass that is there: of M0 + c t then only c counts. So a switch never makes a mass
-   jump. */
+/* A mass law M(t, x, v) that the caller's function returns, with its reactive force. The velocity of the mass that
+   joins or leaves is u + (1 - reactive) v (see above). VM_BAD_ARGUMENT at the start where law is NULL. A run ends with
+   VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
-                                    void *ctx, vm_vec3 u, vm_real share)
+                                    void *ctx, vm_vec3 u, vm_real reactive)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_ALL_MOTIONS, u.x, u.y, u.z);
-    e.p[3] = share;
-    e.order = 0;
-    e.apply = law ? vmi_apply_mass_law : NULL;
+    vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_law : NULL);
+    e.p[VMI_MASS_U] = u.x;
+    e.p[VMI_MASS_U + 1] = u.y;
+    e.p[VMI_MASS_U + 2] = u.z;
+    e.p[VMI_MASS_REACTIVE] = reactive;
+    e.order = VMI_ORDER_MASS_LAW;
     e.law = law;
     e.ctx = ctx;
     return e;
 }
 
+/* The kinds of vm_effect_mass. M0 is the mass with which the body was made. */
+enum {
+    VM_MASS_OF_T, /* M0 + c t, c in kg/s */
+    VM_MASS_OF_X, /* M0 + c x, c in kg/m */
+    VM_MASS_OF_V2 /* M0 + c v^2, c in kg s^2/m^2 */
+};
+
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    const vm_real x = y[e->x], v = y[e->v], c = e->p[4];
+    const vm_real x = y[e->x], v = y[e->v], c = e->p[VMI_MASS_COEFFICIENT];
     vm_mass_now now = {0, 0, 0, 0};
     now.mass = s->bodies[e->body].start.mass;
-    if (e->other_coordinate == VM_MASS_OF_T) {
+    if (e->variant == VM_MASS_OF_T) {
         now.mass += c * t;
         now.by_t = c;
-    } else if (e->other_coordinate == VM_MASS_OF_X) {
+    } else if (e->variant == VM_MASS_OF_X) {
         now.mass += c * x;
         now.by_x = c;
     } else {
         now.mass += c * v * v;
         now.by_v = 2 * c * v;
     }
-    vmi_scene_apply_law(e, y, s, &now, e->p, e->p[3]);
+    vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real share)
+/* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. kind is VM_MASS_OF_T, VM_MASS_OF_X or
+   VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of the mass that joins or leaves is
+   u + (1 - reactive) v, with u along coordinate 0. VM_BAD_ARGUMENT at the start for another kind; errors of a run as in
+   vm_effect_mass_law. */
+VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
-    const unsigned motions = kind == VM_MASS_OF_T ? VMI_ALL_MOTIONS : VMI_SINGLE;
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, kind, motions, u, 0, 0);
-    e.p[3] = share;
-    e.p[4] = c;
-    e.order = 0;
-    e.apply = kind >= VM_MASS_OF_T && kind <= VM_MASS_OF_V2 ? vmi_apply_mass : NULL;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
+    if (kind < VM_MASS_OF_T || kind > VM_MASS_OF_V2) e.apply = NULL; /* refused by vm_scene_check */
+    e.variant = kind;
+    e.p[VMI_MASS_U] = u;
+    e.p[VMI_MASS_REACTIVE] = reactive;
+    e.p[VMI_MASS_COEFFICIENT] = c;
+    if (kind != VM_MASS_OF_T) e.motions = VMI_SINGLE;
+    e.order = VMI_ORDER_MASS_LAW;
     return e;
 }
 
-/* The same, of a stream that varies: vary writes what is otherwise than in effect.stream at t and y, the point of
-   contact that moves in the body, the rate, the velocity */
-VM_API vm_effect vm_effect_varying(vm_effect effect,
-                                   void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
-                                   void *ctx)
-{
-    effect.vary = vary;
-    effect.ctx = ctx;
-    if (!effect.stream || !vary) effect.apply = NULL; /* which vm_scene_check refuses */
-    return effect;
-}
-
 #endif
-/* scenes/streams.h - streams of mass onto and out of bodies of a scene */
+/* scenes/streams.h - streams of mass into and out of the bodies of a scene
+
+   A stream changes a mass that is a state (vm_scene_body_with_mass_state). vm_effect_stream is a stream that crosses at
+   the mass centre: it changes the mass and has a reactive force. The other four are for a stream of chapter 5 that
+   crosses at a point of a growing body; each is one thing that the stream does, and each may be left out:
+     vm_effect_stream_mass    mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
+     vm_effect_stream_force   reactive force M' (u - v) (156)
+     vm_effect_stream_moment  moment d x M' (u - v) about the mass centre (158)
+     vm_effect_stream_torque  torque M' kappa omega2 - I' omega (157)
+   mechanics/streams.h explains the symbols.
+
+       vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
+       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s of velocity falls, a vm_vec3
+
+   Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_STREAMS_H
 #define VARMASS_SCENES_STREAMS_H
 
 VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real rate = e->p[VMI_MASS_RATE];
     (void)t;
-    e->load->mass_rate += e->p[4];
-    vmi_scene_reactive(e, y, s, e->p[4], e->p, e->p[3]);
+    e->load->mass_rate += rate;
+    vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A stream, for a body whose mass is a state: rate kg/s (on an axle kg m^2/s), u and share as above; it crosses at
-   the mass centre and leaves the inertia as it is */
-VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
+/* A stream that crosses at the mass centre, with its reactive force. The mass of the body must be a state
+   (VM_MASS_IS_NO_STATE). rate in kg/s (on an axle kg m^2/s) is negative for mass that leaves; its own velocity is
+   u + (1 - reactive) v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
+VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_ALL_MOTIONS, u.x, u.y, u.z);
-    e.p[3] = share;
-    e.p[4] = rate;
-    e.needs_mass_state = 1;
-    e.apply = vmi_apply_stream;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
+    e.p[VMI_MASS_U] = u.x;
+    e.p[VMI_MASS_U + 1] = u.y;
+    e.p[VMI_MASS_U + 2] = u.z;
+    e.p[VMI_MASS_REACTIVE] = reactive;
+    e.p[VMI_MASS_RATE] = rate;
+    e.needs = VMI_NEEDS_MASS_STATE;
     return e;
 }
 
-/* A stream at a point of a growing body: the body as the stream sees it, and what section 5 makes of it. The book
-   has what the stream brings with the mass; as mixing, what of that does not go into the body's energy. */
+/* A stream at a point of a growing body: the motion of the body as the stream sees it, and the sums of chapter 5 */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
 } vmi_crossing;
 
+/* Fills *c. A varying stream whose motion has become unknown sets the status of the scene, which ends the run. */
 VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -10103,20 +10365,21 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
-    c->seen.energy = s->book != NULL;
+    c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
-    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT; /* an unknown motion */
+    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* A reactive force and a moment or torque, inertial axes */
+/* Adds a reactive force and a moment or torque, inertial axes, to the load and to the budget. The budget has what the
+   stream brings together with the mass; here it loses from `mixing` the power of these loads. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_load *load = e->load;
     vmi_scene_add(b, load->force, force, torque);
-    if (!s->book) return;
+    if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
     load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
@@ -10134,7 +10397,7 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
     load->centre_rate = vmi_add(load->centre_rate, shift);
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
-    if (!s->book) return;
+    if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
     turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
     vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
@@ -10167,6 +10430,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
+/* Chapter 5's check of a stream, and that it has no store: a scene has no place for what is on the way to it */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -10176,75 +10440,107 @@ VM_API int vmi_crossing_check(const vm_effect *e)
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
                                      void (*apply)(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s))
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_PLANE | 1 << VM_FREE, 0, 0, 0);
-    e.needs_mass_state = 2;
+    vm_effect e = vmi_effect(body, 0, apply);
+    e.motions = 1 << VM_PLANE | 1 << VM_FREE;
+    e.needs = VMI_NEEDS_GROWING_BODY;
     e.stream = stream;
     e.check = vmi_crossing_check;
-    e.apply = apply;
     return e;
 }
 
-/* A stream of chapter 5 that crosses at a point of a growing body and is put there (in body axes from where the mass
-   centre was at first; a stream with a store is refused). Each of what it does is an effect, and each may be left
-   out: mass (the mass M, its centre, the inertia; r' = v + (M'/M) d), reactive force M' (u - v) (156), moment
-   d x M' (u - v) (158), torque M' kappa omega2 - I' omega (157). A book's mixing is that of streams whose effects are
-   all listed. The stream is the caller's; what an event changes in it has changed. */
+/* Mass, mass centre and inertia that a stream at a point brings to a growing body. The stream stays the caller's: where
+   an event changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at
+   the start. The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed.
+   At the start VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store,
+   VM_DOES_NOT_GROW for a body that is not a growing one. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
 }
 
-/* Documented with vm_effect_stream_mass. */
+/* Reactive force M' (u - v) of a stream at a point of a growing body (156). Conditions and errors are those of
+   vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Documented with vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158). Conditions
+   and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
 }
 
-/* Documented with vm_effect_stream_mass. */
+/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). Conditions and errors are those of
+   vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
+/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass or its like. At each evaluation
+   vary receives a copy of the stream and writes what differs at t and y: the point, which may move in the body, the
+   rate, the velocity. VM_BAD_ARGUMENT at the start where vary is NULL or the effect has no stream. */
+VM_API vm_effect vm_effect_varying(vm_effect effect,
+                                   void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
+                                   void *ctx)
+{
+    effect.vary = vary;
+    effect.ctx = ctx;
+    if (!effect.stream || !vary) effect.apply = NULL;
+    return effect;
+}
+
 #endif
-/* scenes/band.h - a band that winds up */
+/* scenes/band.h - a band that winds up on a drum or off it
+
+   The drum is a body on an axle (chapter 5.2). Its angle phi is 0 where the drum is bare, and the inertia with which
+   the body was made is that of the bare drum. The band comes or goes at the radius
+     R + h phi/(2 pi)   along a spiral, or
+     R + h n            in layers, after n complete turns (by_layer),
+   and the inertia grows by rho b h radius^3 per radian. In layers, the torque has a kink at each complete turn.
+   vm_band_at computes what is wound up at any angle; vm_effect_band is the mass law of the drum in a scene.
+
+       vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
+       vm_effect wind = vm_effect_band(0, &band);
+
+   Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_BAND_H
 #define VARMASS_SCENES_BAND_H
 
-/* A band that is wound up on a drum on an axle, or unwound from it (chapter 5.2), layer upon layer. At the angle phi,
-   0 where the drum, of the inertia with which the body was made, is bare, the band comes or goes at the radius
-   R + h phi/(2 pi), a spiral, or where by_layer is set at R + h n, n turns being complete; its inertia grows by
-   rho b h radius^3 a radian. Its own velocity is speed + share (radius omega): share = 1 and speed = 0 if it moves
-   with the drum. By layers the torque has kinks at full turns. */
+/* A band. Its own velocity is speed + (1 - reactive) (radius omega): it comes at the absolute velocity `speed` for
+   reactive = 1, and it moves with the drum for speed = 0, reactive = 0. */
 typedef struct VM_TAG(vm_band) {
-    vm_real radius;           /* R of the bare drum, m */
-    vm_real thickness, width; /* h, b, m */
-    vm_real density;          /* rho, kg/m^3 */
-    vm_real speed, share;     /* m/s */
-    int by_layer;
+    vm_real radius;    /* m: R, of the bare drum, > 0 */
+    vm_real thickness; /* m: h, >= 0 */
+    vm_real width;     /* m: b, >= 0 */
+    vm_real density;   /* kg/m^3: rho, >= 0 */
+    vm_real speed;     /* m/s */
+    vm_real reactive;     /* a pure number */
+    int by_layer;      /* 1: in layers; 0: along a spiral */
 } vm_band;
 
+/* What is wound up at an angle */
 typedef struct VM_TAG(vm_band_now) {
-    vm_real radius, rate, mass, inertia; /* m; kg/rad, mu (181) of this radius; of what is wound up, kg, kg m^2 */
+    vm_real radius;  /* m, at which the band comes or goes */
+    vm_real rate;    /* kg/rad: mu, mass per radian at this radius (181) */
+    vm_real mass;    /* kg: of the band that is wound up */
+    vm_real inertia; /* kg m^2: of the band that is wound up */
 } vm_band_now;
 
-/* rho b h integral of radius^k over phi, k = 1 the mass, 3 the inertia; d: what has been added to R. With n layers
-   complete sum (R + i h)^k, i < n, is by sum i, i^2, i^3 */
+/* The band in layers. line = rho b h. Mass and inertia are line times the integrals of the radius and its cube over
+   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1,
+   sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
-    const vm_real s1 = n * (n - 1) / 2, s2 = s1 * (2 * n - 1) / 3, r = R + n * h;
+    const vm_real sum1 = n * (n - 1) / 2, sum2 = sum1 * (2 * n - 1) / 3, r = R + n * h;
     vm_band_now now;
     now.radius = r;
     now.rate = line * r;
-    now.mass = line * (2 * VM_PI * (n * R + h * s1) + r * rest);
-    now.inertia = line * (2 * VM_PI * (n * R * R * R + 3 * R * h * (R * s1 + h * s2) + h * h * h * s1 * s1) +
+    now.mass = line * (2 * VM_PI * (n * R + h * sum1) + r * rest);
+    now.inertia = line * (2 * VM_PI * (n * R * R * R + 3 * R * h * (R * sum1 + h * sum2) + h * h * h * sum1 * sum1) +
                           r * r * r * rest);
     return now;
 }
@@ -10254,24 +10550,26 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-VM_API vm_band_now vmi_no_band(void)
+/* A band that is not wound up, or NaN */
+VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
-    none.radius = none.rate = none.mass = none.inertia = VM_NAN;
+    none.radius = radius;
+    none.rate = others;
+    none.mass = others;
+    none.inertia = others;
     return none;
 }
 
-/* phi < 0: the bare drum; NaN where phi is not finite, the radius not > 0, a size < 0. Some eps of each number */
+/* Radius, mass and inertia of the band that is wound up at the angle phi. phi < 0 gives the bare drum. NaN where phi is
+   not finite, the radius is not positive, a size is negative, or band is NULL. Each number is right to some eps. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
-    if (!band) return vmi_no_band();
+    if (!band || !VM_IS_FINITE(phi) || !vmi_band_is_valid(band)) return vmi_band_none(VM_NAN, VM_NAN);
     const vm_real line = band->density * band->width * band->thickness, R = band->radius;
-    const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
-    const vm_real bare = VM_IS_FINITE(phi) && vmi_band_is_valid(band) ? 0 : VM_NAN;
+    const vm_real r = R + band->thickness * (phi / (2 * VM_PI));
     vm_band_now now;
-    now.radius = R + bare;
-    now.rate = now.mass = now.inertia = bare;
-    if (!(phi >= 0 && bare == 0)) return now;
+    if (!(phi >= 0)) return vmi_band_none(R, 0);
     if (band->by_layer) return vmi_band_by_layer(phi, band, line);
     now.radius = r;
     now.rate = line * r;
@@ -10280,19 +10578,30 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
+/* Places of the parameters of the effect; its variant is by_layer */
+enum {
+    VMI_BAND_RADIUS,
+    VMI_BAND_THICKNESS,
+    VMI_BAND_WIDTH,
+    VMI_BAND_DENSITY,
+    VMI_BAND_SPEED,
+    VMI_BAND_REACTIVE
+};
+
 VM_API vm_band vmi_band_of(const vm_effect *e)
 {
     vm_band b;
-    b.radius = e->p[0];
-    b.thickness = e->p[1];
-    b.width = e->p[2];
-    b.density = e->p[3];
-    b.speed = e->p[4];
-    b.share = e->p[5];
-    b.by_layer = e->other_coordinate;
+    b.radius = e->p[VMI_BAND_RADIUS];
+    b.thickness = e->p[VMI_BAND_THICKNESS];
+    b.width = e->p[VMI_BAND_WIDTH];
+    b.density = e->p[VMI_BAND_DENSITY];
+    b.speed = e->p[VMI_BAND_SPEED];
+    b.reactive = e->p[VMI_BAND_REACTIVE];
+    b.by_layer = e->variant;
     return b;
 }
 
+/* The inertia of the drum by its law J(phi). On an axle u is an angular velocity. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -10302,7 +10611,7 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;
-    vmi_scene_apply_law(e, y, s, &now, &u, band.share);
+    vmi_scene_apply_law(e, y, s, &now, &u, band.reactive);
 }
 
 VM_API int vmi_band_check(const vm_effect *e)
@@ -10311,118 +10620,151 @@ VM_API int vmi_band_check(const vm_effect *e)
     return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
-/* Documented with vm_band_at. */
+/* A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque. It is the mass law
+   of the body. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size is
+   negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_AXLE, 0, 0, 0);
-    e.order = 0;
-    e.apply = band ? vmi_apply_band : NULL;
+    vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
+    e.motions = 1 << VM_AXLE;
+    e.order = VMI_ORDER_MASS_LAW;
     e.check = vmi_band_check;
     if (!band) return e;
-    e.p[0] = band->radius;
-    e.p[1] = band->thickness;
-    e.p[2] = band->width;
-    e.p[3] = band->density;
-    e.p[4] = band->speed;
-    e.p[5] = band->share;
-    e.other_coordinate = band->by_layer != 0;
+    e.p[VMI_BAND_RADIUS] = band->radius;
+    e.p[VMI_BAND_THICKNESS] = band->thickness;
+    e.p[VMI_BAND_WIDTH] = band->width;
+    e.p[VMI_BAND_DENSITY] = band->density;
+    e.p[VMI_BAND_SPEED] = band->speed;
+    e.p[VMI_BAND_REACTIVE] = band->reactive;
+    e.variant = band->by_layer != 0;
     return e;
 }
 
 #endif
-/* scenes/links.h - rigid links between bodies */
+/* scenes/links.h - rigid links and cords between bodies
+
+   A link keeps the distance between two mass centres, or between a mass centre and a point that moves as given; a cord
+   is a link that can pull but not push. Its force is the reaction to what else acts on its ends, so that it stands last
+   in the list of effects on a body, and a body has one at the most.
+
+       vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
+
+   Tests: tests/test_scene_links.c. */
 #ifndef VARMASS_SCENES_LINKS_H
 #define VARMASS_SCENES_LINKS_H
 
-/* The far end of a link: a point that moves as given, or another body, which can accelerate */
+/* An end of a link: a body, which can accelerate, or a point whose motion is given */
 typedef struct VM_TAG(vmi_link_end) {
-    vm_real r[3], v[3], a[3]; /* a: without the link */
-    vm_real mobility[3];      /* acceleration by force, of each coordinate */
+    vm_real r[3], v[3];
+    vm_real a[3];        /* acceleration without the link */
+    vm_real mobility[3]; /* acceleration by force, along each coordinate: 1/mass, or 0 where it cannot move */
 } vmi_link_end;
 
-VM_API void vmi_link_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
+VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
     const vm_real *r = y + b->at, *v = r + b->positions;
-    const int n = b->motion == VM_LINE ? 1 : b->motion == VM_PLANE ? 2 : 3;
+    const int n = vmi_scene_directions(b->motion);
     int i;
-    for (i = 0; i < 3; i++) {
-        end->r[i] = i < n ? r[i] : 0;
-        end->v[i] = i < n ? v[i] : 0;
-        end->mobility[i] = i < n ? 1 / (b->load.mass + b->load.extra) : 0;
+    for (i = 0; i < n; i++) {
+        end->r[i] = r[i];
+        end->v[i] = v[i];
+        end->mobility[i] = 1 / (b->load.mass + b->load.extra_mass);
         end->a[i] = end->mobility[i] * b->load.force[i];
+    }
+    for (; i < 3; i++) {
+        end->r[i] = 0;
+        end->v[i] = 0;
+        end->mobility[i] = 0;
+        end->a[i] = 0;
     }
 }
 
-VM_API void vmi_link_point(const vm_effect *e, vm_real t, vmi_link_end *end)
+VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
     int i;
     e->point(t, &r, &v, &a, e->ctx);
-    end->r[0] = r.x;
-    end->r[1] = r.y;
-    end->r[2] = r.z;
-    end->v[0] = v.x;
-    end->v[1] = v.y;
-    end->v[2] = v.z;
-    end->a[0] = a.x;
-    end->a[1] = a.y;
-    end->a[2] = a.z;
+    vmi_set3(end->r, r);
+    vmi_set3(end->v, v);
+    vmi_set3(end->a, a);
     for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
-/* The link pulls with lambda d, d = r - far end: C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0, which gives
-   lambda from what else acts on its ends. p = length, rate, cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* its variant is 1 for a cord */
+
+/* The factor lambda of the force lambda d on the near end, d = r - far end. The deviation C = (d^2 - l^2)/2 obeys
+   C'' + 2 rate C' + rate^2 C = 0, in which C' = d v, C'' = d a + v^2 (v, a: relative), and the link adds to d a lambda
+   times the sum of mobility d^2. 0 for a cord that is slack. VM_SINGULAR where the ends are in one place or cannot move
+   along the link; VM_NOT_FINITE. */
+VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
+{
+    /* A cord does not pull while it is shorter by this part of its length. That is more than the uncertainty of the
+       length, so that the cord is not taut and slack in turns. */
+    const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
+    const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* products of d, v and a */
+    int i;
+    for (i = 0; i < 3; i++) {
+        const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
+        dd += d * d;
+        dv += d * v;
+        vv += v * v;
+        da += d * (here->a[i] - there->a[i]);
+        mobility += d * d * (here->mobility[i] + there->mobility[i]);
+    }
+    if (mobility == 0) return VM_SINGULAR;
+    if (!(mobility > 0)) return VM_NOT_FINITE;
+    C = (dd - length * length) / 2;
+    *lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
+    if (e->variant && (*lambda > 0 || C < -loose * dd)) *lambda = 0;
+    return VM_OK;
+}
+
 VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_scene_body *b = s->bodies + e->body;
-    vm_real *force = b->load.force, *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
-    /* shorter by this, a cord does not pull: more than its length is uncertain by, or it would be taut by turns */
-    const vm_real rate = e->p[1], loose = VM_C(1e-6) + 512 * VM_EPSILON;
+    vm_real *force = s->bodies[e->body].load.force;
+    vm_real *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
     vmi_link_end here, there;
-    vm_real d[3], dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C, lambda;
-    int i;
-    vmi_link_body(s, e->body, y, &here);
-    if (far_force) vmi_link_body(s, e->other, y, &there);
-    else vmi_link_point(e, t, &there);
+    vm_real lambda = 0;
+    int i, status;
+    vmi_link_to_body(s, e->body, y, &here);
+    if (far_force) vmi_link_to_body(s, e->other, y, &there);
+    else vmi_link_to_point(e, t, &there);
+    status = vmi_link_lambda(e, &here, &there, &lambda);
+    if (status) s->status = status;
+    if (lambda == 0) return;
     for (i = 0; i < 3; i++) {
-        const vm_real v = here.v[i] - there.v[i];
-        d[i] = here.r[i] - there.r[i];
-        dd += d[i] * d[i];
-        dv += d[i] * v;
-        vv += v * v;
-        da += d[i] * (here.a[i] - there.a[i]);
-        mobility += d[i] * d[i] * (here.mobility[i] + there.mobility[i]);
-    }
-    if (!(mobility > 0)) { /* the ends are in one place, or cannot move along the link */
-        s->status = mobility == 0 ? VM_SINGULAR : VM_NOT_FINITE;
-        return;
-    }
-    C = (dd - e->p[0] * e->p[0]) / 2;
-    lambda = -(da + vv + 2 * rate * dv + rate * rate * C) / mobility;
-    if (e->p[2] != 0 && (lambda > 0 || C < -loose * dd)) return; /* slack */
-    for (i = 0; i < 3; i++) {
-        if (here.mobility[i] > 0) force[i] += lambda * d[i];
-        if (far_force && there.mobility[i] > 0) far_force[i] -= lambda * d[i];
+        const vm_real d = here.r[i] - there.r[i];
+        if (here.mobility[i] > 0) force[i] += lambda * d;
+        if (far_force && there.mobility[i] > 0) far_force[i] -= lambda * d;
     }
 }
 
-VM_API int vmi_link_check(const vm_effect *e) { return e->p[0] > 0 && e->p[1] > 0 ? VM_OK : VM_DOMAIN; }
+VM_API int vmi_link_check(const vm_effect *e)
+{
+    if (e->p[VMI_LINK_LENGTH] > 0 && e->p[VMI_LINK_RATE] > 0) return VM_OK;
+    return VM_DOMAIN;
+}
 
-/* a rigid link, or where cord is set one that only pulls, of a length between a body (a point, or in the plane) and
-   another (on a line, too) or, other = VM_GROUND, a point that moves as given, which may be above the plane. Links
-   are the last of the effects on a body, one of them for a body. Where the ends of a link are in one place, or
-   cannot move along it, the run ends with VM_SINGULAR. Deviations of the length (> 0, m) die out as exp(-rate t),
-   rate > 0 in 1/s; a cord that becomes taut at a speed v is drawn out by v/(e rate) at most. In float a cord of 1
-   m at 5 m/s asks for a rate of not more than 200/s. The link acts at the mass centres, of which a growing body's
-   is refused: it wanders. */
+/* A rigid link of a given length, or a cord, which can only pull. It holds the mass centre of `body`, a point or a body
+   in the plane, at the distance `length` (m) from the mass centre of `other` (not a body on an axle), or, for other =
+   VM_GROUND, from a point that moves as `point` says, which may lie above the plane; point is NULL otherwise.
+   cord = 1 makes it a cord. rate > 0 (1/s): deviations of the length die out as exp(-rate t); a cord that becomes taut
+   at a speed v is drawn out by v/(e rate) at most. In float a cord of 1 m at 5 m/s needs a rate of at most 200/s.
+   At the start VM_DOMAIN where length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass centre
+   moves in it; VM_TWO_LINKS, VM_LINK_NOT_LAST, VM_SAME_BODY. A run ends with VM_SINGULAR where the ends are in one
+   place or cannot move along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
-    vm_effect e = vmi_effect(body, 0, other, 0, VMI_FLAT, length, rate, (vm_real)(cord != 0));
-    e.order = 2;
+    vm_effect e = vmi_effect_between(body, 0, other, 0, point || other >= 0 ? vmi_apply_link : NULL);
+    e.p[VMI_LINK_LENGTH] = length;
+    e.p[VMI_LINK_RATE] = rate;
+    e.variant = cord != 0;
+    e.motions = VMI_FLAT;
     e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
-    e.apply = point || other >= 0 ? vmi_apply_link : NULL;
+    e.order = VMI_ORDER_LINK;
     e.check = vmi_link_check;
     e.point = point;
     e.ctx = ctx;
@@ -10430,19 +10772,31 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 }
 
 #endif
-/* scenes/state.h - the state of a scene */
+/* scenes/state.h - the state of a scene: its size, and the bodies in it
+
+   A scene's state y holds the numbers of each body one after the other, and at the end, where the scene keeps a budget,
+   the VM_BUDGET numbers of it. scene.h has a table of the numbers of each body.
+
+       vm_body now;
+       vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
+
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
-enum { VM_BUDGET = 15 };
+enum { VM_BUDGET = 15 }; /* how many numbers a budget adds to the state */
+
+/* How many numbers of work vm_scene_run needs for a state of so many numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
-/* numbers in the state; VM_BAD_ARGUMENT for null pointers */
+/* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
+   VM_BAD_ARGUMENT where scene is NULL or its bodies are missing. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
-    int i, size = scene && scene->book ? VM_BUDGET : 0;
+    int i, size = 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
+    if (scene->budget) size += VM_BUDGET;
     return size;
 }
 
@@ -10455,9 +10809,9 @@ VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm
     b->get(b, y + b->at, now);
 }
 
-/* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
-   when the right-hand side was last evaluated. NaN where there is no such body, for null pointers and before a
-   start */
+/* The motion of a body in the state y. The scene must have been started; 0 <= body < n_bodies. A mass that is given by
+   a law is that of the last evaluation of the right-hand side. All numbers of *now are NaN for an index that does not
+   exist, for NULL pointers, and before a start. */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
@@ -10472,7 +10826,7 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* The state of a body that moves as now; its angle is given apart, since a turn more or less does not show in now */
+/* Writes a body that moves as `now` into the state. Its angle comes apart, since `now` does not tell complete turns. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -10482,46 +10836,54 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Effects on bodies that are not there do not act */
+/* Makes the effects idle that act on or against a body that is not present, and the others of these not */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_effects; i++) {
         vm_effect *e = s->effects + i;
-        const int gone = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
-        e->idle = (e->idle & 1) | (gone ? 2 : 0);
+        const int away = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
+        e->idle &= VMI_IDLE_SWITCHED_OFF;
+        if (away) e->idle |= VMI_IDLE_BODY_AWAY;
     }
 }
 
 #endif
-/* scenes/evaluate.h - the right-hand side of a scene */
+/* scenes/evaluate.h - the right-hand side of a scene
+
+   An evaluation clears the loads of all bodies, lets each effect add to them, and accelerates each body by its load.
+   vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
+
+       rk87_init(&run, vm_scene_rhs, &scene, vm_scene_size(&scene), t, y, &options, work); // after vm_scene_start
+
+   Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EVALUATE_H
 #define VARMASS_SCENES_EVALUATE_H
 
 #include <string.h>
 
-/* Before the effects of an evaluation */
-VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int book)
+/* Clears the load of a body before the effects add to it; of the forces only those that the body has */
+VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
     load->force[0] = 0;
     if (b->coordinates > 1) load->force[1] = load->force[2] = 0;
     if (b->coordinates > 3) load->force[3] = load->force[4] = load->force[5] = 0;
     load->mass = b->mass_is_state ? y[b->mass_at] : b->mass;
-    load->extra = load->by_v = load->mass_rate = 0;
+    load->extra_mass = load->mass_by_v = load->mass_rate = 0;
     if (b->begin) b->begin(b, y + b->at);
-    if (book) {
+    if (with_budget) {
         memset(load->reactive, 0, sizeof load->reactive);
         memset(load->brought, 0, sizeof load->brought);
         load->brought_energy = load->mixing = 0;
     }
 }
 
-/* What acts on each body now */
+/* Computes the loads of all bodies in the state y */
 VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->book != NULL);
+    for (i = 0; i < s->n_bodies; i++) vmi_scene_clear(s->bodies + i, y, s->budget != NULL);
     for (i = 0; i < s->n_effects; i++) {
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
@@ -10531,58 +10893,78 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 /* Why a body with this load cannot be accelerated */
 VM_API int vmi_scene_mass_status(const vm_load *load)
 {
-    if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra)) return VM_NOT_FINITE;
-    return load->mass > 0 ? VM_NO_EFFECTIVE_MASS : VM_BAD_MASS;
+    if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
+    if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
+    return VM_BAD_MASS;
 }
 
+/* The derivatives of a body's state; a status. A mass that is a state is looked at in y too, since an effect may have
+   added to load->mass. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
-    const vm_real effective = load->mass + load->extra;
+    const vm_real effective = load->mass + load->extra_mass;
     if (!(load->mass > 0 && effective > 0 && effective <= VM_MAX)) return vmi_scene_mass_status(load);
     if (b->mass_is_state) {
-        if (!(y[b->mass_at] > 0)) return VM_BAD_MASS; /* whatever an effect has added to it */
+        if (!(y[b->mass_at] > 0)) return VM_BAD_MASS;
         dydt[b->mass_at] = load->mass_rate;
     }
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* An ode_rhs; ctx is the scene, which has been started. Returns 0; where a mass is not positive or a body cannot be
-   accelerated a derivative is NaN and scene.status says why, so that an integrator tries a shorter step. */
+/* After an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. Of several
+   evaluations in a row that fail the status stays that of the first, `before`, from whose NaN the others follow. */
+VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
+{
+    int k;
+    for (k = vm_scene_size(s) - 1; k >= 0; k--) dydt[k] = VM_NAN;
+    if (before) s->status = before;
+}
+
+/* The right-hand side of a scene that has been started, an ode_rhs; ctx is the scene. It returns 0, or VM_BAD_ARGUMENT
+   for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one) or an effect
+   cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
-    int i, before;
+    int i, k, before;
     if (!s || !y || !dydt) return VM_BAD_ARGUMENT;
     before = s->status;
     s->status = VM_OK;
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
-        int k;
+        int status;
         if (b->away) {
             for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
             continue;
         }
-        k = vmi_scene_accelerate(b, y, dydt);
-        if (k && !s->status) s->status = k;
+        status = vmi_scene_accelerate(b, y, dydt);
+        if (status && !s->status) s->status = status;
     }
-    if (s->book) s->book->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
-    if (s->status) {
-        dydt[0] = VM_NAN; /* the integrator tries a shorter step */
-        if (before) s->status = before; /* of several in a row the first: the others follow from its NaN */
-    }
+    if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
+    if (s->status) vmi_scene_refuse(s, before, dydt);
     return 0;
 }
 
 #endif
-/* scenes/check.h - what can be wrong in a scene */
+/* scenes/check.h - what can be wrong with a scene
+
+   vm_scene_check looks at bodies, effects and events once, before a run, and says what is wrong and where.
+   vm_scene_start calls it.
+
+       vm_scene_fault fault;
+       int status = vm_scene_check(&scene, &fault);
+       if (status < 0) printf("%s %d: %s\n", fault.kind, fault.index, vm_strerror(status)); // effect 1: no body has ...
+
+   Tests: tests/test_scene_runs.c, tests/test_scene_bodies.c, tests/test_refusals_scenes.c. */
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
+/* Where a scene is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect", "event", "scene" */
-    int index;        /* which one, -1 for the scene itself */
+    const char *kind; /* "body", "effect", "event"; "scene" for its arrays, and where nothing is wrong */
+    int index;        /* of the body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
@@ -10591,61 +10973,79 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
     if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
-    return b->check ? (b->check)(&b->start) : (int)VM_OK;
+    if (b->check) return (b->check)(&b->start);
+    return VM_OK;
 }
 
+/* A free body has six velocities, but no coordinate for its rotation */
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
 {
     if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
     if (coordinate < 0 || coordinate >= s->bodies[body].coordinates) return VM_NO_SUCH_COORDINATE;
-    /* of a free body's rotation there is no coordinate */
-    return s->bodies[body].motion == VM_FREE && coordinate > 2 ? VM_NO_SUCH_COORDINATE : VM_OK;
+    if (s->bodies[body].motion == VM_FREE && coordinate > 2) return VM_NO_SUCH_COORDINATE;
+    return VM_OK;
 }
 
-/* Mass laws (order 0) first, links (order 2) last, at most one of either kind for a body, which keeps as marks the
-   orders of the effects so far */
+/* On a body mass laws stand first and links last, and there is one of either at the most. The body keeps a bit for each
+   order that stands on it so far. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
-    const int law = 1, others = 2, link = 4, so_far = b->acted;
-    b->acted |= 1 << order;
-    if (order == 0 && ((so_far & law) || b->mass_is_state)) return VM_TWO_MASS_LAWS;
-    if (order == 2 && (so_far & link)) return VM_TWO_LINKS;
-    if (order == 0 && (so_far & (others | link))) return VM_BAD_ORDER;
-    return order == 1 && (so_far & link) ? VM_LINK_NOT_LAST : VM_OK;
+    const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
+    const int before = b->listed_orders;
+    b->listed_orders |= 1 << order;
+    if (order == VMI_ORDER_MASS_LAW && ((before & law) || b->mass_is_state)) return VM_TWO_MASS_LAWS;
+    if (order == VMI_ORDER_LINK && (before & link)) return VM_TWO_LINKS;
+    if (order == VMI_ORDER_MASS_LAW && (before & (force | link))) return VM_BAD_ORDER;
+    if (order == VMI_ORDER_FORCE && (before & link)) return VM_LINK_NOT_LAST;
+    return VM_OK;
+}
+
+/* That the bodies of an effect move as it needs. A link holds mass centres; that of a growing body moves in it. */
+VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
+{
+    const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
+    if (!(e->motions >> b->motion & 1)) return VM_BAD_MOTION;
+    if (e->not_on_angle && b->motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
+    if (other && !(e->other_motions >> other->motion & 1)) return VM_BAD_MOTION;
+    if (e->order != VMI_ORDER_LINK) return VM_OK;
+    if (other == b) return VM_SAME_BODY;
+    if (b->grows || (other && other->grows)) return VM_BAD_MOTION;
+    return VM_OK;
+}
+
+VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e)
+{
+    int k;
+    for (k = 0; k < VM_LENGTH(e->p); k++)
+        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
+    if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
+    if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
+    if (e->check) return (e->check)(e);
+    return VM_OK;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
 {
-    int k, status = vmi_scene_check_coordinate(s, e->body, e->coordinate);
+    int status = vmi_scene_check_coordinate(s, e->body, e->coordinate);
     if (!status && e->other != VM_GROUND) status = vmi_scene_check_coordinate(s, e->other, e->other_coordinate);
-    if (status) return status;
-    if (!e->apply) return VM_BAD_ARGUMENT;
-    if (!(e->motions >> s->bodies[e->body].motion & 1)) return VM_BAD_MOTION;
-    if (e->not_on_angle && s->bodies[e->body].motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
-    if (e->other != VM_GROUND && !(e->other_motions >> s->bodies[e->other].motion & 1)) return VM_BAD_MOTION;
-    if (e->order == 2 && e->other == e->body) return VM_SAME_BODY;
-    /* a link holds mass centres, which in a growing body wander */
-    if (e->order == 2 && (s->bodies[e->body].grows || (e->other >= 0 && s->bodies[e->other].grows)))
-        return VM_BAD_MOTION;
-    for (k = 0; k < (int)(sizeof e->p / sizeof *e->p); k++)
-        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
-    if (e->needs_mass_state && !s->bodies[e->body].mass_is_state) return VM_MASS_IS_NO_STATE;
-    if (e->needs_mass_state > 1 && !s->bodies[e->body].grows) return VM_DOES_NOT_GROW;
-    if (e->check && (status = (e->check)(e)) != 0) return status;
-    status = vmi_scene_check_order(s->bodies + e->body, e->order);
-    return status || e->other < 0 ? status : vmi_scene_check_order(s->bodies + e->other, e->order);
+    if (!status && !e->apply) status = VM_BAD_ARGUMENT;
+    if (!status) status = vmi_scene_check_motions(s, e);
+    if (!status) status = vmi_scene_check_parameters(s->bodies + e->body, e);
+    if (!status) status = vmi_scene_check_order(s->bodies + e->body, e->order);
+    if (!status && e->other != VM_GROUND) status = vmi_scene_check_order(s->bodies + e->other, e->order);
+    return status;
 }
 
-/* A body takes up only what it can move as: on a line or an axle its own kind, a point no spin */
+/* Whether a body can take up or give off another. On a line or an axle both move alike; else a point may be one of
+   them, since a point has no spin to bring. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Of what separates: that the body into which it goes can be it */
+/* A jump. The part that separates must be a body that the one into which it goes can be. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
-    const vm_impulse *j = &e->external;
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
     vm_scene_body part;
     if (!status) status = vmi_scene_check_coordinate(s, e->other, 0);
@@ -10653,8 +11053,8 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
     if (status) return status;
     if (!vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion)) return VM_BAD_MOTION;
     if (!(e->motions >> s->bodies[e->jump_body].motion & 1)) return VM_BAD_MOTION;
-    if (!vmi_vec3_finite(j->linear) || !vmi_vec3_finite(j->couple) || !vmi_vec3_finite(j->at)) return VM_NOT_FINITE;
-    if (e->jumps < 0) return VM_OK;
+    if (!vmi_impulse_finite(&e->external)) return VM_NOT_FINITE;
+    if (e->jump_kind == VMI_JUMP_ATTACHES) return VM_OK;
     part = s->bodies[e->other];
     part.start = e->part;
     return vmi_scene_check_body(&part);
@@ -10663,65 +11063,90 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
     int status = VM_OK;
-    if (e->watches && (status = vmi_scene_check_coordinate(s, e->body, e->coordinate)) != 0) return status;
+    if (e->watches) status = vmi_scene_check_coordinate(s, e->body, e->coordinate);
+    if (status) return status;
     if (e->status) return e->status;
     if (e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
     if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
-    return e->check ? (e->check)(s, e) : status;
+    if (e->check) return (e->check)(s, e);
+    return VM_OK;
 }
 
 VM_API int vmi_scene_check_arrays(const vm_scene *s)
 {
     int i;
-    if (!s || s->n_bodies < 1 || !s->bodies || s->n_effects < 0 || (s->n_effects && !s->effects))
-        return VM_BAD_ARGUMENT;
+    if (!s || s->n_bodies < 1 || !s->bodies) return VM_BAD_ARGUMENT;
+    if (s->n_effects < 0 || (s->n_effects && !s->effects)) return VM_BAD_ARGUMENT;
     if (s->n_events < 0 || (s->n_events && (!s->events || !s->located))) return VM_BAD_ARGUMENT;
-    if (s->times && s->n_times < 0) return VM_BAD_ARGUMENT;
-    for (i = 0; s->times && i < s->n_times; i++) {
+    if (!s->times) return VM_OK;
+    if (s->n_times < 0) return VM_BAD_ARGUMENT;
+    for (i = 0; i < s->n_times; i++) {
         if (!VM_IS_FINITE(s->times[i])) return VM_NOT_FINITE;
         if (i > 0 && !(s->times[i] > s->times[i - 1])) return VM_BAD_TIMES;
     }
     return VM_OK;
 }
 
-/* Everything that can be wrong with a scene: VM_OK, or what it is, and in *culprit (may be null) where. One pass over
-   bodies, effects, events; it marks the bodies. */
-VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *culprit)
+VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind, int index)
 {
-    vm_scene_fault c = {"scene", -1};
+    if (!fault_or_NULL) return;
+    fault_or_NULL->kind = kind;
+    fault_or_NULL->index = index;
+}
+
+/* The first thing that is wrong with a scene, or VM_OK. It returns the status and writes to *fault_or_NULL in which
+   body, effect or event the fault is. One pass, in time proportional to their number; it uses a mark in each body. The
+   statuses are those that the constructors' comments name, and
+     VM_BAD_ARGUMENT        a NULL pointer, a negative count, no body, a function that is missing
+     VM_NOT_FINITE          a parameter, a time or a number of a body is infinite or NaN
+     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       of a body, or of the part that separates
+     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      an index that does not exist
+     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   the list of effects
+     VM_BAD_TIMES           times of output that do not increase */
+VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
+{
     int i, status = vmi_scene_check_arrays(scene);
-    if (culprit) *culprit = c;
+    vmi_scene_set_fault(fault_or_NULL, "scene", -1);
     if (status) return status;
-    for (i = 0; !status && i < scene->n_bodies; i++) {
-        scene->bodies[i].acted = 0;
-        if ((status = vmi_scene_check_body(scene->bodies + i)) != 0) {
-            c.kind = "body";
-            c.index = i;
-        }
+    for (i = 0; i < scene->n_bodies; i++) {
+        scene->bodies[i].listed_orders = 0;
+        status = vmi_scene_check_body(scene->bodies + i);
+        if (!status) continue;
+        vmi_scene_set_fault(fault_or_NULL, "body", i);
+        return status;
     }
-    for (i = 0; !status && i < scene->n_effects; i++)
-        if ((status = vmi_scene_check_effect(scene, scene->effects + i)) != 0) {
-            c.kind = "effect";
-            c.index = i;
-        }
-    for (i = 0; !status && i < scene->n_events; i++)
-        if ((status = vmi_scene_check_event(scene, scene->events + i)) != 0) {
-            c.kind = "event";
-            c.index = i;
-        }
-    if (culprit) *culprit = c;
-    return status;
+    for (i = 0; i < scene->n_effects; i++) {
+        status = vmi_scene_check_effect(scene, scene->effects + i);
+        if (!status) continue;
+        vmi_scene_set_fault(fault_or_NULL, "effect", i);
+        return status;
+    }
+    for (i = 0; i < scene->n_events; i++) {
+        status = vmi_scene_check_event(scene, scene->events + i);
+        if (!status) continue;
+        vmi_scene_set_fault(fault_or_NULL, "event", i);
+        return status;
+    }
+    return VM_OK;
 }
 
 #endif
-/* scenes/start.h - how a scene starts */
+/* scenes/start.h - the start of a scene
+
+   vm_scene_start checks a scene, fills its state, and connects effects and events with the bodies on which they act.
+
+       vm_scene_fault fault;
+       int status = vm_scene_start(&scene, t, y, &fault); // y: vm_scene_size(&scene) numbers
+
+   Tests: tests/test_scene_runs.c. */
 #ifndef VARMASS_SCENES_START_H
 #define VARMASS_SCENES_START_H
 
 #include <string.h>
 
-/* Whether bodies, effects and events are those of the last start, as far as can be seen: a book may be given up */
+/* Whether the scene was started and its lists are still those of the start, as far as can be seen. The state may have
+   become shorter, since a budget may be given up. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -10733,12 +11158,15 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
+/* The event function that the integrator watches; ctx is the event of the scene */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
-    return e->when ? e->when(e, t, y) : 1;
+    if (e->when) return e->when(e, t, y);
+    return 1;
 }
 
+/* The integrator's event i. An event that is only counted, without limit, need not end a step: ODE_RECORD. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -10746,103 +11174,148 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     located->g = vmi_scene_when;
     located->ctx = s->events + i;
     located->direction = s->events[i].direction;
-    /* what is only counted, and without end, need not end a step */
-    located->action = s->events[i].then || s->events[i].most ? ODE_STOP : ODE_RECORD;
+    located->action = ODE_STOP;
+    if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Where an effect finds what it needs, so that it need not look for it at each evaluation */
+/* Notes in an effect where its coordinates and loads are. Against the ground, other_coordinate may be any number. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
-    e->idle = e->off != 0;
+    e->idle = 0;
+    if (e->off) e->idle = VMI_IDLE_SWITCHED_OFF;
     e->load = &b->load;
     e->other_load = NULL;
     e->x = b->at + e->coordinate;
     e->v = e->x + b->positions;
     e->other_x = e->x;
     e->other_v = e->v;
-    if (!other) return; /* other_coordinate may be anything then */
+    if (!other) return;
     e->other_load = &other->load;
     e->other_x = other->at + e->other_coordinate;
     e->other_v = e->other_x + other->positions;
 }
 
-/* Checks the scene, and makes the state at the start: vm_scene_size numbers */
-VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *culprit)
+/* Writes the bodies as they start into the state; returns where the numbers of the budget begin */
+VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
 {
-    int i, k, at = 0, status = vm_scene_check(scene, culprit);
+    int i, k, at = 0;
+    for (i = 0; i < s->n_bodies; i++) {
+        vm_scene_body *b = s->bodies + i;
+        b->at = at;
+        b->mass_at = at + vmi_scene_mass_at(b);
+        b->away = b->absent;
+        b->law_offset = 0;
+        for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
+        vmi_scene_put(s, i, &b->start, b->angle, y);
+    }
+    return at;
+}
+
+VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
+{
+    int i;
+    for (i = 0; i < s->n_events; i++) {
+        vm_event *e = s->events + i;
+        e->scene = s;
+        e->count = e->seen = 0;
+        if (e->when) e->time = t;
+        vmi_scene_locate(s, i);
+    }
+}
+
+/* Start of a scene at time t: checks it and fills its state y, vm_scene_size numbers. Returns VM_OK or what
+   vm_scene_check says, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT where y is NULL, VM_NOT_FINITE
+   for t, VM_SHORT_ARRAY where scene.y_size is set and too small. y is untouched if the start fails. After the start the
+   arrays of the scene must stay where they are. */
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
+{
+    int i, end, status = vm_scene_check(scene, fault_or_NULL);
     if (status) return status;
     if (!y) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     if (scene->y_size && scene->y_size < vm_scene_size(scene)) return VM_SHORT_ARRAY;
     scene->size = vm_scene_size(scene);
-    for (i = 0; i < scene->n_bodies; i++) {
-        vm_scene_body *b = scene->bodies + i;
-        b->at = at;
-        b->mass_at = at + vmi_scene_mass_at(b);
-        b->away = b->absent;
-        b->jumped = 0;
-        for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
-        vmi_scene_put(scene, i, &b->start, b->angle, y);
-    }
+    end = vmi_scene_place_bodies(scene, y);
     for (i = 0; i < scene->n_effects; i++) vmi_scene_bind(scene, scene->effects + i);
-    for (i = 0; i < scene->n_events; i++) {
-        vm_event *e = scene->events + i;
-        e->scene = scene;
-        e->count = e->seen = 0;
-        if (e->when) e->time = t;
-        vmi_scene_locate(scene, i);
-    }
+    vmi_scene_reset_events(scene, t);
     vmi_scene_presence(scene);
     vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
-    if (scene->book) scene->book->open(scene, y, y + at);
+    if (scene->budget) scene->budget->open(scene, y, y + end);
     return VM_OK;
 }
 
 #endif
-/* scenes/balance.h - the book of momentum, angular momentum and energy */
+/* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
+
+   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work of
+   the effects, and what streams bring. At any time, what is there must be what was there at the start plus what came
+   in. The difference, the defect, shows the error of a run, and what constraints take.
+
+       vm_budget budget, now;
+       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET numbers more
+       ...                                              // vm_scene_start, vm_scene_run
+       vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
+
+   Tests: tests/test_scene_runs.c, tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_BALANCE_H
 #define VARMASS_SCENES_BALANCE_H
 
 #include <string.h>
 
-VM_INLINE void vmi_add3(vm_vec3 a, vm_real *d) {
-d[0] += a.x;
-d[1] += a.y;
-d[2] += a.z; }
+/* Places of the sums in the VM_BUDGET numbers of the state */
+enum {
+    VMI_BUDGET_IMPULSE = 0,
+    VMI_BUDGET_ANGULAR_IMPULSE = 3,
+    VMI_BUDGET_BROUGHT = 6,
+    VMI_BUDGET_BROUGHT_ANGULAR = 9,
+    VMI_BUDGET_WORK = 12,
+    VMI_BUDGET_BROUGHT_ENERGY = 13,
+    VMI_BUDGET_MIXING = 14
+};
 
-/* What a body's load adds to the book by the second: impulse, angular impulse, momentum and angular momentum brought,
-   work, energy brought, mixing */
-VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *d)
+VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
+{
+    sum[0] += a.x;
+    sum[1] += a.y;
+    sum[2] += a.z;
+}
+
+/* Adds to the rates of the sums what the load of a body makes of them */
+VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    const vm_vec3 at = vmi_scene_moving(b, y + b->at);
+    const vm_real *state = y + b->at;
+    const vm_vec3 r = vmi_scene_moving(b, state), v = vmi_scene_moving(b, state + b->positions);
     const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
     const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
-    const vm_vec3 brought = vmi_scene_moving(b, load->brought);
-    vmi_add3(force, d);
-    vmi_add3(vmi_add(torque, vmi_cross(at, force)), d + 3);
-    vmi_add3(brought, d + 6);
-    vmi_add3(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
-    d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) + vmi_dot(torque, vmi_scene_spin(b, y));
-    d[13] += load->brought_energy;
-    d[14] += load->mixing;
+    const vm_vec3 brought = vmi_scene_moving(b, load->brought), turning = vmi_scene_turning(b, load->brought);
+    vmi_add3(force, rates + VMI_BUDGET_IMPULSE);
+    vmi_add3(vmi_add(torque, vmi_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
+    vmi_add3(brought, rates + VMI_BUDGET_BROUGHT);
+    vmi_add3(vmi_add(turning, vmi_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
+    rates[VMI_BUDGET_WORK] += vmi_dot(force, v) + vmi_dot(torque, vmi_scene_spin(b, y));
+    rates[VMI_BUDGET_BROUGHT_ENERGY] += load->brought_energy;
+    rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
+/* Adds what a body makes of the rates. The part M'(v) v' of its mass rate is known only now, with the acceleration
+   v'. */
+VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
-    if (load->by_v != 0) { /* M'(v) v' is known only now */
-        const vm_real rate = load->by_v * (load->force[0] / (load->mass + load->extra));
-        const vm_real faster = load->own - y[b->at + 1];
-        load->brought[0] += rate * load->own;
-        load->brought_energy += rate * load->own * load->own / 2;
-        load->mixing += rate * faster * faster / 2;
+    if (load->mass_by_v != 0) {
+        const vm_real mass_rate = load->mass_by_v * (load->force[0] / (load->mass + load->extra_mass));
+        const vm_real faster = load->joining_v - y[b->at + 1];
+        load->brought[0] += mass_rate * load->joining_v;
+        load->brought_energy += mass_rate * load->joining_v * load->joining_v / 2;
+        load->mixing += mass_rate * faster * faster / 2;
     }
-    vmi_scene_enter_loads(b, y, d);
+    vmi_scene_enter_loads(b, y, rates);
 }
 
+/* The derivatives of the sums, after an evaluation */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -10851,13 +11324,14 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
-/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are there */
-VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *book)
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of a
+   body on an axle is its inertia and has no momentum. */
+VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
     int i;
-    book->momentum = book->angular_momentum = zero;
-    book->energy = 0;
+    budget->momentum = budget->angular_momentum = zero;
+    budget->energy = 0;
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         vm_body now;
@@ -10867,73 +11341,96 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *boo
         if (b->motion == VM_AXLE) now.mass = 0;
         p = vmi_scale(now.mass, now.v);
         spin = vmi_spin_momentum(&now);
-        book->momentum = vmi_add(book->momentum, p);
-        book->angular_momentum = vmi_add(book->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
-        book->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
+        budget->momentum = vmi_add(budget->momentum, p);
+        budget->angular_momentum = vmi_add(budget->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
+        budget->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
     }
 }
 
-VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
+/* At the start of the scene: notes what is there, and sets the sums to 0 */
+VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 {
-    const vm_budget hooks = *s->book;
+    const vm_budget functions = *s->budget;
     int i;
-    memset(s->book, 0, sizeof *s->book);
-    s->book->open = hooks.open;
-    s->book->rates = hooks.rates;
-    s->book->totals = hooks.totals;
-    vmi_scene_totals(s, y, s->book);
+    memset(s->budget, 0, sizeof *s->budget);
+    s->budget->open = functions.open;
+    s->budget->rates = functions.rates;
+    s->budget->totals = functions.totals;
+    vmi_scene_totals(s, y, s->budget);
     for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
-/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BUDGET more numbers of
-   the state; NULL: no longer */
-VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *book)
+/* Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer. To be called before
+   vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene keeps in
+   it what was there at the start. A budget may be given up between two runs, but not begun. */
+VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
-    scene->book = book;
-    if (!book) return;
-    memset(book, 0, sizeof *book);
-    book->open = vmi_scene_open_book;
-    book->rates = vmi_scene_rates;
-    book->totals = vmi_scene_totals;
+    scene->budget = budget_or_NULL;
+    if (!budget_or_NULL) return;
+    memset(budget_or_NULL, 0, sizeof *budget_or_NULL);
+    budget_or_NULL->open = vmi_scene_open_budget;
+    budget_or_NULL->rates = vmi_scene_rates;
+    budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* Momentum, angular momentum and energy in state y, what came in since the start, and the defects: what rounding and
-   the integrator's errors leave, and what a constraint takes (a line, an axle, the plane hold their bodies).
-   VM_BAD_ARGUMENT where there is no book. */
-VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *book)
+/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
+   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
+   bodies.
+   VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
-    const vm_budget *start = scene ? scene->book : NULL;
-    const vm_real *d;
+    const vm_budget *start = scene ? scene->budget : NULL;
+    const vm_real *sums;
     vm_budget b;
-    if (!start || !y || !book) return VM_BAD_ARGUMENT;
+    if (!start || !y || !budget) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start;
-    d = y + vm_scene_size(scene) - VM_BUDGET;
+    sums = y + vm_scene_size(scene) - VM_BUDGET;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
-    b.impulse = vmi_add(start->impulse, vmi_vec3(d[0], d[1], d[2]));
-    b.angular_impulse = vmi_add(start->angular_impulse, vmi_vec3(d[3], d[4], d[5]));
-    b.brought = vmi_vec3(d[6], d[7], d[8]);
-    b.brought_angular = vmi_vec3(d[9], d[10], d[11]);
-    b.work = d[12];
-    b.brought_energy = d[13];
-    b.mixing = d[14];
+    b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
+    b.angular_impulse = vmi_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
+    b.brought = vmi_get3(sums + VMI_BUDGET_BROUGHT);
+    b.brought_angular = vmi_get3(sums + VMI_BUDGET_BROUGHT_ANGULAR);
+    b.work = sums[VMI_BUDGET_WORK];
+    b.brought_energy = sums[VMI_BUDGET_BROUGHT_ENERGY];
+    b.mixing = sums[VMI_BUDGET_MIXING];
     b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
     b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
                                vmi_add(b.angular_impulse, b.brought_angular));
     b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
-    *book = b;
+    *budget = b;
     return VM_OK;
 }
 
 #endif
-/* scenes/events.h - events of a scene and what they do */
+/* scenes/events.h - when an event happens, and what it does
+
+   An event is made in two steps: vm_event_... says when it happens, vm_then_... says what happens then, one thing for
+   an event. An event without vm_then_... is only counted: event.count says how often it has happened, event.time when
+   it last did, and the motion is what it would be without the event.
+
+       vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
+                            vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
+       ode_event located[2];                                                    // as many
+       scene.events = events;
+       scene.located = located;
+       scene.n_events = 2;
+
+   An event at a time happens once. A crossing happens as often as it may, or event.most times: direction > 0 counts
+   rising values, < 0 falling ones, 0 both. Only motion crosses a value; an event that sets a coordinate beyond it does
+   not. Bodies that are not present cross nothing. Events at one instant happen in the order of the list; where a jump
+   and a crossing are within rounding of each other, either may be the first. To get the times (or states) of all events
+   of one run, set scene.located[i].times (or .states) and .room after the start.
+
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
 #define VARMASS_SCENES_EVENTS_H
 
 #include <string.h>
 
+/* An event that watches a coordinate of a body */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e;
@@ -10946,13 +11443,7 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     return e;
 }
 
-/* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
-   event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
-   events happen in their order; where a jump comes within rounding of a crossing, either may come first. Nothing of a
-   body that is not there crosses anything. If no vm_then_... says what happens, an event is only counted:
-   event.count says how often it was, event.time when it was last, and the motion is what it would be without the
-   event. Set scene.located[i].times (or states) and room after the start to get the times (or states) of all events
-   of one run. */
+/* An event at a time (s), which happens once. A time before the start of the run is due as the run begins. */
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
@@ -10968,7 +11459,7 @@ VM_API vm_real vmi_when_position(const vm_event *e, vm_real t, const vm_real *y)
     return y[e->scene->bodies[e->body].at + e->coordinate] - e->value;
 }
 
-/* passes value */
+/* An event when a position crosses a value. The position is a coordinate of a body, value is in m or rad. */
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, coordinate, value, direction);
@@ -10983,7 +11474,8 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* Documented with vm_event_at. */
+/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, value is in m/s or
+   rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, coordinate, value, direction);
@@ -10999,7 +11491,8 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
     return b->load.mass - e->value;
 }
 
-/* > 0: a mass of 0 cannot be accelerated */
+/* An event when a mass crosses a value. value in kg (on an axle kg m^2) should be positive, since a run ends before a
+   mass reaches 0. */
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, 0, value, direction);
@@ -11009,7 +11502,8 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 
 VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
-/* Documented with vm_event_at. */
+/* An event when a function of the caller's crosses zero. when(t, y, ctx) gets the state of the whole scene.
+   VM_BAD_ARGUMENT at the start where when is NULL. */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
@@ -11029,42 +11523,34 @@ VM_API int vmi_then_stop(vm_event *e, vm_real t, vm_real *y)
     return VM_STOPPED;
 }
 
-/* ... and what happens then, one thing an event: vm_then_switch(vm_event_at(60), tap, 1). The run ends with
-   VM_STOPPED; an effect goes off (1) or on (0); a part leaves body and becomes into, which was absent; added becomes
-   a part of body and is no longer there; then is called, may change y, and returns a status (VM_STOPPED, < 0 end the
-   run).
-   A part is described as the instant after, in inertial axes; where relative is set, in the body's axes, r from its
-   mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
-   body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
-   A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
-   VM_IS_THERE if `into` is there already, with VM_IS_AWAY if `body` or `added` is not there; the other errors are
-   those of vm_separate.
-   A point that takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
+/* The event ends the run, which returns VM_STOPPED. */
 VM_API vm_event vm_then_stop(vm_event event)
 {
     event.then = vmi_then_stop;
     return event;
 }
 
-/* Events switch effects on and off, also mass laws. A mass must not jump at that moment, since nothing would carry
-   off the mass and its momentum. So the masses are noted before the event and restored after it: a law then goes on
-   from the mass that is there. */
+/* Notes the masses of all bodies, for vmi_scene_hold_masses after a change */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) s->bodies[i].held = s->bodies[i].load.mass;
+    for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
+/* Gives all bodies the mass that was noted. Switching a mass law, and a jump, would otherwise change a mass without
+   anything that carries off the mass and its momentum. The loads are evaluated twice: first to see which masses the
+   laws give now, and what they lack; then anew, since the masses have changed and the loads depend on them.
+   A body uses only one of `mass` and `law_offset`, the latter where it has a mass law, so that both may be changed. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
-        const vm_real more = b->held - b->load.mass;
+        const vm_real lacking = b->noted_mass - b->load.mass;
         if (b->away || b->mass_is_state) continue;
-        b->mass += more;
-        b->jumped += more; /* a body uses only one of them: `jumped` if it has a mass law */
+        b->mass += lacking;
+        b->law_offset += lacking;
     }
     vmi_scene_evaluate(s, t, y);
 }
@@ -11075,12 +11561,14 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
     vm_effect *effect = s->effects + e->effect;
     vmi_scene_evaluate(s, t, y);
     vmi_scene_note_masses(s);
-    effect->idle = (effect->idle & 2) | e->off;
+    effect->idle &= VMI_IDLE_BODY_AWAY;
+    if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
     vmi_scene_hold_masses(s, t, y);
     return VM_OK;
 }
 
-/* Documented with vm_then_stop. */
+/* The event switches an effect off (off = 1) or on (0). effect is its index. Switching a mass law does not change the
+   mass at this instant: the law goes on from the mass that is there. VM_NO_SUCH_EFFECT at the start. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
@@ -11092,7 +11580,8 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event calls a function of the caller's. then(t, y, ctx) may change y; it returns a status: VM_OK to go on,
+   VM_STOPPED or a negative number to end the run with it. VM_BAD_ARGUMENT at the start where then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;
@@ -11103,21 +11592,48 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 }
 
 #endif
-/* scenes/jumps.h - separation and attachment as events */
+/* scenes/jumps.h - separation and attachment as events of a scene
+
+   An event can make a part separate from a body, which then moves on as a body of its own, or attach one body to
+   another, by the laws of chapter 3 (mechanics/jumps.h). The part must be among the bodies, absent before; an attached
+   body is absent afterwards.
+
+       vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
+       vm_body part = {0};
+       part.mass = 1;   // kg
+       part.v.x = 2;    // m/s faster than the body
+       vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
+
+   A part is described as it is the instant after: in inertial axes, or, where relative is set, in the axes of the body,
+   with r from the mass centre of the body, and q, v and omega relative to the body as it moves there. In the plane and
+   on an axle the new body takes the angle of the old one, plus the angle with which it was made. event.external is an
+   impulse that acts from outside during the jump.
+
+   Who can jump: bodies of one motion; a point and a body in the plane; a point and a free body. The functions whose
+   names end in _on_line and _in_plane do the same as vm_then_separate and vm_then_attach for these motions alone, and
+   link less (docs/scene-sizes.md). A point that takes up a body at another place loses the spin of the two; the
+   budget's angular_defect shows it.
+
+   A run ends with VM_IS_THERE where a part would separate into a body that is present already, with VM_IS_AWAY where a
+   body that jumps is not present, and with the errors of vm_separate and vm_attach. At the start vm_scene_check refuses
+   bodies that cannot jump together (VM_BAD_MOTION), a body with itself (VM_SAME_BODY), and a part that cannot be a
+   body.
+
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 
-/* The angle of a body in the plane or on an axle, which may be more than a turn */
-VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
+/* The jump on a line and on an axle. v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), sign = -1 for a part that
+   separates, and the mass centre moves by sign m/(M + sign m) of the way to that of the part (15). Line and axle go
+   through the same formulas: the numbers that a motion does not use are 0. */
+VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
-    const vm_scene_body *b = s->bodies + body;
-    return b->motion == VM_PLANE ? y[b->at + 2] : y[b->at];
-}
-
-/* (M v + m v2 + impulse)/(M + m), m < 0 for a part that separates, and m/(M + m) of the way to its mass centre */
-VM_API int vmi_event_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
-{
-    const vm_real m = e->jumps > 0 ? -other->mass : other->mass, mass = body->mass + m;
+    const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
+    if (e->relative) {
+        other->r.x += body->r.x;
+        other->v.x += body->v.x;
+        other->omega.z += body->omega.z;
+    }
     *b = *body;
     if (!(mass > 0)) return VM_BAD_MASS;
     b->mass = mass;
@@ -11127,18 +11643,7 @@ VM_API int vmi_event_jump_single(const vm_event *e, const vm_body *body, const v
     return VM_OK;
 }
 
-/* On a line and on an axle, whose own numbers the other's formulas leave alone: they are 0 */
-VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
-{
-    if (e->relative) {
-        other->r.x += body->r.x;
-        other->v.x += body->v.x;
-        other->omega.z += body->omega.z;
-    }
-    return vmi_event_jump_single(e, body, other, b);
-}
-
-/* Where a part is whose motion is relative to the body */
+/* The motion of a part in inertial axes, where it is given relative to the body */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -11149,45 +11654,38 @@ VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
     part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
 }
 
-VM_API vm_body2 vmi_scene_to_plane(const vm_body *b)
+VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
 {
-    vm_body2 flat;
-    flat.mass = b->mass;
-    flat.inertia = b->inertia.zz;
-    flat.x = b->r.x;
-    flat.y = b->r.y;
-    flat.angle = 0;
-    flat.vx = b->v.x;
-    flat.vy = b->v.y;
-    flat.omega = b->omega.z;
-    return flat;
+    vm_impulse2 j;
+    j.jx = external->linear.x;
+    j.jy = external->linear.y;
+    j.couple = external->couple.z;
+    j.x = external->at.x;
+    j.y = external->at.y;
+    return j;
 }
 
+/* The jump in the plane. A rest without inertia is a point, which cannot move on as a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
-    const vm_impulse *external = &e->external;
-    vm_body2 one, two, flat;
-    vm_impulse2 blow;
+    const vm_impulse2 external = vmi_event_impulse2(&e->external);
+    vm_body2 one, two, result;
     int status;
     if (e->relative) vmi_event_jump_place(body, other);
-    one = vmi_scene_to_plane(body);
-    two = vmi_scene_to_plane(other);
-    blow.jx = external->linear.x;
-    blow.jy = external->linear.y;
-    blow.couple = external->couple.z;
-    blow.x = external->at.x;
-    blow.y = external->at.y;
-    status = e->jumps > 0 ? vm_separate2(&one, &two, &blow, &flat) : vm_attach2(&one, &two, &blow, &flat);
+    one = vmi_body_to_plane(body, 0);
+    two = vmi_body_to_plane(other, 0);
+    if (e->jump_kind == VMI_JUMP_SEPARATES) status = vm_separate2(&one, &two, &external, &result);
+    else status = vm_attach2(&one, &two, &external, &result);
     if (status < 0) return status;
     *b = *body;
-    b->mass = flat.mass;
-    b->inertia.zz = flat.inertia;
-    b->r.x = flat.x;
-    b->r.y = flat.y;
-    b->v.x = flat.vx;
-    b->v.y = flat.vy;
-    b->omega.z = flat.omega;
-    return flat.inertia > 0 ? VM_OK : VM_BAD_INERTIA; /* a rest that is a point cannot move on as a body */
+    b->mass = result.mass;
+    b->inertia.zz = result.inertia;
+    b->r.x = result.x;
+    b->r.y = result.y;
+    b->v.x = result.vx;
+    b->v.y = result.vy;
+    b->omega.z = result.omega;
+    return result.inertia > 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
 VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
@@ -11196,11 +11694,20 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     if (motion == VM_LINE || motion == VM_AXLE) return vmi_event_jump_on_line(e, body, other, b);
     if (motion == VM_PLANE) return vmi_event_jump_in_plane(e, body, other, b);
     if (e->relative) vmi_event_jump_place(body, other);
-    return e->jumps > 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
+    if (e->jump_kind == VMI_JUMP_SEPARATES) return vm_separate(body, other, &e->external, b);
+    return vm_attach(body, other, &e->external, b);
 }
 
-/* The mass centre of a growing body, which a jump moves to r, moves in the body, too */
-VM_API void vmi_scene_shift(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
+/* The angle of a body in the plane or on an axle, complete turns included; of any other body a number that put
+   ignores */
+VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
+{
+    const vm_scene_body *b = s->bodies + body;
+    return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
+}
+
+/* A jump moves the mass centre of a growing body to r: so its place in the body changes as well */
+VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
@@ -11210,30 +11717,41 @@ VM_API void vmi_scene_shift(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
 }
 
-VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new, const vm_body *b,
-                             const vm_body *other)
+/* Writes the bodies after a jump into the state: the one that lost or gained mass, and the part that separated, or NULL
+   where `other` was attached. Then the mass laws, which do not know of the jump, get their masses. */
+VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
-    vm_budget before, after;
+    vm_scene_body *body = s->bodies + e->jump_body, *other = s->bodies + e->other;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
-    if (s->book) s->book->totals(s, y, &before);
     vmi_scene_note_masses(s);
-    s->bodies[e->jump_body].held = b->mass;
-    if (into_is_new) s->bodies[e->other].held = other->mass;
-    s->bodies[e->other].away = !into_is_new;
-    vmi_scene_shift(s, e->jump_body, b->r, y);
-    if (into_is_new && s->bodies[e->other].grows)
-        vmi_growth_put_centre(s->bodies + e->other, vmi_vec3(0, 0, 0), y + s->bodies[e->other].at);
-    if (into_is_new) vmi_scene_put(s, e->other, other, angle + s->bodies[e->other].angle, y);
-    vmi_scene_put(s, e->jump_body, b, angle, y);
+    body->noted_mass = result->mass;
+    other->away = part_or_NULL == NULL;
+    vmi_scene_shift_centre(s, e->jump_body, result->r, y);
+    if (part_or_NULL) {
+        other->noted_mass = part_or_NULL->mass;
+        if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
+        vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
+    }
+    vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
     vmi_scene_hold_masses(s, t, y);
-    if (!s->book) return;
-    s->book->totals(s, y, &after);
-    s->book->jump_energy += after.energy - before.energy;
-    s->book->impulse = vmi_add(s->book->impulse, e->external.linear);
-    s->book->angular_impulse = vmi_add(s->book->angular_impulse,
-                                       vmi_add(e->external.couple, vmi_cross(e->external.at, e->external.linear)));
+}
+
+/* Writes the bodies after a jump into the state, and enters into the budget the energy that the jump adds and the
+   impulse from outside */
+VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+{
+    vm_scene *s = e->scene;
+    vm_budget *budget = s->budget;
+    vm_budget before, after;
+    if (budget) budget->totals(s, y, &before);
+    vmi_scene_put_jump(e, t, y, result, part_or_NULL);
+    if (!budget) return;
+    budget->totals(s, y, &after);
+    budget->jump_energy += after.energy - before.energy;
+    budget->impulse = vmi_add(budget->impulse, e->external.linear);
+    budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
@@ -11246,27 +11764,30 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
-    vmi_scene_jumped(e, t, y, 1, &rest, &part);
+    vmi_scene_jump(e, t, y, &rest, &part);
     return VM_OK;
 }
 
-/* The same, of bodies on a line or on an axle, or in the plane, which link no more than that (docs/scene-sizes.md) */
+/* The event separates a part from a body on a line or on an axle. The part, as *part says, becomes the body `into`,
+   which was absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is
+   NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = vmi_then_separate;
-    if (!part) event.status = VM_BAD_ARGUMENT;
     event.check = vmi_scene_check_jump;
     event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
+    event.jump_kind = VMI_JUMP_SEPARATES;
     event.jump_body = body;
     event.other = into;
-    event.jumps = 1;
     event.relative = relative;
     if (part) event.part = *part;
+    else event.status = VM_BAD_ARGUMENT;
     return event;
 }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event separates a part from a body in the plane. The part, as *part says, becomes the body `into`, which was
+   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -11275,7 +11796,8 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
     return event;
 }
 
-/* Documented with vm_then_stop. */
+/* The event separates a part from a body of any motion. The part, as *part says, becomes the body `into`, which was
+   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -11294,25 +11816,26 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
-    vmi_scene_jumped(e, t, y, 0, &whole, NULL);
+    vmi_scene_jump(e, t, y, &whole, NULL);
     return VM_OK;
 }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event attaches a body to another one on its line or its axle. `added` becomes a part of `body` and is no longer
+   present. */
 VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
     event.check = vmi_scene_check_jump;
     event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
+    event.jump_kind = VMI_JUMP_ATTACHES;
     event.jump_body = body;
     event.other = added;
-    event.jumps = -1;
     event.relative = 0;
     return event;
 }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event attaches a body to another one in the plane. `added` becomes a part of `body` and is no longer present. */
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -11321,7 +11844,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
     return event;
 }
 
-/* Documented with vm_then_stop. */
+/* The event attaches a body to another one, of any motion. `added` becomes a part of `body` and is no longer
+   present. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -11331,78 +11855,94 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 }
 
 #endif
-/* scenes/run.h - runs of a scene */
+/* scenes/run.h - runs of a scene with its events and its output
+
+   vm_scene_run integrates a scene by rk45 from one event to the next, and applies the events.
+
+       status = vm_scene_run(&scene, &t, 10, y, work, NULL); // from t to 10 s; work: VM_SCENE_WORK(size) numbers
+
+   Tests: tests/test_scene_runs.c, tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_RUN_H
 #define VARMASS_SCENES_RUN_H
-
-/* The next time at which an event is due, or limit */
-VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real limit)
-{
-    int i;
-    for (i = 0; i < s->n_events; i++) {
-        const vm_event *e = s->events + i;
-        if (!e->when && e->count == 0 && e->time < limit) limit = e->time;
-    }
-    return limit;
-}
 
 /* How events follow one another in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* events at this instant */
-    vm_real gap;   /* the shortest time since a crossing at this instant happened before, VM_MAX without one */
-    int crowded;   /* so many instants one after another with a gap that the time hardly resolves */
+    vm_real gap;   /* s: the shortest time since a crossing at this instant last happened, VM_MAX without one */
+    int crowded;   /* so many instants one after another have had a gap that the time hardly resolves */
 } vmi_scene_pace;
 
-/* What has happened at t happens to y: events at this time, and those that the integrator has counted anew; in the
-   order of the events */
+enum {
+    VMI_SCENE_MOST_EVENTS = 10000, /* at one instant; more of them cause each other without end */
+    VMI_SCENE_MOST_CROWDED = 3,    /* instants one after another whose gap the time hardly resolves */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a gap between two events: the next one is seen even if gaps shrink */
+};
+
+VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
+
+/* Whether event i is due at t: its time has come, or the integrator has counted it anew, *times times. Counts begin
+   anew with each run, so that the difference may be negative as a run begins. */
+VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
+{
+    vm_event *e = s->events + i;
+    if (!e->when) return e->count == 0 && e->time <= t;
+    *times = s->located[i].count - e->seen;
+    e->seen = s->located[i].count;
+    return *times > 0;
+}
+
+/* Applies to y, in the order of the list, each event that is due at t. Returns the first status that is not VM_OK, or
+   an error that follows it. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
         vm_event *e = s->events + i;
-        const ode_event *found = s->located + i;
-        const long times = found->count - e->seen; /* negative as a run begins, which counts anew */
-        const int now = e->when ? times > 0 : e->count == 0 && e->time <= t;
-        int result;
-        if (e->when) e->seen = found->count;
-        if (!now || (e->most && e->count >= e->most)) continue;
-        if (e->when && found->action == ODE_RECORD) {
+        long times = 1;
+        int result = VM_OK;
+        if (!vmi_scene_event_is_due(s, i, t, &times) || (e->most && e->count >= e->most)) continue;
+        if (e->when && s->located[i].action == ODE_RECORD) {
             e->count += times;
-            e->time = found->t;
+            e->time = s->located[i].t;
             continue;
         }
         if (e->when && e->count && t - e->time < pace->gap) pace->gap = t - e->time;
         if (e->when) e->time = t;
         e->count++;
         pace->happened++;
-        result = e->then ? e->then(e, t, y) : (int)VM_OK;
+        if (e->then) result = e->then(e, t, y);
         if (result < 0 || status == VM_OK) status = result;
     }
     return status;
 }
 
-/* All events of an instant, since events may cause events. Events that follow one another faster and faster, as the
-   contacts of a ball that comes to rest, are the end of the run where the time no longer resolves them; until then
-   the step after such an event is short enough to see the next. */
+/* Applies all events of an instant; an event may cause others at the same instant. Events that follow one another
+   faster and faster, like the contacts of a ball that comes to rest, end the run where the time no longer resolves
+   them. Until then the step after such an event is short enough to see the next one. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const long most = 10000; /* at one instant */
-    const vm_real resolved = 256 * VM_EPSILON * span;
+    const vm_real resolved = 256 * VM_EPSILON * span; /* a gap that has two digits */
+    const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
-    for (pace->happened = 0, pace->gap = VM_MAX; status == VM_OK;) {
+    pace->happened = 0;
+    pace->gap = VM_MAX;
+    while (status == VM_OK) {
         const long before = pace->happened;
         status = vmi_scene_fire_events(s, r->t, r->y, pace);
         if (pace->happened == before) break;
         if (rk45_restart(r, r->t, r->y) < 0 && status >= 0) status = VM_NOT_FINITE;
-        if (pace->happened > most && status >= 0) status = VM_TOO_MANY_EVENTS;
+        if (pace->happened > VMI_SCENE_MOST_EVENTS && status >= 0) status = VM_TOO_MANY_EVENTS;
     }
     if (pace->gap == VM_MAX) return status;
-    pace->crowded = pace->gap < resolved ? pace->crowded + 1 : 0;
-    if (pace->crowded > 3 && status == VM_OK) status = VM_TOO_MANY_EVENTS;
-    if (r->h > pace->gap / 32) r->h = pace->gap > resolved ? pace->gap / 32 : resolved / 32;
+    if (pace->gap < resolved) pace->crowded++;
+    else pace->crowded = 0;
+    if (pace->crowded > VMI_SCENE_MOST_CROWDED && status == VM_OK) status = VM_TOO_MANY_EVENTS;
+    if (r->h > pace->gap / steps) r->h = vmi_scene_larger(pace->gap, resolved) / steps;
     return status;
 }
 
+/* Calls output if it is due at t; *next is the index of the next time of output. VM_STOPPED where output ends the
+   run */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     if (!s->output) return VM_OK;
@@ -11411,76 +11951,116 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
         while (*next < s->n_times && s->times[*next] <= t) ++*next;
     }
     vmi_scene_evaluate(s, t, y);
-    return s->output(t, y, s, s->output_ctx) ? VM_STOPPED : VM_OK;
+    if (s->output(t, y, s, s->output_ctx)) return VM_STOPPED;
+    return VM_OK;
 }
 
-/* Whether a mass or an inertia would soon run out if the state went on at its present rates: tries longer and
-   longer steps, up to a millionth of the time (float: a thousandth), and returns the first status that is not
-   VM_OK. A mass or an inertia on its way to 0 makes the equations so stiff that no step gets beyond 0; and after a
-   refused step shorter ones may have succeeded, so that s->status is VM_OK again. The run is over, so its work has
-   room for a state and its rates. */
-VM_API int vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
+/* The next time at which an event or output is due, t_end at the latest */
+VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
+{
+    vm_real due = t_end;
+    int i;
+    if (s->output && s->times && next < s->n_times && s->times[next] < due) due = s->times[next];
+    for (i = 0; i < s->n_events; i++) {
+        const vm_event *e = s->events + i;
+        if (!e->when && e->count == 0 && e->time < due) due = e->time;
+    }
+    return due;
+}
+
+/* Looks for the reason why a run ends: whether a mass or an inertia would soon run out if the state went on at its
+   present rates. Tries longer and longer steps, up to a millionth of the time (float: a thousandth); the first failure
+   stays in s->status. A mass or an inertia on its way to 0 makes the equations so stiff that no step gets beyond 0; and
+   after a refused step shorter ones may have succeeded, so that s->status is VM_OK again. The run is over, so that its
+   work has room for a state and its rates. */
+VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    const vm_real size = VM_FABS(r->t) > VM_FABS(t_end) ? VM_FABS(r->t) : VM_FABS(t_end);
+    const vm_real size = vmi_scene_larger(VM_FABS(r->t), VM_FABS(t_end));
     vm_real *z = vmi_part(r, VMI_Z), *rates = vmi_part(r, VMI_K), step;
     int i;
     for (step = 4 * VM_EPSILON * size; step < farthest * size; step *= 4) {
         vm_scene_rhs(r->t, r->y, rates, s);
-        if (s->status) return s->status;
+        if (s->status) return;
         for (i = 0; i < r->n; i++) z[i] = r->y[i] + step * rates[i];
         vm_scene_rhs(r->t + step, z, rates, s);
-        if (s->status) return s->status;
+        if (s->status) return;
     }
-    return VM_OK;
 }
 
-/* Why a run ends: a body that cannot be accelerated, if there is one, or what the integrator says */
-VM_API int vmi_scene_gave_up(vm_scene *s, rk45 *r, vm_real t_end, int ode)
+/* The status of a scene for an error of the integrator */
+VM_API int vmi_scene_status_of_ode(int ode_status)
 {
-    if (ode == ODE_MAX_STEPS) return VM_MAX_STEPS;
-    if (!s->status) vmi_scene_foresee(s, r, t_end);
-    if (s->status) return s->status;
-    if (ode == ODE_NOT_FINITE) return VM_NOT_FINITE;
-    return ode == ODE_STEP_TOO_SMALL ? VM_STEP_TOO_SMALL : VM_NOT_INTEGRATED;
+    switch (ode_status) {
+    case ODE_BAD_ARGUMENT:
+    case ODE_WORK_TOO_SMALL: return VM_BAD_OPTIONS;
+    case ODE_NOT_FINITE: return VM_NOT_FINITE;
+    case ODE_STEP_TOO_SMALL: return VM_STEP_TOO_SMALL;
+    case ODE_MAX_STEPS: return VM_MAX_STEPS;
+    default: return VM_NOT_INTEGRATED;
+    }
 }
 
-/* One step, or up to the next time at which something is due */
+/* One step, or up to the next time at which something is due. Where the integrator fails, a body that cannot be
+   accelerated is a better reason than its own. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
-    const int output = s->output && s->times && next < s->n_times && s->times[next] < t_end;
-    const vm_real stop = vmi_scene_due(s, output ? s->times[next] : t_end);
-    const int ode = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, stop, 1);
-    if (ode >= 0) return VM_OK;
-    s->ode_status = ode;
-    return vmi_scene_gave_up(s, r, t_end, ode);
+    const int ode_status = vmi_run(r, VMI_RK45, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
+    if (ode_status >= 0) return VM_OK;
+    s->ode_status = ode_status;
+    if (ode_status == ODE_MAX_STEPS) return VM_MAX_STEPS;
+    if (!s->status) vmi_scene_foresee(s, r, t_end);
+    if (s->status) return s->status;
+    return vmi_scene_status_of_ode(ode_status);
 }
 
-/* rk45 on the scene. Each number of the state has its tolerance, the book none: it follows the bodies' steps. */
+/* Prepares rk45 for the scene. Each number of the state has its tolerance; the budget has none, so that it follows the
+   steps of the bodies. The tolerances stand in work behind the integrator's numbers. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
     rk45_options o = rk45_defaults(options_or_NULL);
-    const int n = vm_scene_size(s), booked = s->book ? VM_BUDGET : 0;
+    const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET : n;
     vm_real *atol = work + RK45_WORK(n);
     int i;
-    for (i = 0; i < n; i++) atol[i] = i >= n - booked ? VM_MAX : o.atol_each ? o.atol_each[i] : o.atol;
+    for (i = 0; i < n_bodies; i++) atol[i] = o.atol_each ? o.atol_each[i] : o.atol;
+    for (; i < n; i++) atol[i] = VM_MAX;
     o.atol_each = atol;
     o.events = s->located;
     o.n_events = s->n_events;
     if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
     s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
     r->attempts = o.max_steps;
-    return s->ode_status < 0 ? (int)VM_BAD_OPTIONS : (int)VM_OK;
+    if (s->ode_status < 0) return vmi_scene_status_of_ode(s->ode_status);
+    return VM_OK;
 }
 
-/* On from *t to t_end >= *t by rk45, events included: VM_OK, VM_STOPPED before t_end, or what went wrong; *t and y
-   are where the run ended. work: VM_SCENE_WORK(vm_scene_size) numbers. The options' own events are not used. Events
-   that do not end are VM_TOO_MANY_EVENTS: more than 10 000 at one instant, or four times in succession again after
-   less than 256 eps of the time. VM_BAD_MASS or VM_BAD_INERTIA: a mass or an inertia ran out, even if the steps
-   became too short just before that. VM_NOT_FINITE: an effect, a law or an event gave NaN or infinity.
-   VM_STEP_TOO_SMALL, VM_MAX_STEPS and VM_BAD_OPTIONS come from the integrator, whose own status is in
-   scene.ode_status. */
+VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_end)
+{
+    int size;
+    if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
+    if (t_end < *t) return VM_BAD_TIMES;
+    if (!vmi_scene_is_started(s)) return VM_NOT_STARTED;
+    size = vm_scene_size(s);
+    if (s->y_size && s->y_size < size) return VM_SHORT_ARRAY;
+    if (s->work_size && s->work_size < VM_SCENE_WORK(size)) return VM_SHORT_ARRAY;
+    return VM_OK;
+}
+
+/* Run of a scene from *t to t_end by rk45, with its events and its output. The scene must have been started, and
+   t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of rk45; their
+   events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
+   VM_STOPPED before it, or
+     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   nothing was done;
+     VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
+                           a mass or an inertia ran out, even if the steps became too short just before that;
+     VM_NOT_FINITE         an effect, a law or an event gave an infinite number or NaN;
+     VM_SINGULAR           a link cannot act;
+     VM_TOO_MANY_EVENTS    events do not end: more than 10 000 at one instant, or four times in succession less than
+                           256 eps of the time after one another;
+     VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
+                           a jump that is impossible;
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   from the integrator, whose own status is in scene.ode_status. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {
@@ -11489,16 +12069,12 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     vm_real span;
     rk45 r;
     if (!scene || !t || !y || !work) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
-    if (t_end < *t) return VM_BAD_TIMES;
-    if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
-    status = vm_scene_size(scene);
-    if (scene->y_size && scene->y_size < status) return VM_SHORT_ARRAY;
-    if (scene->work_size && scene->work_size < VM_SCENE_WORK(status)) return VM_SHORT_ARRAY;
+    status = vmi_scene_check_run(scene, t, t_end);
+    if (status) return status;
     scene->status = VM_OK;
     status = vmi_scene_integrator(scene, &r, *t, y, work, options_or_NULL);
     if (status) return status;
-    span = VM_FABS(*t) > VM_FABS(t_end) ? VM_FABS(*t) : VM_FABS(t_end);
+    span = vmi_scene_larger(VM_FABS(*t), VM_FABS(t_end));
     while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
     for (;;) {
         status = vmi_scene_run_events(scene, &r, span, &pace);
