@@ -188,32 +188,32 @@
        vm_torque_free_at              The body at time t (s), later than t0 or earlier
        vm_torque_free_rotation        The body a time t (s) later, in one call
 
-     mechanics/streams: streams of mass: reactive force and torque
-       vm_reactive_loads              centre
-       vm_accelerations               v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the mass centre; VM_BAD_INERTIA where the inertia is singular
-       vm_velocity_by_momentum        Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity
+     mechanics/streams: streams of mass: reactive force, moment and torque
+       vm_reactive_loads              Reactive force, moment and torque of n streams on a moving body, (156)-(158)
+       vm_accelerations               Accelerations v' (159) and omega' (160) of a body under reactive and outer loads, inertial axes
 
-     mechanics/flow: a free body with streams of mass
-       vm_flow_rhs                    Documented with vm_flow_body
-       vm_flow_given_rhs              13 states; flow.update sets mass, centre and inertia
-       vm_flow_balanced_rhs           vm_flow_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have brought
-       vm_flow_carried_rhs            The same for what moves with the body (166)
-       vm_flow_start                  y
-       vm_flow_body                   The body of n states, with q of length 1
-       vm_flow_mass_left              Event functions of vm_flow_rhs and vm_flow_balanced_rhs, ctx the flow
-       vm_flow_inertia_left           Documented with vm_flow_mass_left
+     mechanics/flow: a free body in space with streams of mass
+       vm_flow_rhs                    Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152)
+       vm_flow_given_rhs              Right-hand side of a free body whose mass, mass centre and inertia flow.update gives as functions of time
+       vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy
+       vm_flow_carried_rhs            Right-hand side of a free body that loses or gains mass which moves with the body (166)
+       vm_flow_start                  Initial state y of a body with streams
+       vm_flow_body                   The body that n states y describe, its quaternion with length 1
+       vm_flow_mass_left              Event function
+       vm_flow_inertia_left           Event function
 
      mechanics/flow2: a body in a plane with streams of mass
-       vm_flow2_rhs                   
+       vm_flow2_rhs                   Right-hand side of a body in the plane with streams of mass, (151), (152)
 
-     mechanics/flow1: translation, bodies on a line or an axle with streams of mass
-       vm_translation_rhs             
-       vm_flow1_rhs                   
+     mechanics/flow1: translation, and bodies on a line or an axle, with streams of mass
+       vm_translation_rhs             Right-hand side of a body in translation with streams of mass
+       vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
 
-     mechanics/rocket: closed forms: Tsiolkovsky's rocket, linear flow, jet damping
-       vm_tsiolkovsky                 Documented with vm_velocity_by_momentum
-       vm_linear_flow                 Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE), through rate = 0 without loss
-       vm_jet_damping                 With tau = rate gyration t/A0 and c likewise
+     mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
+       vm_velocity_by_momentum        Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171)
+       vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m
+       vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate, under a constant force
+       vm_jet_damping                 Jet damping
 
      mechanics/drum: a band that winds up on a drum
        vm_drum_band                   mu (181)
@@ -3913,76 +3913,87 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 }
 
 #endif
-/* mechanics/streams.h - streams of mass: reactive force and torque */
+/* mechanics/streams.h - streams of mass: reactive force, moment and torque
+
+   A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
+   momentum with it: this is the reactive force (156), the reactive moment (158) and the reactive torque (157). Here
+   are the loads of an instant and the accelerations that follow from them, (159) and (160). To integrate a motion,
+   take mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+
+       vm_stream nozzle;
+       vm_reactive loads;
+       memset(&nozzle, 0, sizeof nozzle);
+       nozzle.rate = -2;          // 2 kg/s leave
+       nozzle.velocity.x = -2500; // m/s, relative to the body: VM_RELATIVE is 0
+       if (vm_reactive_loads(&body, centre, 1, &nozzle, &loads) == VM_OK) thrust = loads.force; // 5000 N
+
+   Tests: tests/test_streams.c. */
 #ifndef VARMASS_MECHANICS_STREAMS_H
 #define VARMASS_MECHANICS_STREAMS_H
 
-/* A stream carries mass into a body (rate > 0) or out of it (rate < 0) at one point. Zero fields are fair defaults,
-   and what does not act costs nothing; the loads of several streams add. Its velocity is given as its motion says: */
+/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body at which the
+   stream crosses the body's surface. */
 enum {
-    VM_RELATIVE = 0, /* velocity against the point of the body where it crosses, spin against the body: body axes */
-    VM_ABSOLUTE = 1, /* velocity and spin as they are: inertial axes */
-    VM_CARRIED = 2,  /* moves with the body: no torque, but M' omega x d is left of the force that (166) has as 0 */
-    VM_AT_REST = 3   /* has neither velocity nor spin (167)-(169) */
+    VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
+    VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
+    VM_CARRIED = 2,  /* the mass moves as the point and the body do, velocity and spin of the stream are not read. There
+                        is no torque, but the force M' omega x d remains, which (166) neglects */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169), velocity and spin of the stream are not read */
 };
 
+/* The place in a body that mass is taken from or put to, where this is not the point at which its stream crosses */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* m, body axes, from the body's reference point */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what is stored there, about its mass centre */
+    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of the stored mass, about its own mass centre */
 } vm_store;
 
+/* A stream of mass in space. Zero is a fair value of every field, and a term that is zero costs nothing. */
 typedef struct VM_TAG(vm_stream) {
-    vm_real rate;        /* kg/s */
-    int motion;          /* VM_RELATIVE ... */
-    vm_vec3 at;          /* m, where it crosses, body axes, from the body's reference point */
-    vm_vec3 velocity;    /* m/s */
-    vm_vec3 spin;        /* rad/s */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what crosses, about its own mass centre */
-    /* where the mass is taken from or put; null: where it crosses. Between the two it flows in a straight line, with
-       what it has of momentum on the way */
-    const vm_store *from;
+    vm_real rate;         /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    vm_vec3 at;           /* m, body axes: the point of crossing, from the body's reference point */
+    vm_vec3 velocity;     /* m/s, velocity of the mass when it crosses */
+    vm_vec3 spin;         /* rad/s, angular velocity of the mass when it crosses */
+    vm_inertia gyration;  /* m^2, body axes: inertia per unit mass of the crossing mass, about its own mass centre */
+    const vm_store *from; /* where the mass is taken from or put to; NULL: the point of crossing. Between the two it
+                             flows in a straight line, and its momentum on this way counts */
 } vm_stream;
 
-/* Reactive loads at an instant, inertial axes but for inertia_rate. With d = SS2 from the mass centre to the crossing
-   point, M' the rate, u the velocity, kappa the gyration, omega2 the angular velocity of each stream:
+/* The reactive loads of an instant, in inertial axes except inertia_rate. For each stream M' is the rate, u the
+   velocity of the crossing mass, omega2 its angular velocity, kappa its gyration, and d goes from the body's mass
+   centre to the point of crossing; P(d) = |d|^2 E - d d^T:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
-     torque  sum M' kappa omega2 - I' omega             (157) corrected: printed I' (omega2 - omega), which is right
+     torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
-   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160): v' is the rate of
-   momentum/mass, which v is. */
+   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). v is momentum/mass, and
+   v' is its rate. */
 typedef struct VM_TAG(vm_reactive) {
-    vm_vec3 force, moment, torque, drift; /* N, N m, N m, m/s */
-    vm_real mass_rate;                    /* kg/s */
-    vm_inertia inertia_rate;              /* kg m^2/s */
+    vm_vec3 force;           /* N */
+    vm_vec3 moment;          /* N m, about the mass centre */
+    vm_vec3 torque;          /* N m */
+    vm_vec3 drift;           /* m/s, velocity of the mass centre relative to the body's material */
+    vm_real mass_rate;       /* kg/s, sum of M' */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* What the streams of a moving body add up to, body axes */
-typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate, carried;    /* sum M'; that of the streams whose velocity is given relative to the body, */
-    vm_vec3 pushed;           /* their sum M' (u - v), */
-    vm_vec3 absolute;         /* and sum M' u of the others, inertial axes: exact where u = 0 */
-    vm_vec3 moment;           /* sum d x M' (u - v) */
-    vm_vec3 own;              /* sum M' kappa omega2 */
-    vm_vec3 crossing, stored; /* sum M' d, sum M' d_s */
-    vm_inertia inertia;       /* I' */
-    vm_real brought, lost;    /* twice the sums of T' */
-} vmi_stream_sum;
+/* The velocity u of a stream's mass is, for every known motion, the velocity of the body's point (or zero) plus the
+   velocity that the stream gives (or zero); its spin likewise. These two functions say which; nothing else decodes
+   VM_RELATIVE ... VM_AT_REST. */
+VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
+VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* Momentum, and angular momentum about the mass centre, of what is between the stores and the points of crossing */
-VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
+/* The velocity u of a stream's mass along a line: own is the body's velocity, given that of the stream */
+VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
-    int k;
-    *p = *h = vmi_vec3(0, 0, 0);
-    for (k = 0; k < n; k++) {
-        if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
-    }
+    vm_real u = 0;
+    if (vmi_stream_moves_with_body(motion)) u = own;
+    if (vmi_stream_velocity_is_given(motion)) u += given;
+    return u;
 }
 
 /* M' kappa */
@@ -3998,50 +4009,84 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
     return i;
 }
 
-/* The motion of a body as the streams see it: v = momentum/mass in inertial axes; in body axes slip, the velocity
-   of its material at the mass centre less v, omega and the mass centre. energy: brought and lost are wanted */
+/* Momentum *p, and angular momentum *h about the mass centre, of the mass on the way between stores and points of
+   crossing. A straight flow of M' kg/s from s to d has the momentum M' (s - d), whatever its speed is. */
+VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
+{
+    int k;
+    *p = *h = vmi_vec3(0, 0, 0);
+    for (k = 0; k < n; k++) {
+        if (!s[k].from) continue;
+        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
+        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+    }
+}
+
+/* The motion of a body as its streams need it */
 typedef struct VM_TAG(vmi_stream_seen) {
-    const vmi_mat3 *turn;
-    vm_vec3 v, slip, omega, centre;
-    int energy;
+    const vmi_mat3 *turn; /* from body axes to inertial ones */
+    vm_vec3 v;            /* momentum/mass, inertial axes */
+    vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
+    vm_vec3 omega;        /* angular velocity, body axes */
+    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    int energy;           /* 1 if the sums `brought` and `lost` are wanted */
 } vmi_stream_seen;
 
-/* M' (u - v) and omega2 of a stream, body axes, and its part of the momentum's rate; 0 for an unknown motion */
-VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
-                                vm_vec3 *push, vm_vec3 *spin)
+/* The sums over the streams of a moving body, in body axes except `absolute`. The velocity of mass that moves with
+   the body is kept relative to the body, and so these sums are exact for a body that moves fast. */
+typedef struct VM_TAG(vmi_stream_sum) {
+    vm_real rate;       /* sum M' */
+    vm_real carried;    /* sum M' of the streams whose velocity is relative to the body */
+    vm_vec3 pushed;     /* sum M' (u - v) of these streams */
+    vm_vec3 absolute;   /* sum M' u of the other streams, inertial axes: exactly 0 for mass at rest */
+    vm_vec3 moment;     /* sum d x M' (u - v) of all streams */
+    vm_vec3 own;        /* sum M' kappa omega2 */
+    vm_vec3 crossing;   /* sum M' d, d to the point of crossing */
+    vm_vec3 stored;     /* sum M' d_s, d_s to the store where there is one, else d */
+    vm_inertia inertia; /* I', rate of the inertia */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
+    vm_real lost;       /* the same sum of velocities relative to the body: twice the power that mixing takes */
+} vmi_stream_sum;
+
+/* One stream of known motion: sets *push = M' (u - v) and *spin = omega2, body axes, and adds its part to the sums
+   from which the force is made. `carried` is the velocity of the point of crossing, less v, body axes. */
+VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
+                                 vm_vec3 *push, vm_vec3 *spin)
 {
-    switch (s->motion) {
-    case VM_RELATIVE:
-        carried = vmi_add(carried, s->velocity);
-        *spin = vmi_add(b->omega, s->spin);
-        break;
-    case VM_ABSOLUTE:
+    const int given = vmi_stream_velocity_is_given(s->motion);
+    if (vmi_stream_moves_with_body(s->motion)) {
+        *spin = b->omega;
+        if (given) {
+            carried = vmi_add(carried, s->velocity);
+            *spin = vmi_add(b->omega, s->spin);
+        }
+        *push = vmi_scale(s->rate, carried);
+        sum->carried += s->rate;
+        sum->pushed = vmi_add(sum->pushed, *push);
+    } else if (given) {
         *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
         sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
-        return 1;
-    case VM_CARRIED: *spin = b->omega; break;
-    case VM_AT_REST:
+    } else {
         *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
-        return 1;
-    default: return 0;
     }
-    *push = vmi_scale(s->rate, carried);
-    sum->carried += s->rate;
-    sum->pushed = vmi_add(sum->pushed, *push);
-    return 1;
 }
 
+/* Adds a stream's part to sum->brought and sum->lost; push and spin are those of vmi_stream_motion */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 u = s->rate != 0 ? vmi_scale(1 / s->rate, push) : push, relative = vmi_sub(spin, b->omega);
-    const vm_vec3 absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v)), w = vmi_sub(u, carried);
+    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    vm_vec3 u = push, absolute, w;
+    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
+    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vmi_sub(u, carried);
     sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
+/* The sums over n streams. Returns 0 where the motion of a stream does not exist, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -4052,7 +4097,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
         const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
-        if (!vmi_stream_motion(s, b, carried, sum, &push, &spin)) return 0;
+        if (!vmi_stream_motion_is_known(s->motion)) return 0;
+        vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
         sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
@@ -4063,22 +4109,23 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* as a whole, so that opposite streams cancel */
+        /* the whole term is added at once, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* The loads of an instant */
-/* VM_OK if i is finite and has no negative moment. Only the body has to satisfy the triangle inequality: in plane
-   motion a tensor with zz alone is enough, as long as the body is not that flat itself */
+/* VM_OK if the gyration is finite and has no negative moment. Only the body has to satisfy the triangle inequality:
+   for motion in a plane a tensor with zz alone is enough, as long as the body itself is not that flat. */
 VM_API int vmi_gyration_is_valid(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
-    return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
+    if (!(i->xx >= 0 && i->yy >= 0 && i->zz >= 0)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
+/* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
 VM_API int vmi_stream_is_valid(const vm_stream *s)
 {
     int status;
@@ -4088,20 +4135,30 @@ VM_API int vmi_stream_is_valid(const vm_stream *s)
         return VM_NOT_FINITE;
     status = vmi_gyration_is_valid(&s->gyration);
     if (status || !s->from) return status;
-    return vmi_vec3_finite(s->from->at) ? vmi_gyration_is_valid(&s->from->gyration) : VM_NOT_FINITE;
+    if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
+    return vmi_gyration_is_valid(&s->from->gyration);
 }
 
+/* The status of the first of n streams that is not valid, else VM_OK */
 VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
-    int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
+    int k, status = VM_OK;
+    if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
     for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
     return status;
 }
 
-/* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0), VM_STORED_STREAM */
-VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
-                             vm_reactive *result)
+VM_API int vmi_reactive_finite(const vm_reactive *r)
+{
+    return vmi_vec3_finite(r->force) && vmi_vec3_finite(r->moment) && vmi_vec3_finite(r->torque) &&
+           vmi_vec3_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_finite(&r->inertia_rate);
+}
+
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
+   from its reference point, in body axes (m). The loads of the streams add; their formulas stand with vm_reactive.
+   VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_STORED_STREAM (a stream has a store: integrate vm_flow_rhs instead). */
+VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams, vm_reactive *result)
 {
     vmi_mat3 turn;
     vmi_stream_sum sum;
@@ -4130,74 +4187,64 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
-    if (!vmi_vec3_finite(r.force) || !vmi_vec3_finite(r.moment) || !vmi_vec3_finite(r.torque) ||
-        !vmi_vec3_finite(r.drift) || !VM_IS_FINITE(r.mass_rate) || !vmi_inertia_finite(&r.inertia_rate))
-        return VM_NOT_FINITE;
+    if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
     *result = r;
     return VM_OK;
 }
 
-/* I^-1 (moment - omega x I omega), body axes */
+/* I^-1 (moment - omega x I omega), body axes: Euler's equations solved for the angular acceleration */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
     return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
 
-/* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
-   mass centre; VM_BAD_INERTIA where the inertia is singular */
+/* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads, inertial axes.
+   `force` is the resultant of the outer forces (N), `moment` their moment about the mass centre (N m), inertial axes.
+   v' is the rate of momentum/mass in m/s^2, omega' is in rad/s^2. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA (a singular inertia, that of a rod or a point, included). */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
-    vm_vec3 straight, turning;
+    vm_vec3 sum, linear, angular;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    straight = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
-    turning = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
-                               vmi_times_transposed(&turn, moment));
-    turning = vmi_times(&turn, turning);
-    if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
-    *acceleration = straight;
-    *angular_acceleration = turning;
+    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
+    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
+                               vmi_times_transposed(&turn, sum));
+    angular = vmi_times(&turn, angular);
+    if (!vmi_vec3_finite(linear) || !vmi_vec3_finite(angular)) return VM_NOT_FINITE;
+    *acceleration = linear;
+    *angular_acceleration = angular;
     return VM_OK;
 }
 
-/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity. v when the mass has
-   come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
-   (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
-   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive and for infinite arguments. */
-VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
-{
-    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
-    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
-    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
-}
-
 #endif
-/* mechanics/flow.h - a free body with streams of mass */
-#ifndef VARMASS_MECHANICS_FLOW_H
-#define VARMASS_MECHANICS_FLOW_H
+/* mechanics/flow.h - a free body in space with streams of mass
 
-/* The free body in space. A vm_flow is the ctx of the right-hand sides below:
+   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves: given
+   by its streams (151), (152), given as functions of time (170), or carried off by mass that moves with the body
+   (166). The momenta are the states, and velocity and angular velocity follow from them: a motion that keeps a
+   momentum keeps it exactly here, and rates may jump.
 
        vm_flow flow;
        ode_event empty;
        rk45_options options = rk45_defaults(NULL);
        rk45 s;
        vm_real y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
-       memset(&flow, 0, sizeof flow); // what is not set is zero: not there
+       memset(&flow, 0, sizeof flow); // a field that is zero has no effect
        flow.n = 1;
        flow.streams = &nozzle;
        flow.least_mass = dry;
        memset(&empty, 0, sizeof empty);
-       empty.g = vm_flow_mass_left;
+       empty.g = vm_flow_mass_left; // stops the run when the tank is empty
        empty.ctx = &flow;
        empty.direction = -1;
        empty.action = ODE_STOP;
@@ -4207,111 +4254,143 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
            rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
-   What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
-   and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
-   The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
-   here, and rates may jump. States, in inertial axes but for the last two:
-     y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
-     y[VM_Y_MASS], and in body axes y[VM_Y_CENTRE] mass centre c from the reference point 3, y[VM_Y_INERTIA] xx, yy,
-     zz, xy, xz, yz about the mass centre
+   The equations, with the streams' M', u, d, kappa, omega2 of vm_reactive:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
-   R turns body axes into inertial ones, d = at - c; these are (151), (152), which [1] prints with I' omega2, in the
-   body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
-   holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
-   q/|q|: the length is held, and the order of no integrator suffers.
-   In a trial step beyond the end, the mass may not be positive, or the inertia may be one that no body has (a
-   moment that is not positive, or larger than the two others together). The derivatives are then NaN, so that the
-   step is shortened, and flow.status says why. Use the events below to stop before that. */
+   r is the mass centre, p = M v the momentum, H the angular momentum about the mass centre, q the attitude, c the
+   mass centre from the reference point in body axes, d = at - c, and R turns body axes into inertial ones. [1] prints
+   the torque of (152) with I' omega2. Where a stream has a store at s, d_s = s - c replaces d in c' and P(d), the
+   store's gyration replaces kappa in I', and the mass on its way through the body holds the momentum M' (s - at) and
+   the angular momentum M' d x d_s. R belongs to q/|q|; the last term of q' is 0 for |q| = 1 and brings the length
+   back to 1, and no integrator loses order by it. The reference point of `at` and of the stores is fixed in the body,
+   at r - R c; if flow.centre is 0 at the start, it is the mass centre at that time.
+   Tests: tests/test_flow.c. */
+#ifndef VARMASS_MECHANICS_FLOW_H
+#define VARMASS_MECHANICS_FLOW_H
+
+/* Where the states stand in y, inertial axes unless it says body axes; and how many states there are */
 enum {
-    VM_Y_R = 0,
-    VM_Y_Q = 3,
-    VM_Y_P = 7,
-    VM_Y_H = 10,
-    VM_Y_MASS = 13,
-    VM_Y_CENTRE = 14,
-    VM_Y_INERTIA = 17,
-    VM_Y_BALANCE = 23,
-    VM_FLOW_GIVEN_STATES = 13,   /* numbers of states: mass, centre and inertia given by flow.update */
-    VM_FLOW_STATES = 23,         /* or states */
-    VM_FLOW_BALANCED_STATES = 30 /* and the account of momenta and energy */
+    VM_Y_R = 0,        /* r, 3 numbers, m */
+    VM_Y_Q = 3,        /* attitude q = w, x, y, z */
+    VM_Y_P = 7,        /* momentum, 3 numbers, kg m/s; for vm_flow_carried_rhs the velocity v, m/s */
+    VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
+                          angular velocity in body axes, rad/s */
+    VM_Y_MASS = 13,    /* kg */
+    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_INERTIA = 17, /* xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
+    VM_Y_BALANCE = 23, /* vm_flow_balanced_rhs: integrals of momentum 3, angular momentum 3, energy 1 */
+    VM_FLOW_GIVEN_STATES = 13,   /* vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives mass, centre, inertia */
+    VM_FLOW_STATES = 23,         /* vm_flow_rhs: mass, centre and inertia are states */
+    VM_FLOW_BALANCED_STATES = 30 /* vm_flow_balanced_rhs: these, and the balance */
 };
 
+/* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
+   stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
-    int n;              /* streams */
-    vm_stream *streams; /* the caller's */
+    int n;              /* number of streams */
+    vm_stream *streams; /* n streams, kept by the caller */
     vm_vec3 force;      /* N, resultant of the outer forces, inertial axes */
-    vm_vec3 moment;     /* N m, their moment about the mass centre and the torques, inertial axes */
-    /* null, or called before each evaluation; it may change all that is here; nonzero stops the run. What switches in
-       time belongs into an ODE_RESTART event's change, not here */
+    vm_vec3 moment;     /* N m, their moment about the mass centre and all torques, inertial axes */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
+       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
+       that follows a valve, and the laws M(t), c(t), I(t) of mass for vm_flow_given_rhs and vm_flow_carried_rhs. A law
+       of mass is a function here and not a vm_law, because it has ten numbers, which belong together. It returns 0;
+       another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a smooth
+       function of t and y: what switches at some time belongs into the change of an ODE_RESTART event. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
-    void *ctx;                         /* the caller's */
-    vm_real mass;                      /* vm_flow_given_rhs, vm_flow_carried_rhs: the laws M(t), */
-    vm_vec3 centre;                    /* c(t) (vm_flow_start: where the mass centre is at first), */
-    vm_inertia inertia;                /* I(t) */
-    vm_vec3 drift;                     /* and c'(t), vm_flow_carried_rhs */
-    vm_real least_mass, least_inertia; /* of the events */
-    int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
-    /* 0, or how many numbers y has room for, VM_LENGTH(y); all functions here check it. vm_flow_start writes no
-       more than that: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and if there is room for all VM_FLOW_BALANCED_STATES, also the zeros
-       of the account */
-    int y_size;
+    void *ctx;             /* for the caller's `update`; not used here */
+    vm_real mass;          /* M(t), kg: vm_flow_given_rhs, vm_flow_carried_rhs */
+    vm_vec3 centre;        /* c(t), m, body axes: the same two, and vm_flow_start, which reads the first mass centre */
+    vm_inertia inertia;    /* I(t), kg m^2, body axes: the same two */
+    vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
+    vm_real least_mass;    /* kg, where vm_flow_mass_left is 0 */
+    vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
+    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass
+                   may not be positive, or the inertia may be one that no body has; the derivatives are then NaN, so
+                   that the integrator shortens its step. An event should stop the run before that. */
+    int y_size; /* 0, or how many numbers y has room for, VM_LENGTH(y). All functions here check it. vm_flow_start
+                   writes no more: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all
+                   VM_FLOW_BALANCED_STATES, the zeros of the balance too. */
 } vm_flow;
 
-/* The free body */
-/* Whether there are as many streams as there should be */
-VM_INLINE int vmi_flow_has(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
+/* Whether there is an array for n streams */
+VM_INLINE int vmi_flow_has_streams(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
 
-/* Derivatives that make the integrator shorten its step */
-VM_API int vmi_flow_refuse(int n, vm_real *dydt)
+/* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0: the run goes on. */
+VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
 {
     int k;
     for (k = 0; k < n; k++) dydt[k] = VM_NAN;
     return 0;
 }
 
-/* Keeps the first reason of evaluations in a row that are refused: the others follow from its NaN */
-VM_INLINE int vmi_flow_refused(int *kept, int status)
+/* Notes the status of an evaluation in *kept and returns it. Of several failures in a row the first is kept, because
+   the later ones follow from its NaN. */
+VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
 }
 
-/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes: the length comes back within some steps of any explicit
-   method, at a rate that is below that of the rotation itself */
-VM_INLINE void vmi_stream_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
+/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length back to
+   1 within some steps of any explicit method, at a rate below that of the rotation itself. */
+VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
 {
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8, x = omega.x / 2, y = omega.y / 2,
-                  z = omega.z / 2;
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
     dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
     dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
     dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
     dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
-/* A state taken apart: rotation, velocity and angular velocity; VM_BAD_MASS, VM_BAD_INERTIA */
-VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mass, const vm_inertia *inertia,
-                              vm_vec3 centre, vmi_mat3 *turn, vmi_stream_seen *seen)
+/* Mass, mass centre and inertia of a body at an instant */
+typedef struct VM_TAG(vmi_flow_mass) {
+    vm_real mass;
+    vm_vec3 centre;
+    vm_inertia inertia;
+} vmi_flow_mass;
+
+/* They come from the state, or, if given = 1, from the flow's laws */
+VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
+{
+    vmi_flow_mass b;
+    if (given) {
+        b.mass = flow->mass;
+        b.centre = flow->centre;
+        b.inertia = flow->inertia;
+    } else {
+        b.mass = y[VM_Y_MASS];
+        b.centre = vmi_get3(y + VM_Y_CENTRE);
+        b.inertia = vmi_get_inertia(y + VM_Y_INERTIA);
+    }
+    return b;
+}
+
+/* Rotation, velocity and angular velocity of a state. VM_BAD_MASS, VM_BAD_INERTIA */
+VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
+                              vmi_stream_seen *seen)
 {
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
     const vm_vec3 p = vmi_get3(y + VM_Y_P);
-    const vm_real inverse = 1 / mass;
-    vm_vec3 h;
+    const vm_real inverse = 1 / b->mass;
+    vm_vec3 h, p_on_the_way, h_on_the_way;
     vmi_inertia_ldl factors;
-    if (!(mass > 0)) return VM_BAD_MASS;
-    if (!vmi_inertia_factor_if_possible(inertia, &factors)) return VM_BAD_INERTIA;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
-    vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
+    vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
-    seen->centre = centre;
+    seen->centre = b->centre;
     seen->v = vmi_scale(inverse, p);
-    seen->slip = vmi_scale(-inverse, seen->slip);
-    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, seen->omega));
+    seen->slip = vmi_scale(-inverse, p_on_the_way);
+    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, h_on_the_way));
     return VM_OK;
 }
 
-/* VM_Y_BALANCE on: momentum, angular momentum and energy carried off by streams less those brought by loads */
+/* The seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that streams take out, minus what outer
+   loads put in */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -4322,73 +4401,81 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
+/* The right-hand side of n states; n tells which of the three it is */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
-    vm_real mass;
-    vm_vec3 centre, force, moment;
-    vm_inertia inertia;
+    vm_vec3 force, moment;
+    vmi_flow_mass body;
     vmi_mat3 turn;
     vmi_stream_seen seen;
     vmi_stream_sum sum;
-    int status = flow->update ? flow->update(t, y, flow) : 0;
+    int status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return flow->status = VM_SHORT_ARRAY;
-    mass = given ? flow->mass : y[VM_Y_MASS];
-    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
-    inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
-    status = vmi_flow_motion(flow, y, mass, &inertia, centre, &turn, &seen);
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(n, dydt);
+    body = vmi_flow_mass_at(flow, given, y);
+    status = vmi_flow_motion(flow, y, &body, &turn, &seen);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(n, dydt);
     seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
     force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / mass, sum.crossing))));
-    vmi_stream_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
+    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / mass, sum.stored));
+    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / body.mass, sum.stored));
     vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
 }
 
-/* Documented with vm_flow_body. */
+/* Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152).
+   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of this chapter. Returns
+   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
+   y_size that is too small; and what flow.update returns. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
-/* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
-   at rest where the mass centre is */
+/* Right-hand side of a free body whose mass, mass centre and inertia flow.update gives as functions of time.
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow. The streams make forces and moments as in vm_flow_rhs.
+   With no streams this is (170): mass joins and leaves at rest, at the mass centre. Errors as for vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* vm_flow_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have
-   brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the body's own all seven stay
-   constant (the energy but for streams with a store, where angular momentum is y[VM_Y_H] + r x p). The energy goes
-   by the limit of (113), (118), for either sign of M':
+/* Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy.
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are zero at the
+   start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took out, minus
+   what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream has a
+   store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.) The energy has the
+   continuous limit of (113), (118), for either sign of M':
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega:
-   the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
+   the first sum is what the streams bring; the second is what engines give (M' < 0) or plastic impact takes (M' > 0).
+   Errors as for vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_BALANCED_STATES, t, y, dydt);
 }
 
-/* The same for what moves with the body (166). The states are r, q, v (not the momentum), omega in body axes (not the
-   angular momentum); streams are not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I
-   omega = M_S */
+/* Right-hand side of a free body that loses or gains mass which moves with the body (166).
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
+   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum); streams
+   are not read. v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S. Errors as for
+   vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -4398,47 +4485,59 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const vm_vec3 omega = vmi_get3(y + VM_Y_H);
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
-    int status = flow->update ? flow->update(t, y, flow) : 0;
+    int status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
     if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return flow->status = VM_SHORT_ARRAY;
     if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
     if (!(flow->mass > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW_GIVEN_STATES, dydt);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_stream_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
-               vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+             vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
-               vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
+             vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
 }
 
-/* How many numbers of the state vm_flow_start makes: as far as it is known that y has room */
+/* How many numbers vm_flow_start writes: as many as y is known to have room for, but the balance only if y_size says
+   so */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
+    if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
     if (flow->y_size && flow->y_size < VM_FLOW_STATES) return VM_FLOW_GIVEN_STATES;
-    return flow->y_size < VM_FLOW_BALANCED_STATES ? VM_FLOW_STATES : VM_FLOW_BALANCED_STATES;
+    return VM_FLOW_STATES;
 }
 
-/* y: the VM_FLOW_STATES first states for body (fewer where y_size says so), streams being as they are at first;
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod
-   or a point too) */
+/* What can be wrong in the arguments of vm_flow_start, which also needs the factors of the inertia to exist */
+VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
+{
+    vmi_inertia_ldl factors;
+    int status = vmi_check_body(body);
+    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
+    if (status) return status;
+    if (!(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
+        return VM_NOT_FINITE;
+    if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Initial state y of a body with streams. Writes the VM_FLOW_STATES first states, or as many as flow.y_size says; the
+   mass centre is flow.centre, and the streams are as flow.streams says at the start. Sets flow.mass and flow.inertia
+   too. For vm_flow_given_rhs y_size or the length of y has to be VM_FLOW_GIVEN_STATES at least; the states of
+   vm_flow_carried_rhs are others, and the caller sets them. VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that
+   does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (a rod or a point, too), VM_SHORT_ARRAY. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
     vm_quat q;
-    vmi_inertia_ldl factors;
     vmi_mat3 turn;
     vm_real start[VM_FLOW_BALANCED_STATES];
     int status, k;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
-    if (!status &&
-        !(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
-        status = VM_NOT_FINITE;
-    if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    status = vmi_flow_check_start(flow, body);
     if (status) return status;
     q = vmi_unit_quat(body->q);
     turn = vmi_rotation(q);
@@ -4463,23 +4562,25 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body of n states, with q of length 1: n = VM_FLOW_GIVEN_STATES takes mass, centre and inertia from flow, more from y.
-   The states of vm_flow_carried_rhs are other ones: not for them. */
+/* The body that n states y describe, its quaternion with length 1. n = VM_FLOW_GIVEN_STATES takes mass, mass centre
+   and inertia from the flow, a larger n takes them from y. Not for the states of vm_flow_carried_rhs, which are
+   others. VM_BAD_ARGUMENT (n < VM_FLOW_GIVEN_STATES, too), VM_SHORT_ARRAY, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_NOT_FINITE. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
-    const int given = n < VM_FLOW_STATES;
-    vm_vec3 centre;
     vm_body b;
+    vmi_flow_mass now;
     vmi_mat3 turn;
     vmi_stream_seen seen;
     int status;
-    if (!flow || !y || !body || n < VM_FLOW_GIVEN_STATES || !vmi_flow_has(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
+    if (!flow || !y || !body || n < VM_FLOW_GIVEN_STATES) return VM_BAD_ARGUMENT;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
-    b.mass = given ? flow->mass : y[VM_Y_MASS];
-    b.inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
-    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
-    status = vmi_flow_motion(flow, y, b.mass, &b.inertia, centre, &turn, &seen);
+    now = vmi_flow_mass_at(flow, n < VM_FLOW_STATES, y);
+    status = vmi_flow_motion(flow, y, &now, &turn, &seen);
     if (status) return status;
+    b.mass = now.mass;
+    b.inertia = now.inertia;
     b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
@@ -4489,8 +4590,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     return VM_OK;
 }
 
-/* Event functions of vm_flow_rhs and vm_flow_balanced_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
-   0 where I is singular. They do not watch the triangle inequality, whose limit is near for thin bodies. */
+/* Event function: the mass minus flow.least_mass, kg.
+   For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. NaN for a null pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -4498,58 +4599,84 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Documented with vm_flow_mass_left. */
+/* Event function: the least pivot of the inertia minus flow.least_inertia, kg m^2. The pivot is 0 where the inertia
+   is singular. For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. The triangle inequality is
+   not watched, because the inertia of thin bodies is always close to its limit. NaN for a null pointer. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
     const vm_inertia i = vmi_get_inertia(y + VM_Y_INERTIA);
     vmi_inertia_ldl f;
-    vm_real least = i.xx;
+    vm_real least = 0;
     (void)t;
-    if (vmi_inertia_factor(&i, &f)) {
-        if (1 / f.y < least) least = 1 / f.y;
-        if (1 / f.z < least) least = 1 / f.z;
-    } else least = 0;
+    if (vmi_inertia_factor(&i, &f)) least = vmi_smaller(1 / f.z, vmi_smaller(1 / f.y, i.xx));
     return least - ((const vm_flow *)flow)->least_inertia;
 }
 
 #endif
-/* mechanics/flow2.h - a body in a plane with streams of mass */
+/* mechanics/flow2.h - a body in a plane with streams of mass
+
+   The right-hand side of mechanics/flow.h for motion in a plane, with 10 states in the place of 23. The streams have
+   no stores; else everything is as in space.
+
+       vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
+       vm_flow2 flow;
+       vm_real y[VM_FLOW2_STATES] = {0, 0, 0, 0, 0, 1, 100, 0, 0, 20}; // spins slowly, 100 kg, 20 kg m^2
+       memset(&flow, 0, sizeof flow);
+       flow.n = 1;
+       flow.streams = &jet;
+       status = vm_flow2_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow2_rhs, &flow, ...)
+
+   Tests: tests/test_flow2.c. */
 #ifndef VARMASS_MECHANICS_FLOW2_H
 #define VARMASS_MECHANICS_FLOW2_H
 
-/* The plane: as in space. States: x, y, angle, momentum 2, angular momentum about the mass centre, mass, mass centre
-   from the reference point in body axes 2, inertia about it. No stores. */
+/* Where the states stand in y, inertial axes unless it says body axes; and how many there are */
+enum {
+    VM_FLOW2_X = 0,       /* mass centre, 2 numbers x, y, m */
+    VM_FLOW2_ANGLE = 2,   /* rad, anticlockwise */
+    VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
+    VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
+    VM_FLOW2_MASS = 6,    /* kg */
+    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
+    VM_FLOW2_STATES = 10
+};
+
+/* A stream of mass in the plane */
 typedef struct VM_TAG(vm_stream2) {
-    vm_real rate;
-    int motion;
-    vm_real x, y;   /* where it crosses */
-    vm_real vx, vy; /* velocity */
-    vm_real spin;
-    vm_real gyration; /* m^2 */
+    vm_real rate;     /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    vm_real x, y;     /* m, body axes: the point of crossing, from the body's reference point */
+    vm_real vx, vy;   /* m/s, velocity of the mass when it crosses */
+    vm_real spin;     /* rad/s, angular velocity of the mass when it crosses */
+    vm_real gyration; /* m^2, inertia per unit mass of the crossing mass, about its own mass centre */
 } vm_stream2;
 
+/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow2) {
-    int n;
-    vm_stream2 *streams;
-    vm_real fx, fy, moment;
+    int n;               /* number of streams */
+    vm_stream2 *streams; /* n streams, kept by the caller */
+    vm_real fx, fy;      /* N, resultant of the outer forces, inertial axes */
+    vm_real moment;      /* N m, their moment about the mass centre and all torques */
+    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as vm_flow.update
+       does; it returns 0, or another number, which ends the run */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
-    void *ctx;
-    int status;
+    void *ctx;  /* for the caller's `update`; not used here */
+    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-enum { VM_FLOW2_STATES = 10 };
-
-/* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
-   less its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it
-   costs 2^-67 (2^-28) */
+/* sin and cos of x, with errors below 0.6 eps. The same as vmi_sincos, with a shorter reduction below 2^20 quarter
+   turns (float 2^10): pi/2 is the sum of `first`, of 33 (float 14) bits, whose products with j are exact, and
+   `second`, which is known to 2^-87 (2^-38). Rounding j times `second` costs 2^-67 (2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
-    const vm_real most = VM_C(1048576.0), first = VM_C(1.570796326734125614166),
-                  second = VM_C(6.077100506506192601e-11);
+    const vm_real most = VM_C(1048576.0);
+    const vm_real first = VM_C(1.570796326734125614166), second = VM_C(6.077100506506192601e-11);
 #else
-    const vm_real most = VM_C(1024.0), first = VM_C(1.5706787109375), second = VM_C(1.176158573966192321e-4);
+    const vm_real most = VM_C(1024.0);
+    const vm_real first = VM_C(1.5706787109375), second = VM_C(1.176158573966192321e-4);
 #endif
     const vm_real quarters = x * VM_C(0.63661977236758134308);
     vm_real s, c, rest, tail;
@@ -4569,21 +4696,36 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
-/* Sums of the streams in the plane, body axes but for fx, fy */
+/* The motion of a body in the plane as its streams need it */
+typedef struct VM_TAG(vmi_stream_seen2) {
+    vm_real sine, cosine;       /* of the body's angle */
+    vm_real vx, vy;             /* momentum/mass, body axes */
+    vm_real omega;              /* rad/s */
+    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+} vmi_stream_seen2;
+
+/* The sums over the streams of a body in the plane, in body axes except fx, fy; the letters of vm_reactive */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate, carried, px, py, fx, fy, moment, sx, sy, inertia;
+    vm_real rate;    /* sum M' */
+    vm_real carried; /* sum M' of the streams whose velocity is relative to the body */
+    vm_real px, py;  /* sum M' (u - v) of these streams */
+    vm_real fx, fy;  /* sum M' u of the other streams, inertial axes, and the outer force */
+    vm_real moment;  /* sum d x M' (u - v) + M' kappa omega2, and the outer moment */
+    vm_real sx, sy;  /* sum M' d */
+    vm_real inertia; /* sum M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* bx, by: v in body axes, of which sine and cosine are the direction */
-VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_real omega, vm_real bx, vm_real by,
-                               vm_real sine, vm_real cosine, vmi_stream_sum2 *sum)
+/* Adds a stream of known motion to the sums */
+VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
-    vm_real ux, uy, spin = 0; /* M' (u - v) */
-    if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
-        ux = -omega * dy;
-        uy = omega * dx;
-        spin = omega;
-        if (s->motion == VM_RELATIVE) {
+    const int given = vmi_stream_velocity_is_given(s->motion);
+    const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
+    vm_real ux, uy, spin = 0; /* M' (u - v) in the end, and omega2 */
+    if (vmi_stream_moves_with_body(s->motion)) {
+        ux = -b->omega * dy;
+        uy = b->omega * dx;
+        spin = b->omega;
+        if (given) {
             ux += s->vx;
             uy += s->vy;
             spin += s->spin;
@@ -4594,15 +4736,15 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
         sum->px += ux;
         sum->py += uy;
     } else {
-        ux = -s->rate * bx;
-        uy = -s->rate * by;
-        if (s->motion == VM_ABSOLUTE) {
-            const vm_real ax = s->rate * s->vx, ay = s->rate * s->vy;
-            sum->fx += ax;
-            sum->fy += ay;
+        ux = -s->rate * b->vx;
+        uy = -s->rate * b->vy;
+        if (given) {
+            const vm_real fx = s->rate * s->vx, fy = s->rate * s->vy;
+            sum->fx += fx;
+            sum->fy += fy;
             spin = s->spin;
-            ux += cosine * ax + sine * ay;
-            uy += cosine * ay - sine * ax;
+            ux += b->cosine * fx + b->sine * fy;
+            uy += b->cosine * fy - b->sine * fx;
         }
     }
     sum->rate += s->rate;
@@ -4612,216 +4754,310 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
+/* VM_OK if the mass and the inertia of the state y are positive */
+VM_INLINE int vmi_flow2_check_state(const vm_real *y)
+{
+    if (!(y[VM_FLOW2_MASS] > 0)) return VM_BAD_MASS;
+    if (!(y[VM_FLOW2_INERTIA] > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Right-hand side of a body in the plane with streams of mass, (151), (152).
+   An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
+   Returns VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what
+   flow.update returns. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow2 *flow = (vm_flow2 *)ctx;
     vmi_stream_sum2 sum = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-    vm_real sine, cosine, inverse, vx, vy, omega, sx, sy;
-    int k, status = flow->update ? flow->update(t, y, flow) : 0;
+    vmi_stream_seen2 seen;
+    vm_real sine = 0, cosine = 1, inverse, vx, vy, sx, sy;
+    int k, status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW2_STATES, dydt);
-    sine = 0;
-    cosine = 1;
-    if (flow->n) vmi_sincos_of_angle(y[2], &sine, &cosine);
-    inverse = 1 / y[6];
-    vx = y[3] * inverse;
-    vy = y[4] * inverse;
-    omega = y[5] / y[9];
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    status = vmi_flow2_check_state(y);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW2_STATES, dydt);
+    if (flow->n) vmi_sincos_of_angle(y[VM_FLOW2_ANGLE], &sine, &cosine);
+    inverse = 1 / y[VM_FLOW2_MASS];
+    vx = y[VM_FLOW2_P] * inverse;
+    vy = y[VM_FLOW2_P + 1] * inverse;
+    seen.sine = sine;
+    seen.cosine = cosine;
+    seen.vx = cosine * vx + sine * vy;
+    seen.vy = cosine * vy - sine * vx;
+    seen.omega = y[VM_FLOW2_H] / y[VM_FLOW2_INERTIA];
+    seen.centre_x = y[VM_FLOW2_CENTRE];
+    seen.centre_y = y[VM_FLOW2_CENTRE + 1];
     sum.fx = flow->fx;
     sum.fy = flow->fy;
     sum.moment = flow->moment;
     for (k = 0; k < flow->n; k++) {
         if (!vmi_stream_motion_is_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
-        vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
-                        cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
+        vmi_stream_add2(flow->streams + k, &seen, &sum);
     }
     sx = sum.sx * inverse;
     sy = sum.sy * inverse;
-    dydt[0] = vx + cosine * sx - sine * sy;
-    dydt[1] = vy + sine * sx + cosine * sy;
-    dydt[2] = omega;
-    dydt[3] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
-    dydt[4] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
-    dydt[5] = sum.moment;
-    dydt[6] = sum.rate;
-    dydt[7] = sx;
-    dydt[8] = sy;
-    dydt[9] = sum.inertia;
+    dydt[VM_FLOW2_X] = vx + cosine * sx - sine * sy;
+    dydt[VM_FLOW2_X + 1] = vy + sine * sx + cosine * sy;
+    dydt[VM_FLOW2_ANGLE] = seen.omega;
+    dydt[VM_FLOW2_P] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
+    dydt[VM_FLOW2_P + 1] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
+    dydt[VM_FLOW2_H] = sum.moment;
+    dydt[VM_FLOW2_MASS] = sum.rate;
+    dydt[VM_FLOW2_CENTRE] = sx;
+    dydt[VM_FLOW2_CENTRE + 1] = sy;
+    dydt[VM_FLOW2_INERTIA] = sum.inertia;
     return 0;
 }
 
 #endif
-/* mechanics/flow1.h - translation, bodies on a line or an axle with streams of mass */
+/* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
+
+   Right-hand sides of motions with streams of mass that need fewer states than a body in space: translation in space
+   (172), straight motion (175), (176), and rotation about a fixed axle (173a), which has the equation of straight
+   motion with the inertia in the place of the mass.
+
+       vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
+       vm_flow1 flow;
+       vm_real y[VM_FLOW1_STATES] = {0, 0, 100}; // at rest, 100 kg
+       memset(&flow, 0, sizeof flow);
+       flow.n = 1;
+       flow.streams = &jet;
+       status = vm_flow1_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow1_rhs, &flow, ...)
+
+   Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_FLOW1_H
 #define VARMASS_MECHANICS_FLOW1_H
 
-/* Translation (172): 7 states r, momentum, mass; the flow's streams without at, spin and gyration, body axes along
-   the inertial ones */
-enum { VM_TRANSLATION_STATES = 7 };
+/* Where the states of vm_translation_rhs stand in y, and how many there are */
+enum {
+    VM_TRANSLATION_R = 0,    /* mass centre, 3 numbers, m */
+    VM_TRANSLATION_P = 3,    /* momentum, 3 numbers, kg m/s */
+    VM_TRANSLATION_MASS = 6, /* kg */
+    VM_TRANSLATION_STATES = 7
+};
 
-/* One degree of freedom: straight motion (175), (176), and rotation about a fixed axle (173a), which is the same
-   equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa +
-   rho^2), rho the distance from the axle, and velocity the stream's angular momentum per unit mass over that. */
+/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle read angle (rad), angular momentum
+   (kg m^2/s) and moment of inertia about the axle (kg m^2). */
+enum {
+    VM_FLOW1_X = 0,    /* place, m */
+    VM_FLOW1_P = 1,    /* momentum, kg m/s */
+    VM_FLOW1_MASS = 2, /* kg */
+    VM_FLOW1_STATES = 3
+};
+
+/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2), with the
+   distance rho from the axle and the gyration kappa of the mass, and `velocity` is the stream's angular momentum per
+   unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
-    vm_real rate, velocity;
-    int motion;
+    vm_real rate;     /* kg/s; > 0: mass joins. Axle: kg m^2/s */
+    vm_real velocity; /* m/s. Axle: rad/s */
+    int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
+/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow1) {
-    int n;
-    vm_stream1 *streams;
-    vm_real force; /* or moment */
+    int n;               /* number of streams */
+    vm_stream1 *streams; /* n streams, kept by the caller */
+    vm_real force;       /* N, resultant of the outer forces. Axle: their moment, N m */
+    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as vm_flow.update
+       does; it returns 0, or another number, which ends the run */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
-    void *ctx;
-    int status;
+    void *ctx;  /* for the caller's `update`; not used here */
+    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-enum { VM_FLOW1_STATES = 3 };
+/* The velocity u of a stream's mass: v is the body's velocity, given that of the stream; one set of axes */
+VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
+{
+    vm_vec3 u = vmi_vec3(0, 0, 0);
+    if (vmi_stream_moves_with_body(motion)) u = v;
+    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    return u;
+}
 
+/* The right-hand side of vm_translation_rhs after flow->update */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
-    const vm_real inverse = 1 / y[6];
-    const vm_vec3 v = vmi_scale(inverse, vmi_get3(y + 3));
+    const vm_real mass = y[VM_TRANSLATION_MASS];
+    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
-    int k;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    int k, status = VM_OK;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < VM_TRANSLATION_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
-        return vmi_flow_refuse(VM_TRANSLATION_STATES, dydt);
+    if (!(mass > 0)) status = VM_BAD_MASS;
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_TRANSLATION_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
-        vm_vec3 u = vmi_add(v, s->velocity);
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
-        if (s->motion != VM_RELATIVE)
-            u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, u));
+        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
-    vmi_set3(dydt, v);
-    vmi_set3(dydt + 3, force);
-    dydt[6] = rate;
+    vmi_set3(dydt + VM_TRANSLATION_R, v);
+    vmi_set3(dydt + VM_TRANSLATION_P, force);
+    dydt[VM_TRANSLATION_MASS] = rate;
     return 0;
 }
 
-VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
-{
-    const vm_real v = y[1] / y[2];
-    vm_real force = flow->force, rate = 0;
-    int k;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_FLOW1_STATES, dydt);
-    for (k = 0; k < flow->n; k++) {
-        const vm_stream1 *s = flow->streams + k;
-        vm_real u = v + s->velocity;
-        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
-        if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
-        rate += s->rate;
-        force += s->rate * u;
-    }
-    dydt[0] = v;
-    dydt[1] = force;
-    dydt[2] = rate;
-    return 0;
-}
-
-/* Apart, so that nothing is saved for a call that is not made */
-VMI_APART int vmi_translation_updated(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
+/* flow->update, then the rates. Out of line, so that a flow without update saves no registers for the call. */
+VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
-    return status ? status : vmi_translation_rates(flow, y, dydt);
+    if (status) return status;
+    return vmi_translation_rates(flow, y, dydt);
 }
 
-VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
-{
-    const int status = flow->update(t, y, flow);
-    return status ? status : vmi_rates1(flow, y, dydt);
-}
-
+/* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
+   An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
+   are used. Body axes are along the inertial ones; at, spin, gyration and stores of the streams are not read. Returns
+   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
+   y_size that is too small; and what flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     vm_flow *f = (vm_flow *)flow;
-    return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
+    if (f->update) return vmi_translation_updated_rates(t, y, dydt, f);
+    return vmi_translation_rates(f, y, dydt);
 }
 
+/* The right-hand side of vm_flow1_rhs after flow->update */
+VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
+{
+    const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
+    vm_real force = flow->force, rate = 0;
+    int k, status = VM_OK;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (!(y[VM_FLOW1_MASS] > 0)) status = VM_BAD_MASS;
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW1_STATES, dydt);
+    for (k = 0; k < flow->n; k++) {
+        const vm_stream1 *s = flow->streams + k;
+        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
+        rate += s->rate;
+        force += s->rate * vmi_stream_velocity1(s->motion, v, s->velocity);
+    }
+    dydt[VM_FLOW1_X] = v;
+    dydt[VM_FLOW1_P] = force;
+    dydt[VM_FLOW1_MASS] = rate;
+    return 0;
+}
+
+/* flow->update, then the rates; out of line for the reason given above */
+VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
+{
+    const int status = flow->update(t, y, flow);
+    if (status) return status;
+    return vmi_flow1_rates(flow, y, dydt);
+}
+
+/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176). An ode_rhs of
+   VM_FLOW1_STATES states; ctx is a vm_flow1. x' = p/M, p' = F + sum M' u, M' = sum of the rates. Returns
+   VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what flow.update
+   returns. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
     vm_flow1 *f = (vm_flow1 *)flow1;
-    return f->update ? vmi_updated1(t, y, dydt, f) : vmi_rates1(f, y, dydt);
+    if (f->update) return vmi_flow1_updated_rates(t, y, dydt, f);
+    return vmi_flow1_rates(f, y, dydt);
 }
 
 #endif
-/* mechanics/rocket.h - closed forms: Tsiolkovsky's rocket, linear flow, jet damping */
+/* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
+
+   Motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151), (171) and
+   (175), (176); the motion along a line at a constant rate of mass; the spin of a rocket whose jet damps it, from
+   Euler's equations. All are right to a few eps, down to a rate of zero.
+
+       vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
+
+   Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* Jet damping of an axisymmetric body without outer loads: omega after t, body axes, z the axis of symmetry. Mass
-   is taken from around the mass centre, which stays, and leaves through a nozzle on the axis (or the other way
-   round); A, C are the transverse and the axial moment of inertia, A' = rate gyration_transverse, C' = rate
-   gyration_axial:
-     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-     omega_z constant, phase of omega_t: omega_z integral (C/A - 1) dt
-   Within 8 eps of what an eps in the inputs makes; VM_BAD_INERTIA where A or C is not positive, VM_NOT_FINITE */
+/* A spinning axisymmetric body whose mass is taken from around the mass centre, which stays in its place, and leaves
+   through a nozzle on the axis (rate < 0), or goes the other way (rate > 0). The z axis is the axis of symmetry. */
 typedef struct VM_TAG(vm_jet) {
-    vm_real rate;                /* kg/s, < 0: leaves */
-    vm_real axial, transverse;   /* C0, A0, kg m^2 */
-    vm_real gyration_axial;      /* m^2, of what is stored and, alike, of what crosses */
-    vm_real gyration_transverse; /* m^2, of what is stored, */
-    vm_real gyration_out;        /* and of what crosses */
-    vm_real nozzle;              /* m, from the mass centre */
+    vm_real rate;                /* kg/s, < 0: mass leaves */
+    vm_real axial;               /* C0, kg m^2, moment of inertia about the axis at t = 0 */
+    vm_real transverse;          /* A0, kg m^2, moment of inertia across the axis at t = 0 */
+    vm_real gyration_axial;      /* m^2, inertia per unit mass about the axis, of the stored and of the crossing mass */
+    vm_real gyration_transverse; /* m^2, inertia per unit mass across the axis, of the stored mass */
+    vm_real gyration_out;        /* m^2, inertia per unit mass across the axis, of the crossing mass */
+    vm_real nozzle;              /* m, distance of the nozzle from the mass centre */
 } vm_jet;
 
-/* Closed forms */
-/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34; NaN beyond), within 2 ulp */
-VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
+VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 {
-    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
-    *second = vmi_log1p_rest(whole, l).hi;
-    *first = VM_FABS(x) < VM_EPSILON ? 1 - x / 2 : l.hi / x;
+    return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Documented with vm_velocity_by_momentum. */
+/* Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171).
+   v0 (m/s) is the velocity at mass m0 (kg), impulse (N s) that of the outer forces meanwhile. u = 0 is Levi-Civita's
+   case. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
+   terms. NaN where a mass is not positive and for infinite arguments. */
+VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
+{
+    if (!vmi_masses_are_good(m0, m)) return VM_NAN;
+    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
+    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
+}
+
+/* Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m: v0 + w ln(m/m0), (175), (176).
+   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body; there is no outer
+   force. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
+   terms. NaN where a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
-    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
     if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
 }
 
-/* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
-   through rate = 0 without loss: 8 eps of the terms; VM_BAD_MASS where m0 + rate t or m0 is not positive */
-/* With tau = rate t/m0, L = ln(1 + tau)/tau, B = (tau - ln(1 + tau))/tau^2, constant force and u:
-     v - v0 = (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B
-   as M (v - u) + const; and with constant w:
-     v - v0 = (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B) */
+/* *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), NaN beyond; within 2 ulp.
+   They are the means of 1/m over a flow at constant rate. */
+VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
+{
+    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
+    *second = vmi_log1p_rest(whole, l).hi;
+    if (VM_FABS(x) < VM_EPSILON) *first = 1 - x / 2;
+    else *first = l.hi / x;
+}
+
+/* Position and velocity on a line after t seconds of a stream of constant rate, under a constant force.
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; force in N; rate and velocity of the stream are constant too. t may be
+   negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute velocity u:
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B,
+   for a velocity w relative to the body:
+     v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
+   Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
+   m0 + rate t is not positive. */
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v)
 {
-    vm_real tau, first, second, less, pull, result[2];
+    vm_real tau, first, second, difference, given = 0, acceleration, result[2];
     if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
-    less = tau < VM_C(-0.5) ? ((1 + tau) * first - 1) / tau : first - second; /* near -1 both are large */
-    pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
-    if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
-        pull = (force + stream->rate * pull) / m0;
-        result[1] = v0 + pull * t * first;
-        result[0] = x0 + t * (v0 + pull * t * less);
+    if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
+    if (vmi_stream_moves_with_body(stream->motion)) {
+        difference = first - second;
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near -1 both are large */
+        acceleration = (force + stream->rate * given) / m0;
+        result[0] = x0 + t * (v0 + acceleration * t * difference);
+        result[1] = v0 + acceleration * t * first;
     } else {
-        pull = (force + stream->rate * (pull - v0)) / m0;
-        result[1] = v0 + pull * t / (1 + tau);
-        result[0] = x0 + t * (v0 + pull * t * second);
+        acceleration = (force + stream->rate * (given - v0)) / m0;
+        result[0] = x0 + t * (v0 + acceleration * t * second);
+        result[1] = v0 + acceleration * t / (1 + tau);
     }
     if (!vmi_all_finite(2, result)) return VM_NOT_FINITE;
     *x = result[0];
@@ -4829,25 +5065,31 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
-/* With tau = rate gyration t/A0 and c likewise: ln(A/A0) = tau L, integral (C/A - 1) dt = t (C0/A0 L - 1 + rate t
-   gyration_axial/A0 B) */
+/* Jet damping: angular velocity of a spinning rocket after t seconds of its jet, body axes, no outer loads.
+   With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate gyration_axial t the transverse
+   part of omega has the length
+     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
+   omega_z stays constant, and the transverse part turns by omega_z times the integral of C/A - 1. With
+   tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
+   t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
 VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
 {
-    vm_real change, tau, first, second, decay, sine, cosine;
+    vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
-    decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(decay) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
+    exponent = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
         return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
-    decay = vmi_exp(decay * first, 0);
-    vmi_sincos(omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second),
-               &sine, &cosine);
-    later = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
+    share = vmi_exp(exponent * first, 0);
+    angle = omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second);
+    vmi_sincos(angle, &sine, &cosine);
+    later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
                      omega0.z);
     if (!vmi_vec3_finite(later)) return VM_NOT_FINITE;
     *omega = later;
