@@ -234,11 +234,11 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy.
-   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are zero at the
-   start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took out, minus
-   what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream has a
-   store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.) The energy has the
-   continuous limit of (113), (118), for either sign of M':
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
+   zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
+   out, minus what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream
+   has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.) The energy
+   has the continuous limit of (113), (118), for either sign of M':
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega:
    the first sum is what the streams bring; the second is what engines give (M' < 0) or plastic impact takes (M' > 0).

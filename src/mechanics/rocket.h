@@ -74,8 +74,9 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 }
 
 /* Position and velocity on a line after t seconds of a stream of constant rate, under a constant force.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; force in N; rate and velocity of the stream are constant too. t may be
-   negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute velocity u:
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; force in N; rate and velocity of the stream are constant too. t may
+   be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute velocity
+   u:
      v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B,
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
