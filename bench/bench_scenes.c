@@ -1,13 +1,14 @@
-/* varmass.h, scenes: what an effect costs, and what a body. A right-hand side of a body on a line, written by hand, by
-   the kit's inline functions, and as a scene made at run time: with none to five effects one after another, and with a
-   damper and one effect more, so that it can be told what that adds. Then chains of bodies between springs. */
+/* varmass.h, scenes: the time that an effect takes, and a body. A right-hand side of a body on a line is written by
+   hand, by the kit's inline functions, and made as a scene at run time: with none to five effects one after another,
+   and with a damper and one more effect, which shows what that effect adds. Then there are chains of bodies between
+   springs. */
 #include "timing.h"
 #include "../varmass.h"
 
 enum { COUNT = 2000, MOST = 5, CHAINED = 20, LONGEST_CHAIN = 1000 };
 static volatile vm_real sink;
-static volatile vm_real parameter[6] = {2,         VM_C(0.1), VM_C(0.2),
-                                        VM_C(0.3), -1,        VM_C(1.5)}; /* not known to the compiler */
+/* k, b, c, T, g and the exponent a of LOOP, which the compiler does not know */
+static volatile vm_real parameter[6] = {2, VM_C(0.1), VM_C(0.2), VM_C(0.3), -1, VM_C(1.5)};
 
 /* A right-hand side COUNT times; the state depends on the derivative before, as in an integrator */
 #define LOOP(...)                                                                                           \
@@ -15,14 +16,27 @@ static volatile vm_real parameter[6] = {2,         VM_C(0.1), VM_C(0.2),
     const vm_real k = parameter[0], b = parameter[1], c = parameter[2], T = parameter[3], g = parameter[4]; \
     const vm_real a = parameter[5];                                                                         \
     long i;                                                                                                 \
-    (void)k, (void)b, (void)c, (void)T, (void)g, (void)a;                                                   \
+    (void)k;                                                                                                \
+    (void)b;                                                                                                \
+    (void)c;                                                                                                \
+    (void)T;                                                                                                \
+    (void)g;                                                                                                \
+    (void)a;                                                                                                \
+    (void)t;                                                                                                \
     for (i = 0; i < COUNT; i++) {                                                                           \
         __VA_ARGS__;                                                                                        \
-        y[0] += VM_C(1e-6) * d[0], y[1] += VM_C(1e-6) * d[1], t += VM_C(1e-6);                              \
+        y[0] += VM_C(1e-6) * d[0];                                                                          \
+        y[1] += VM_C(1e-6) * d[1];                                                                          \
+        t += VM_C(1e-6);                                                                                    \
     }                                                                                                       \
     sink = y[0] + y[1];
 
-static vm_real own_force(vm_real t, vm_real x, vm_real v, void *ctx) { return (void)t, (void)ctx, -x - v; }
+static vm_real own_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return -x - v;
+}
 
 #define X y[0]
 #define V y[1]

@@ -21,7 +21,9 @@ static volatile vm_real sink;
         int i;                              \
         for (i = 0; i < CALLS; i++) {       \
             __VA_ARGS__;                    \
-            sink = a, sink = b, sink = c;   \
+            sink = a;                       \
+            sink = b;                       \
+            sink = c;                       \
         }                                   \
     }
 

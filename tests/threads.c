@@ -1,6 +1,7 @@
-/* Everything from many threads at once: each thread computes, by functions of all sections and with plans that all
-   share, what one thread computed before, to the bit. Under ThreadSanitizer (make test-threads) a race would show.
-     threads [THREADS [ROUNDS]] */
+/* All chapters from many threads at once. Each thread computes, with plans that all share, what one thread computed
+   before, and must get the same bits. Under ThreadSanitizer (make test-threads) a race would show.
+
+   usage: threads [THREADS [ROUNDS]] */
 #define _POSIX_C_SOURCE 200809L
 #include "../varmass.h"
 #include "check.h"
@@ -10,7 +11,7 @@
 #define R(x) ((vm_real)(x))
 enum { JOBS = 48, MOST_THREADS = 64 };
 
-/* prepared once, read by all */
+/* Prepared once, read by all threads */
 static jacobi_plan elliptic;
 static ateb_plan periodic;
 static vm_torque_free tumbling;
@@ -275,7 +276,7 @@ static uint64_t job(int number)
 static uint64_t alone[JOBS];
 static int rounds;
 
-/* every job, in an order of its own; how many differ */
+/* Every job, beginning with another one in each thread; null if all results are those of one thread */
 static void *all_jobs(void *number)
 {
     const int start = *(const int *)number * 7;

@@ -13,8 +13,7 @@ static inline vm_mass_now crank_inertia(vm_real t, vm_real theta, vm_real omega,
     (void)t;
     (void)omega;
     (void)ctx;
-    now.mass = REAL(crank_J +
-                    (crank_mass + crank_mu * x) * x1 * x1); /* no reactive torque: what changes it is below */
+    now.mass = REAL(crank_J + (crank_mass + crank_mu * x) * x1 * x1); /* its change is in crank_torque */
     return now;
 }
 

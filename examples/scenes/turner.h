@@ -17,7 +17,9 @@ static const turner_data tippler = {99000, 1.14, 0.8, 12000, 40000, 0.8, 1.6, 1.
 
 static inline double turner_load(const turner_data *a, double phi)
 {
-    return a->stage == FULL ? a->m0 : a->stage == POURING ? a->m0 * (a->fb - phi) / (a->fb - a->fa) : 0;
+    if (a->stage == EMPTY) return 0;
+    if (a->stage == FULL) return a->m0;
+    return a->m0 * (a->fb - phi) / (a->fb - a->fa);
 }
 
 static inline int turner_next(vm_real t, vm_real *y, void *ctx)

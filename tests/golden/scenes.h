@@ -199,6 +199,7 @@ static vm_mass_now swelling(vm_real t, vm_real x, vm_real v, void *ctx)
     return now;
 }
 
+/* A band is wound up, an inertia follows a law of the user's, another one the speed. */
 static void try_scene_of_axles(void)
 {
     static const vm_band band = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, VM_C(0.25), 0};
@@ -229,7 +230,7 @@ static void try_scene_of_axles(void)
 
 /* ---- in the plane ---- */
 
-/* the crossing point moves and the stream swells */
+/* The crossing point moves and the stream swells. */
 static void varying(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
     (void)ctx;
@@ -238,6 +239,7 @@ static void varying(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
     stream->velocity.y = y[3];
 }
 
+/* A plate grows by a stream whose crossing point moves; another one turns on a shaft with an unbalance. */
 static void try_scene_in_the_plane(void)
 {
     const vm_vec3 at = {1, VM_C(0.25), 0}, still = {0, 0, 0};
@@ -304,6 +306,7 @@ static vm_body some_free_body(void)
     return b;
 }
 
+/* A free body loses or gains mass by a stream at a point, and its rotation is damped. */
 static void try_scene_in_space(void)
 {
     const vm_body body = some_free_body();
@@ -378,9 +381,14 @@ static void golden_scenes_on_a_line(void)
     try_scene_of_axles();
     try_refused_scenes();
 }
-static void golden_scenes_in_the_plane(void) {
-try_scene_in_the_plane();
-try_scene_of_parts_in_the_plane(); }
-static void golden_scenes_in_space(void) {
-try_scene_in_space();
-try_scene_of_parts_in_space(); }
+static void golden_scenes_in_the_plane(void)
+{
+    try_scene_in_the_plane();
+    try_scene_of_parts_in_the_plane();
+}
+
+static void golden_scenes_in_space(void)
+{
+    try_scene_in_space();
+    try_scene_of_parts_in_space();
+}

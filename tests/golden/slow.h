@@ -8,7 +8,7 @@ static vm_linear_mass some_mass(void)
     return m;
 }
 
-/* y stays */
+/* The integration starts from y, which it leaves alone. */
 static void integrate_from(const vm_real *y, ode_rhs rhs, void *ctx, int n, vm_real end)
 {
     vm_real state[5];
@@ -139,8 +139,9 @@ static void try_pair(void)
 
 static void drifting(vm_real t, vm_forced_parameters *now, void *ctx)
 {
-    now->nu += *(const vm_real *)ctx * t;
-    now->nu_rate = *(const vm_real *)ctx;
+    const vm_real rate = *(const vm_real *)ctx;
+    now->nu += rate * t;
+    now->nu_rate = rate;
 }
 
 static vm_forced some_forced(void)
@@ -193,9 +194,9 @@ static void try_forced(void)
         integrate_from(motion, vm_forced_rhs, &f, 3, 3);
         integrate_from(motion, vm_forced_exact_rhs, &f, 3, 2);
         integrate_from(y, vm_forced_averaged_rhs, &f, 3, 3);
-        f.alpha = -1;
+        f.alpha = -1; /* this is refused, and leaves f alone */
         fold_int(vm_forced_init(&f));
-        fold(f.G); /* refused */
+        fold(f.G);
     }
 }
 
@@ -225,7 +226,8 @@ static void try_steady(void)
 
 static void exact_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
 {
-    vm_osc_exact(t, 1, *(const vm_real *)ctx, 3, x, v);
+    const vm_real omega0 = *(const vm_real *)ctx;
+    vm_osc_exact(t, 1, omega0, 3, x, v);
 }
 
 static vm_real falling(vm_real t, void *ctx)
@@ -270,11 +272,16 @@ static void try_diagnostics(void)
     }
 }
 
-static void golden_slow(void) {
-try_van_der_pol();
-try_laval();
-try_pair(); }
-static void golden_resonance(void) {
-try_forced();
-try_steady();
-try_diagnostics(); }
+static void golden_slow(void)
+{
+    try_van_der_pol();
+    try_laval();
+    try_pair();
+}
+
+static void golden_resonance(void)
+{
+    try_forced();
+    try_steady();
+    try_diagnostics();
+}
