@@ -10,8 +10,8 @@
    the damping, and e = mu v R - D, whose sign says whether the band drives the drum (e > 0) or the drum comes to
    rest.
 
-       vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), 1e5, 40}; // the fields in their order below
-       vm_real angle = vm_drum_angle(1, &drum);                                // rad, after 1 s on a rigid shaft
+       vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
+       vm_real angle = vm_drum_angle(1, &drum); // rad, after 1 s on a rigid shaft
 
    Tests: tests/test_drum.c, tests/test_drum_shaft.c. */
 #ifndef VARMASS_MECHANICS_DRUM_H
@@ -238,7 +238,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     const vm_real rate = vm_drum_rate(phi, d), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
     const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
-    vm_real acceleration, drag;
+    vm_real acceleration, drag, force_y;
     vmi_drum_mass m;
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
@@ -247,9 +247,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
+    force_y = d->band * d->speed * rate - d->stiffness * y[VM_DRUM_DEFLECTION + 1];
     dydt[VM_DRUM_SLOPE] = -drag * slope_x - d->stiffness * y[VM_DRUM_DEFLECTION] / (m.M * rate * rate);
-    dydt[VM_DRUM_SLOPE + 1] = -drag * slope_y + (d->band * d->speed * rate - d->stiffness * y[VM_DRUM_DEFLECTION + 1]) /
-                                                    (m.M * rate * rate);
+    dydt[VM_DRUM_SLOPE + 1] = -drag * slope_y + force_y / (m.M * rate * rate);
     return VM_OK;
 }
 

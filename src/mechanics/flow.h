@@ -69,26 +69,28 @@ typedef struct VM_TAG(vm_flow) {
     vm_stream *streams; /* n streams, kept by the caller */
     vm_vec3 force;      /* N, resultant of the outer forces, inertial axes */
     vm_vec3 moment;     /* N m, their moment about the mass centre and all torques, inertial axes */
-    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
-       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
-       that follows a valve, and the laws M(t), c(t), I(t) of mass for vm_flow_given_rhs and vm_flow_carried_rhs. A law
-       of mass is a function here and not a vm_law, because it has ten numbers, which belong together. It returns 0;
-       another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a smooth
-       function of t and y: what switches at some time belongs into the change of an ODE_RESTART event. */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
+       and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
+       rate that follows a valve, and the laws M(t), c(t), I(t) of mass for vm_flow_given_rhs and vm_flow_carried_rhs.
+       (A law of mass is a function here and not a vm_law, because it has ten numbers, which belong together.) It
+       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
+       smooth function of t and y: what switches at some time belongs into the change of an ODE_RESTART event. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* for the caller's `update`; not used here */
     vm_real mass;          /* M(t), kg: vm_flow_given_rhs, vm_flow_carried_rhs */
-    vm_vec3 centre;        /* c(t), m, body axes: the same two, and vm_flow_start, which reads the first mass centre */
-    vm_inertia inertia;    /* I(t), kg m^2, body axes: the same two */
+    vm_vec3 centre;        /* c(t), m, body axes: vm_flow_given_rhs, and at the start vm_flow_start */
+    vm_inertia inertia;    /* I(t), kg m^2, body axes: vm_flow_given_rhs, vm_flow_carried_rhs */
     vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
     vm_real least_mass;    /* kg, where vm_flow_mass_left is 0 */
     vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
-    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass
-                   may not be positive, or the inertia may be one that no body has; the derivatives are then NaN, so
-                   that the integrator shortens its step. An event should stop the run before that. */
-    int y_size; /* 0, or how many numbers y has room for, VM_LENGTH(y). All functions here check it. vm_flow_start
-                   writes no more: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all
-                   VM_FLOW_BALANCED_STATES, the zeros of the balance too. */
+    /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass may not be
+       positive, or the inertia may be one that no body has; the derivatives are then NaN, so that the integrator
+       shortens its step. An event should stop the run before that. */
+    int status;
+    /* 0, or how many numbers y has room for, VM_LENGTH(y). All functions here check it. vm_flow_start writes no more:
+       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all VM_FLOW_BALANCED_STATES, the zeros
+       of the balance too. */
+    int y_size;
 } vm_flow;
 
 /* Whether there is an array for n streams */

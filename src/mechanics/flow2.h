@@ -50,8 +50,8 @@ typedef struct VM_TAG(vm_flow2) {
     vm_stream2 *streams; /* n streams, kept by the caller */
     vm_real fx, fy;      /* N, resultant of the outer forces, inertial axes */
     vm_real moment;      /* N m, their moment about the mass centre and all torques */
-    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as vm_flow.update
-       does; it returns 0, or another number, which ends the run */
+    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
+       vm_flow.update does; it returns 0, or another number, which ends the run */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
     void *ctx;  /* for the caller's `update`; not used here */
     int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */

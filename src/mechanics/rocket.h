@@ -27,7 +27,7 @@ typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* kg/s, < 0: mass leaves */
     vm_real axial;               /* C0, kg m^2, moment of inertia about the axis at t = 0 */
     vm_real transverse;          /* A0, kg m^2, moment of inertia across the axis at t = 0 */
-    vm_real gyration_axial;      /* m^2, inertia per unit mass about the axis, of the stored and of the crossing mass */
+    vm_real gyration_axial;      /* m^2, inertia per unit mass about the axis, of stored and of crossing mass */
     vm_real gyration_transverse; /* m^2, inertia per unit mass across the axis, of the stored mass */
     vm_real gyration_out;        /* m^2, inertia per unit mass across the axis, of the crossing mass */
     vm_real nozzle;              /* m, distance of the nozzle from the mass centre */
@@ -77,7 +77,7 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
    x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; force in N; rate and velocity of the stream are constant too. t may
    be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute velocity
    u:
-     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B,
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
    Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or

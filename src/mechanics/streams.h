@@ -27,8 +27,8 @@
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
-    VM_CARRIED = 2,  /* the mass moves as the point and the body do, velocity and spin of the stream are not read. There
-                        is no torque, but the force M' omega x d remains, which (166) neglects */
+    VM_CARRIED = 2,  /* the mass moves as the point and the body do; velocity and spin of the stream are not read.
+                        There is no torque, but the force M' omega x d remains, which (166) neglects */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169), velocity and spin of the stream are not read */
 };
 
@@ -249,7 +249,8 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
    from its reference point, in body axes (m). The loads of the streams add; their formulas stand with vm_reactive.
    VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
    VM_STORED_STREAM (a stream has a store: integrate vm_flow_rhs instead). */
-VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams, vm_reactive *result)
+VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
+                             vm_reactive *result)
 {
     vmi_mat3 turn;
     vmi_stream_sum sum;
