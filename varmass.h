@@ -168,19 +168,19 @@
        vm_broken_rotor_eigenvalues    Roots re + i im of the characteristic polynomial, 1/s
        vm_broken_rotor_resonance_radius Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega, m
 
-     mechanics/generalized_force: generalised forces
-       vm_lagrange_add_force          Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235)
+     mechanics/generalized_force: generalized forces of forces and moments
+       vm_lagrange_add_force          Adds the generalized forces of a force and a moment
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
-       vm_lagrange_mass               Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes)
-       vm_lagrange_momentum           Documented with vm_lagrange_mass
-       vm_lagrange_impulse            Documented with vm_lagrange_mass
-       vm_lagrange_separate           
-       vm_lagrange_attach             
-       vm_lagrange_impact             matrix (qdot_after - qdot) = impulse
+       vm_lagrange_mass               Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2
+       vm_lagrange_momentum           Adds the generalized momentum of a body, as it moves, to p
+       vm_lagrange_impulse            Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p
+       vm_lagrange_separate           Velocities after a part separates
+       vm_lagrange_attach             Velocities after a part is attached
+       vm_lagrange_impact             Velocities after an impact that changes no mass
 
      mechanics/pendulum: a pendulum from which a part is cut
-       vm_pendulum_separate           part is l, 0 < l < L; u in the axes of the pendulum
+       vm_pendulum_separate           Motion of a pendulum and of the part that is cut off it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body without torque
        vm_torque_free_init            Prepares the motion of a body that is as given at t0
@@ -232,16 +232,16 @@
        vm_drum_shaft_valid            Whether the shaft's frequency stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
-       vm_lagrange_rhs                An ode_rhs of 2 n states q, pi, ctx a vm_lagrange_system
-       vm_lagrange_start              y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE
-       vm_lagrange_rates              Documented with vm_lagrange_start
-       vm_lagrange_partial_q          dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .
+       vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
+       vm_lagrange_start              Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'
+       vm_lagrange_rates              Rates q' of a system at time t, from its state y = q, pi
+       vm_lagrange_partial_q          Partial derivative dT/dq_i of a system's kinetic energy, with the masses frozen at (t, q), J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Euler's angles psi, theta, phi (3-1-3
-       vm_euler_313_axes              Documented with vm_euler_313
-       vm_euler_313_body_axes         Documented with vm_euler_313
-       vm_euler_313_rates             Documented with vm_euler_313
+       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
+       vm_euler_313_axes              Axes about which Euler's angles turn, in inertial axes
+       vm_euler_313_body_axes         Axes about which Euler's angles turn, in body axes
+       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/waves: the wave forms of a strongly nonlinear oscillator: cosine, cn, ca
        vm_osc_route_name              -- The plan --
@@ -3289,76 +3289,105 @@ VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor
 }
 
 #endif
-/* mechanics/generalized_force.h - generalised forces */
+/* mechanics/generalized_force.h - generalized forces of forces and moments
+
+   What a force and a moment do in generalized coordinates (235): used by Lagrange's equations (mechanics/lagrange.h)
+   and by their jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
+
+       vm_real Q[1] = {0};
+       vm_vec3 dr[1]; // dr/dq_0 of the point at which the weight acts
+       ...
+       vm_lagrange_add_force(1, weight, dr, no_moment, NULL, Q);
+
+   Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235): of outer loads F, M; of streams M' u at the point where
-   they cross, and M' kappa omega2. dr or domega may be null: no part of it. */
-VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
+/* Adds the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235).
+   For outer loads give their resultant and moment; for a stream the force M' u at the point where it crosses and the
+   moment M' kappa omega2. dr, domega and Q are arrays of n; without dr or domega their term is left out; without Q
+   nothing is done. */
+VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
+                                  const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
-    if (!Q) return;
     int k;
-    for (k = 0; k < n; k++) Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
+    if (!Q) return;
+    for (k = 0; k < n; k++) {
+        vm_real sum = 0;
+        if (dr_or_NULL) sum = vmi_dot(force, dr_or_NULL[k]);
+        if (domega_or_NULL) sum += vmi_dot(moment, domega_or_NULL[k]);
+        Q[k] += sum;
+    }
 }
 
 #endif
-/* mechanics/lagrange_jump.h - Lagrange's equations across a jump */
+/* mechanics/lagrange_jump.h - Lagrange's equations across a jump
+
+   Generalized velocities after a part separates from a system, or is attached to it, in an instant (96), and after an
+   impact. Mass matrices are arrays of n n numbers, row after row; velocities, momenta and impulses have n. The
+   matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i of the body's mass centre and turn[i] =
+   d omega/dqdot_i, in inertial axes, (87)-(90).
+
+       vm_real before[4], after[4], part[2], qdot[2], work[VM_LAGRANGE_WORK(2)];
+       ... // vm_lagrange_mass and vm_lagrange_momentum add to arrays that are zero at first
+       status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
+
+   The coordinates may be quasi-coordinates, too: velocities qdot_i that are no derivatives, as those about body axes.
+   Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
 
 #include <string.h>
 
-/* (96): d(T2 - T1)/dqdot = impulse, where the part's velocity relative to the body is held while differentiating, so
-   that d(T of the part)/dqdot is its generalized momentum part:
-     after qdot_after = before qdot - part + impulse    separation
-     after qdot_after = before qdot + part + impulse    attachment
-   Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
-   qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
-   mass, or a negative one: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled
-   to 1. */
+/* Length of `work` for n coordinates */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes). A body
-   enters by dr[i] = dv/dqdot_i of its mass centre and turn[i] = d omega/dqdot_i, in inertial axes (87)-(90). With
-   these each function adds to its last argument: a body's share of the mass matrix (n by n, T = qdot^T matrix
-   qdot/2), the generalized momentum of a body (as it moves), the generalized impulse (95) of what acts on a body
-   whose mass centre is at r; its moment is that about r, as (23a) should have said. dr or turn may be null: no part
-   of it. With another null pointer nothing is added. */
-VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix)
+/* Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2.
+   dr and turn are arrays of n; without one of them its term is left out; without body or matrix nothing is done. */
+VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
+                             vm_real *matrix)
 {
-    if (!body || !matrix) return;
-    const vm_vec3 none = {0, 0, 0};
     int i, j;
+    if (!body || !matrix) return;
     for (j = 0; j < n; j++) {
-        vm_body moved = *body;
-        vm_vec3 spin;
-        moved.omega = turn ? turn[j] : none;
-        spin = vmi_spin_momentum(&moved);
-        for (i = 0; i < n; i++)
-            matrix[i * n + j] +=
-                (dr ? body->mass * vmi_dot(dr[i], dr[j]) : 0) + (turn ? vmi_dot(turn[i], spin) : 0);
+        vm_vec3 spin = vmi_vec3(0, 0, 0);
+        if (turn_or_NULL) {
+            vm_body moved = *body;
+            moved.omega = turn_or_NULL[j];
+            spin = vmi_spin_momentum(&moved);
+        }
+        for (i = 0; i < n; i++) {
+            vm_real sum = 0;
+            if (dr_or_NULL) sum = body->mass * vmi_dot(dr_or_NULL[i], dr_or_NULL[j]);
+            if (turn_or_NULL) sum += vmi_dot(turn_or_NULL[i], spin);
+            matrix[i * n + j] += sum;
+        }
     }
 }
 
-/* Documented with vm_lagrange_mass. */
-VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
+/* Adds the generalized momentum of a body, as it moves, to p.
+   dr, turn and p are arrays of n; without dr or turn its term is left out; without body or p nothing is done. */
+VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
+                                 vm_real *p)
 {
     if (!body || !p) return;
-    vm_lagrange_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
+    vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Documented with vm_lagrange_mass. */
-VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
-                                vm_real *p)
+/* Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
+   r in m, inertial axes. The moment of the impulse is that about r, which (23a) does not say. dr, turn and p are
+   arrays of n; without dr or turn its term is left out; without impulse or p nothing is done. */
+VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
+                                const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
-    vm_lagrange_add_force(n, impulse->linear, dr, moment, turn, p);
+    vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* matrix (qdot_after - qdot) = b, of which work has b behind room for the matrix */
-VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after, vm_real *work)
+/* Solves matrix (qdot_after - qdot) = b. work holds room for the matrix, then b, then room for n numbers. */
+VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
+                                   vm_real *work)
 {
     vm_real *a = work, *b = a + n * n, *scale = b + n;
     int i;
@@ -3369,22 +3398,32 @@ VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot,
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,
-   with a small error */
+/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change, so that
+   a part of little mass changes qdot by little, with an error that is small against this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
-                             const vm_real *part, vm_real sign, const vm_real *impulse, vm_real *qdot_after,
-                             vm_real *work)
+                             const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
+                             vm_real *qdot_after, vm_real *work)
 {
     int i, j;
     if (n <= 0 || !before || !after || !qdot || !qdot_after || !work) return VM_BAD_ARGUMENT;
     for (i = 0; i < n; i++) {
-        vm_real sum = part ? sign * part[i] : 0;
+        vm_real sum = 0;
+        if (part_or_NULL) sum = sign * part_or_NULL[i];
         for (j = 0; j < n; j++) sum += (before[i * n + j] - after[i * n + j]) * qdot[j];
-        work[n * n + i] = impulse ? sum + impulse[i] : sum;
+        if (impulse_or_NULL) sum += impulse_or_NULL[i];
+        work[n * n + i] = sum;
     }
-    return vmi_lagrange_solve(n, after, qdot, qdot_after, work);
+    return vmi_lagrange_jump_solve(n, after, qdot, qdot_after, work);
 }
 
+/* Velocities after a part separates: after qdot_after = before qdot - part + impulse (96).
+   (96) is d(T2 - T1)/dqdot = impulse, where the velocity of the part relative to the body is held while
+   differentiating; then the part's share is its generalized momentum `part`. before and after are the mass matrices
+   with and without the part. Without part or impulse its term is 0; qdot_after may be qdot; work has
+   VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by little, and this change is right to a few eps of
+   itself. VM_BAD_ARGUMENT (a null pointer, n <= 0), VM_NOT_FINITE; VM_SINGULAR where a coordinate, or several
+   together, move no mass or a negative one: an entry on the diagonal of `after` is not positive, or a pivot is below
+   4 n eps when the diagonal is scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3392,6 +3431,8 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, -1, impulse_or_NULL, qdot_after, work);
 }
 
+/* Velocities after a part is attached: after qdot_after = before qdot + part + impulse (96).
+   `part` is the generalized momentum of the part before it is attached; the rest is as for vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -3399,41 +3440,63 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, 1, impulse_or_NULL, qdot_after, work);
 }
 
-/* matrix (qdot_after - qdot) = impulse: no mass changes. Also a separation, free of cancellation for m -> M, where
-   matrix is that of the rest and -impulse the momentum of the part's motion relative to the body. */
+/* Velocities after an impact that changes no mass: matrix (qdot_after - qdot) = impulse.
+   It is also a separation that stays accurate where the part is nearly the whole body: then `matrix` is that of the
+   rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays, errors and
+   work as for vm_lagrange_separate; impulse must be there. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
-                           vm_real *qdot_after, vm_real *work)
+                              vm_real *qdot_after, vm_real *work)
 {
     if (!impulse) return VM_BAD_ARGUMENT;
     return vmi_lagrange_jump(n, matrix, matrix, qdot, NULL, 0, impulse, qdot_after, work);
 }
 
 #endif
-/* mechanics/pendulum.h - a pendulum from which a part is cut */
+/* mechanics/pendulum.h - a pendulum from which a part is cut
+
+   Example (119)-(132) in corrected form: a uniform rod of mass M and length L swings about its end O; its outer
+   length l, with the mass m = M l/L, is cut off and leaves with a velocity and an angular velocity relative to the
+   rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
+
+       vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
+       vm_pendulum_cut cut;
+       status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
+
+   Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
 
-/* Example (119)-(132), corrected: a uniform rod of mass M swings about its end O; the outer length l, and with it
-   m = M l/L, leaves at the relative velocity u and angular velocity Omega. */
+/* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* S2 at (cos, sin) angle: angle from x, counterclockwise; what (122), (125), (132) need */
-    VM_AXES_SIN_COS = 1  /* S2 at (sin, cos) angle (123): x across, y along, so that the angle turns clockwise */
+    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which counts from x counterclockwise; the formulas
+                            (122), (125), (132) need this */
+    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), x across and y along: the angle turns
+                            clockwise */
 };
 
+/* A uniform rod that swings about its end O, the origin */
 typedef struct VM_TAG(vm_pendulum) {
-    vm_real mass, length; /* M, L > 0 */
-    vm_real angle, rate;  /* phi, phi' */
-    int axes;
+    vm_real mass;   /* M > 0, kg */
+    vm_real length; /* L > 0, m */
+    vm_real angle;  /* phi, rad */
+    vm_real rate;   /* phi', rad/s */
+    int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the rest and of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
-    vm_pendulum rest;         /* rest.rate is phi1' */
-    vm_real mass;             /* of the part, m */
-    vm_real x, y, vx, vy;     /* of S2 (123), (121) */
-    vm_real rate;             /* of the part, phi' + Omega; turns as phi does */
-    vm_real T1, T_S1, T_S2;   /* kinetic energies (119), (124), (122) corrected, J */
-    vm_real L1, L2;           /* angular momenta about O of the rest (130) and the part (128) corrected */
-    vm_real pivot_x, pivot_y; /* impulse of the pivot on the rest during the cut, N s */
+    vm_pendulum rest; /* rest.rate is phi1' */
+    vm_real mass;     /* m of the part, kg */
+    vm_real x, y;     /* place of S2 (123), m */
+    vm_real vx, vy;   /* velocity of S2 (121), m/s */
+    vm_real rate;     /* angular velocity of the part, phi' + Omega, rad/s; it has the sense of phi */
+    vm_real T1;       /* kinetic energy before the cut (119), J */
+    vm_real T_S1;     /* kinetic energy of the rest (124), J */
+    vm_real T_S2;     /* kinetic energy of the part (122), corrected, J */
+    vm_real L1;       /* angular momentum of the rest about O (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about O (128), corrected, kg m^2/s */
+    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut, N s */
+    vm_real pivot_y;
 } vm_pendulum_cut;
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
@@ -3443,12 +3506,37 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
         return VM_NOT_FINITE;
     if (!(p->mass > 0)) return VM_BAD_MASS;
     if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_DOMAIN;
-    return part > 0 && part < p->length ? VM_OK : VM_DOMAIN;
+    if (!(part > 0 && part < p->length)) return VM_DOMAIN;
+    return VM_OK;
 }
 
-/* part is l, 0 < l < L; u in the axes of the pendulum. phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y
-   u_x)), s = 1 for (cos, sin), -1 for (sin, cos): (125), (132) corrected, with what cancels cancelled */
-/* With e from O to S2, f across it the way the angle grows: x u_y - y u_x = s rho u.f */
+/* Unit vectors of a pendulum: e from O along the rod, f across it in the direction in which the angle grows */
+VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
+{
+    if (p->axes == VM_AXES_COS_SIN) {
+        vmi_sincos(p->angle, ey, ex);
+        *fx = -*ey;
+        *fy = *ex;
+    } else {
+        vmi_sincos(p->angle, ex, ey);
+        *fx = *ey;
+        *fy = -*ex;
+    }
+}
+
+VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
+{
+    return VM_IS_FINITE(c->rest.rate) && VM_IS_FINITE(c->vx) && VM_IS_FINITE(c->vy) && VM_IS_FINITE(c->T1) &&
+           VM_IS_FINITE(c->L1) && VM_IS_FINITE(c->L2) && VM_IS_FINITE(c->T_S1) && VM_IS_FINITE(c->T_S2) &&
+           VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
+}
+
+/* Motion of a pendulum and of the part that is cut off it, (119)-(132).
+   part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
+   sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
+   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_DOMAIN (a part that is not shorter than the rod, axes that do not exist). */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -3458,22 +3546,15 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
     if (status) return status;
-    if (pendulum->axes == VM_AXES_COS_SIN) {
-        vmi_sincos(pendulum->angle, &ey, &ex);
-        fx = -ey;
-        fy = ex;
-    } else {
-        vmi_sincos(pendulum->angle, &ex, &ey);
-        fx = ey;
-        fy = -ex;
-    }
-    rho = pendulum->length - part / 2;
+    vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
+    rho = pendulum->length - part / 2; /* from O to S2 */
     left = pendulum->length - part;
-    across = ux * fx + uy * fy;
+    rest_mass = pendulum->mass * (left / pendulum->length);
+    across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
-    c.rest.mass = rest_mass = pendulum->mass * (left / pendulum->length);
+    c.rest.mass = rest_mass;
     c.rest.length = left;
     c.rest.rate = pendulum->rate + change;
     c.mass = pendulum->mass * (part / pendulum->length);
@@ -3487,12 +3568,9 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after less before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after minus momentum before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
-    if (!VM_IS_FINITE(c.rest.rate) || !VM_IS_FINITE(c.vx) || !VM_IS_FINITE(c.vy) || !VM_IS_FINITE(c.T1) ||
-        !VM_IS_FINITE(c.L1) || !VM_IS_FINITE(c.L2) || !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) ||
-        !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
-        return VM_NOT_FINITE;
+    if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
 }
@@ -5680,200 +5758,255 @@ VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif
-/* mechanics/lagrange.h - Lagrange's equations with variable mass */
+/* mechanics/lagrange.h - Lagrange's equations with variable mass
+
+   Integrates any system of n generalized coordinates whose kinetic energy you can write down, with masses that depend
+   on time and position (247). You give the energy, the masses and the generalized forces; mass matrix and derivatives
+   are found from the energy. The states are the coordinates q and the momenta pi = dT/dq', so that neither rates of
+   momenta nor rates of masses are needed:
+     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
+   (247) corrected, with T of the velocities of the material and r2 the place where a stream crosses:
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
+   A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
+
+       static vm_real energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+       {
+           return masses[0] * rates[0] * rates[0] / 2; // and t, q, ctx as they are needed
+       }
+       ...
+       vm_real y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
+       vm_lagrange_system system = {1, 1, masses, energy, forces, NULL, NULL, work};
+       status = vm_lagrange_start(&system, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &system, 2, ...)
+
+   Q holds what the streams bring, too. A pendulum of length l that leaks at its bob has Q = -m g l sin q + m' l^2 q'
+   if the leaking mass moves on with the bob and takes its momentum along; without the last term the mass would leave
+   at rest.
+   Accuracy: A and b come from T by differences over unit rates, which are exact except for roundings of T at unit
+   rates and at rest. dT/dq comes from central differences of order 6, within 2e-13 of the largest T (float 1e-5) if T
+   varies in q over the given scales. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
-/* (247) corrected: with T(t, q, q', masses) of the material velocities, r2 where a stream crosses,
-     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i]
-   A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
-   are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
-     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
-   Q has what streams bring: a pendulum l long that leaks at its bob has -m g l sin q + m' l^2 q', where a leak that
-   moves on with the bob takes its momentum along; without the last term it would leave at rest.
-   A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
-   central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
+/* A mechanical system: the ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
-    int n;        /* coordinates */
-    int n_masses; /* masses, inertias, whatever is frozen */
-    void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx); /* null where n_masses is 0 */
+    int n;        /* number of coordinates, > 0 */
+    int n_masses; /* number of masses, inertias and other quantities that are frozen in dT/dq, >= 0 */
+    /* sets the n_masses masses at t and q; NULL where n_masses is 0 */
+    void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
+    /* the kinetic energy T, J: a polynomial of degree 2 in the n rates q' */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* null, or adds the generalized forces to Q, vm_lagrange_add_force does; nonzero stops the run */
+    /* NULL, or adds the n generalized forces to Q (vm_lagrange_add_force does); returns 0, or a number that ends the
+       run */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;
-    const vm_real *scales; /* of each q; null: 1 */
-    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers */
+    void *ctx;             /* for the three functions; not used here */
+    const vm_real *scales; /* of each coordinate: over which change T varies noticeably; NULL: 1 for all */
+    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
 } vm_lagrange_system;
 
+/* Length of vm_lagrange_system.work */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
-/* Parts of work: A, b and then a right-hand side, rates, a trial point, masses */
+/* The parts of a system's work */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A, *b, *rates, *trial, *masses;
+    vm_real *A;      /* n n numbers */
+    vm_real *b;      /* n numbers */
+    vm_real *rates;  /* n numbers: pi - b, then the rates q' */
+    vm_real *trial;  /* n numbers: rates or coordinates at which T is tried */
+    vm_real *masses; /* n_masses numbers */
 } vmi_lagrange_parts;
 
-VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *l)
+VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
 {
     vmi_lagrange_parts w;
-    w.A = l->work;
-    w.b = w.A + (ptrdiff_t)l->n * l->n;
-    w.rates = w.b + l->n;
-    w.trial = w.rates + l->n;
-    w.masses = w.trial + l->n;
+    w.A = system->work;
+    w.b = w.A + (ptrdiff_t)system->n * system->n;
+    w.rates = w.b + system->n;
+    w.trial = w.rates + system->n;
+    w.masses = w.trial + system->n;
     return w;
 }
 
-/* T at rates x e_i + z e_j */
-VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *l, vm_real t, const vm_real *q, int i, vm_real x, int j,
-                                 vm_real z)
+/* T at the rates x e_i + z e_j; an index -1 means that the term is left out */
+VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
+                                   int j, vm_real z)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
-    for (k = 0; k < l->n; k++) w.trial[k] = (k == i ? x : 0) + (k == j ? z : 0);
-    return l->energy(t, q, w.trial, w.masses, l->ctx);
+    for (k = 0; k < system->n; k++) w.trial[k] = 0;
+    if (i >= 0) w.trial[i] = x;
+    if (j >= 0) w.trial[j] += z;
+    return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* A and b from T; steps of the size of 1/sqrt(A_ii) keep the roundings of unlike coordinates apart */
-VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *l, vm_real t, const vm_real *q)
+/* Finds A and b from T. Off the diagonal the steps have the size 1/sqrt(A_ii), so that a coordinate with a large
+   energy does not cover the other's digits. */
+VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    const int n = l->n;
-    const vm_real T0 = vmi_lagrange_energy(l, t, q, -1, 0, -1, 0);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    const int n = system->n;
+    const vm_real T0 = vmi_lagrange_energy(system, t, q, -1, 0, -1, 0);
     int i, j;
     for (i = 0; i < n; i++) {
-        const vm_real plus = vmi_lagrange_energy(l, t, q, i, 1, -1, 0);
-        const vm_real minus = vmi_lagrange_energy(l, t, q, i, -1, -1, 0);
+        const vm_real plus = vmi_lagrange_energy(system, t, q, i, 1, -1, 0);
+        const vm_real minus = vmi_lagrange_energy(system, t, q, i, -1, -1, 0);
         w.A[i * n + i] = (plus - T0) + (minus - T0);
         w.b[i] = (plus - minus) / 2;
     }
     for (i = 0; i < n; i++)
         for (j = 0; j < i; j++) {
             const vm_real x = 1 / VM_SQRT(w.A[i * n + i]), z = 1 / VM_SQRT(w.A[j * n + j]);
-            const vm_real same = vmi_lagrange_energy(l, t, q, i, x, j, z) + vmi_lagrange_energy(l, t, q, i, -x, j, -z);
-            const vm_real apart = vmi_lagrange_energy(l, t, q, i, x, j, -z) + vmi_lagrange_energy(l, t, q, i, -x, j, z);
-            w.A[i * n + j] = w.A[j * n + i] = (same - apart) / (4 * x * z);
+            const vm_real same = vmi_lagrange_energy(system, t, q, i, x, j, z) +
+                                 vmi_lagrange_energy(system, t, q, i, -x, j, -z);
+            const vm_real opposite = vmi_lagrange_energy(system, t, q, i, x, j, -z) +
+                                     vmi_lagrange_energy(system, t, q, i, -x, j, z);
+            w.A[i * n + j] = w.A[j * n + i] = (same - opposite) / (4 * x * z);
         }
 }
 
-VM_API void vmi_lagrange_freeze(const vm_lagrange_system *l, vm_real t, const vm_real *q)
+/* Puts the masses at (t, q) into the work, where they stay while T is differentiated */
+VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
-    if (l->masses) l->masses(t, q, vmi_lagrange_work(l).masses, l->ctx);
+    if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* q' into the work */
-VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *l, vm_real t, const vm_real *y)
+/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR */
+VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
-    vmi_lagrange_freeze(l, t, y);
-    vmi_lagrange_quadratic(l, t, y);
-    for (k = 0; k < l->n; k++) w.rates[k] = y[l->n + k] - w.b[k];
-    return vmi_solve_mass(l->n, w.A, w.rates, w.trial);
+    vmi_lagrange_freeze(system, t, y);
+    vmi_lagrange_quadratic(system, t, y);
+    for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
+    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
 }
 
-/* h^6/140 of the seventh derivative against eps/h: h = 2^-7 for eps = 2^-52, 2^-3 for 2^-23 */
-VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+/* dT/dq_i with the masses in the work, by a central difference of order 6. Its error is h^6/140 of the seventh
+   derivative plus a rounding error of eps/h; both are small for h = 2^-7 where eps = 2^-52, and for 2^-3 where eps =
+   2^-23. */
+VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
+                                       const vm_real *rates, int i)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    const vm_real h = (VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125)) * (l->scales ? l->scales[i] : 1);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
-    vm_real sum = 0;
+    vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125), sum = 0;
     int k;
-    for (k = 0; k < l->n; k++) w.trial[k] = q[k];
+    if (system->scales) h *= system->scales[i];
+    for (k = 0; k < system->n; k++) w.trial[k] = q[k];
     for (k = 3; k > 0; k--) {
         vm_real difference;
         w.trial[i] = q[i] + (vm_real)k * h;
-        difference = l->energy(t, w.trial, rates, w.masses, l->ctx);
+        difference = system->energy(t, w.trial, rates, w.masses, system->ctx);
         w.trial[i] = q[i] - (vm_real)k * h;
-        difference -= l->energy(t, w.trial, rates, w.masses, l->ctx);
+        difference -= system->energy(t, w.trial, rates, w.masses, system->ctx);
         sum += weights[k - 1] * difference;
     }
     return sum / h;
 }
 
-VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *l)
+/* Whether all that vm_lagrange_system asks for is there */
+VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 {
-    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
+    return system && system->n > 0 && system->n_masses >= 0 && system->energy && system->work &&
+           (system->n_masses == 0 || system->masses);
 }
 
-/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange_system. Where A is singular, as in vm_lagrange_separate, or masses have
-   become negative, VM_SINGULAR stops it: stop before, by an event */
+/* Right-hand side of Lagrange's equations with variable mass (247).
+   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns VM_BAD_ARGUMENT,
+   VM_SINGULAR, where the mass matrix is not positive definite (as for vm_lagrange_separate; a mass has become
+   negative, for example), and what system->forces returns; each of them ends the run. An event should stop it before.
+   Time:
+   2 n^2 + 6 n + 1 calls of system->energy. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
-    const vm_lagrange_system *l = (const vm_lagrange_system *)lagrange;
-    if (!y || !dydt || !vmi_lagrange_is_valid(l)) return VM_BAD_ARGUMENT;
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    int k, status = vmi_lagrange_solve_rates(l, t, y);
+    const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
+    vmi_lagrange_parts w;
+    int k, n, status;
+    if (!y || !dydt || !vmi_lagrange_is_valid(system)) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    status = vmi_lagrange_solve_rates(system, t, y);
     if (status) return status;
-    for (k = 0; k < l->n; k++) {
+    for (k = 0; k < n; k++) {
         dydt[k] = w.rates[k];
-        dydt[l->n + k] = 0;
+        dydt[n + k] = 0;
     }
-    if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
-    for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_lagrange_derivative(l, t, y, w.rates, k);
+    if (system->forces) status = system->forces(t, y, w.rates, w.masses, dydt + n, system->ctx);
+    for (k = 0; k < n; k++) dydt[n + k] += vmi_lagrange_derivative(system, t, y, w.rates, k);
     return status;
 }
 
-/* y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE */
-VM_API int vm_lagrange_start(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
+/* Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'.
+   y is an array of 2 n numbers. VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
-    int i, j;
-    if (!vmi_lagrange_is_valid(l) || !q || !rates || !y) return VM_BAD_ARGUMENT;
-    w = vmi_lagrange_work(l);
-    vmi_lagrange_freeze(l, t, q);
-    vmi_lagrange_quadratic(l, t, q);
-    for (i = 0; i < l->n; i++)
-        for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
-    if (!vmi_all_finite(l->n, w.b) || !vmi_all_finite(l->n, q)) return VM_NOT_FINITE;
-    for (i = 0; i < l->n; i++) {
+    int i, j, n;
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || !y) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++)
+        for (j = 0; j < n; j++) w.b[i] += w.A[i * n + j] * rates[j];
+    if (!vmi_all_finite(n, w.b) || !vmi_all_finite(n, q)) return VM_NOT_FINITE;
+    for (i = 0; i < n; i++) {
         y[i] = q[i];
-        y[l->n + i] = w.b[i];
+        y[n + i] = w.b[i];
     }
     return VM_OK;
 }
 
-/* Documented with vm_lagrange_start. */
-VM_API int vm_lagrange_rates(vm_lagrange_system *l, vm_real t, const vm_real *y, vm_real *rates)
+/* Rates q' of a system at time t, from its state y = q, pi.
+   y has 2 n numbers, rates n. VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE. */
+VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
-    if (!vmi_lagrange_is_valid(l) || !y || !rates) return VM_BAD_ARGUMENT;
-    status = vmi_lagrange_solve_rates(l, t, y);
-    return status ? status : vmi_copy_if_finite(l->n, vmi_lagrange_work(l).rates, rates);
+    if (!vmi_lagrange_is_valid(system) || !y || !rates) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_solve_rates(system, t, y);
+    if (status) return status;
+    return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .. n - 1 */
-VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+/* Partial derivative dT/dq_i of a system's kinetic energy, with the masses frozen at (t, q), J per unit of q_i.
+   q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null pointer. */
+VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
+                                     int i)
 {
-    if (!vmi_lagrange_is_valid(l) || !q || !rates || i < 0 || i >= l->n) return VM_NAN;
-    vmi_lagrange_freeze(l, t, q);
-    return vmi_lagrange_derivative(l, t, q, rates, i);
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
+    vmi_lagrange_freeze(system, t, q);
+    return vmi_lagrange_derivative(system, t, q, rates, i);
 }
 
 #endif
-/* mechanics/euler_angles.h - Euler's angles */
+/* mechanics/euler_angles.h - Euler's angles
+
+   The attitude of a body by the angles psi, theta, phi of the sequence 3-1-3: turn by psi about z, by theta about the
+   line of nodes, by phi about the body's z axis. Here are the quaternion of three angles, the axes about which they
+   turn, which Lagrange's equations need as domega/dq'_i, and the rates of the angles from an angular velocity.
+
+       vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
+
+   Angles in rad. Errors are within 4 eps for angles up to 0.1/eps (4e14, float 8e5). Beyond 2^(p-1) quarter turns, p
+   the number of digits of vm_real, an angle carries no phase. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-/* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
-   inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
-   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps for angles up to
-   0.1/eps (4e14, float 8e5); from 2^(p-1) quarters on they hold no phase. */
+/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
-    vm_quat turn, tilt, spin;
-    turn.x = turn.y = tilt.y = tilt.z = spin.x = spin.y = 0;
+    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
     vmi_sincos(psi / 2, &turn.z, &turn.w);
     vmi_sincos(theta / 2, &tilt.x, &tilt.w);
     vmi_sincos(phi / 2, &spin.z, &spin.w);
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Documented with vm_euler_313. */
+/* Axes about which Euler's angles turn, in inertial axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
+   axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
+    vm_real s, c, sine, cosine; /* of psi, of theta */
     if (!axis) return;
-    vm_real s, c, sine, cosine;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(0, 0, 1);
@@ -5881,11 +6014,12 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Documented with vm_euler_313. */
+/* Axes about which Euler's angles turn, in body axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
+   Nothing is done for a null pointer. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
+    vm_real s, c, sine, cosine; /* of phi, of theta */
     if (!axis) return;
-    vm_real s, c, sine, cosine;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(sine * s, sine * c, cosine);
@@ -5893,10 +6027,11 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Documented with vm_euler_313. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_SINGULAR where sin(theta) = 0. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3];
+    vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
