@@ -148,21 +148,21 @@
        vm_energy_loss                 What body and the n added have more than the whole has, J
 
      mechanics/broken_rotor: a rotor from which a piece breaks off: equations of motion and the break
-       vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), and (46) for s = 0
+       vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), (46)
        vm_broken_rotor_polar_rhs      Right-hand side of the rotor's equations of motion in polar form (75)
-       vm_broken_rotor_to_polar       Polar states {r, phi, psi, r', phi', psi'} from the states {x, y, psi, x', y', psi'} of a rotor
-       vm_broken_rotor_from_polar     States {x, y, psi, x', y', psi'} of a rotor from its polar states {r, phi, psi, r', phi', psi'}
-       vm_broken_rotor_break_off      The remainder and the piece of a rotor after the break, with their motions, (52)-(64) corrected
+       vm_broken_rotor_to_polar       Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y
+       vm_broken_rotor_from_polar     States {x, y, psi, x', y', psi'} of a rotor from its polar states
+       vm_broken_rotor_break_off      Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected
 
      mechanics/broken_rotor_motion: motion of the broken rotor in closed form
        vm_broken_rotor_linear         State of the remainder t seconds after start, by the linearised equations (69), complete
-       vm_broken_rotor_linear_uncoupled State of the remainder t seconds after start by (70)-(72), without the term -s p^2 omega^2 y of (69)
+       vm_broken_rotor_linear_uncoupled State of the remainder t seconds after start by (70)-(72), which lack a term of (69)
        vm_broken_rotor_free_motion    State of the unbroken rotor t seconds after start, exact, (46)-(51)
        vm_broken_rotor_orbit          Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m
 
      mechanics/broken_rotor_stability: steady motion of the broken rotor, its stability, growth at resonance
        vm_broken_rotor_steady_radius  Radius of the mass centre's circle in steady motion at psi' = Omega, m
-       vm_broken_rotor_characteristic Characteristic polynomial of small motions exp(l t) about the steady motion at psi' = Omega, (81) corrected
+       vm_broken_rotor_characteristic Characteristic polynomial of small motions about the steady motion, (81) corrected
        vm_broken_rotor_routh          First column of Routh's scheme of the characteristic polynomial
        vm_broken_rotor_is_stable      Whether the steady motion at psi' = Omega is asymptotically stable (82)
        vm_broken_rotor_eigenvalues    Roots re + i im of the characteristic polynomial, 1/s
@@ -191,16 +191,16 @@
 
      mechanics/streams: streams of mass: reactive force, moment and torque
        vm_reactive_loads              Reactive force, moment and torque of n streams on a moving body, (156)-(158)
-       vm_accelerations               Accelerations v' (159) and omega' (160) of a body under reactive and outer loads, inertial axes
+       vm_accelerations               Accelerations v' (159) and omega' (160) of a body under reactive and outer loads
 
      mechanics/flow: a free body in space with streams of mass
        vm_flow_rhs                    Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152)
-       vm_flow_given_rhs              Right-hand side of a free body whose mass, mass centre and inertia flow.update gives as functions of time
+       vm_flow_given_rhs              Right-hand side of a free body with given laws of mass, mass centre and inertia
        vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy
        vm_flow_carried_rhs            Right-hand side of a free body that loses or gains mass which moves with the body (166)
        vm_flow_start                  Initial state y of a body with streams
        vm_flow_body                   The body that n states y describe, its quaternion with length 1
-       vm_flow_mass_left              Event function
+       vm_flow_mass_left              Mass minus flow.least_mass, kg
        vm_flow_inertia_left           Event function
 
      mechanics/flow2: a body in a plane with streams of mass
@@ -213,12 +213,12 @@
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
        vm_velocity_by_momentum        Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171)
        vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m
-       vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate, under a constant force
-       vm_jet_damping                 Jet damping
+       vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
+       vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
 
      mechanics/drum: a band that winds up on a drum
        vm_drum_band                   The band's mass per angle on a drum, mu = R h b rho (181), kg/rad
-       vm_drum_at                     Mass, mass centre and inertia of the drum with its band at the angle phi >= 0 rad, (182)-(188)
+       vm_drum_at                     Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188)
        vm_drum_rhs                    Right-hand side of the drum on an elastic shaft, exact
        vm_drum_rhs_reduced            Right-hand side of the drum on an elastic shaft for a light band, (192), (193)
        vm_drum_rate                   Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s
@@ -226,16 +226,16 @@
        vm_drum_stop                   Angle at which the drum on a rigid shaft comes to rest, rad
        vm_drum_time                   Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197)
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
-       vm_drum_angle_lambert          Angle of the drum on a rigid shaft as published, by Lambert's W, (198)-(206) corrected, rad
+       vm_drum_angle_lambert          Angle of the drum on a rigid shaft by Lambert's W, as published, (198)-(206) corrected, rad
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
-       vm_drum_deflection             Deflection x or y of the elastic shaft at the angle phi in the first approximation, m, (224), (225) corrected
+       vm_drum_deflection             Deflection x or y of the elastic shaft at the angle phi, m, first approximation, (224), (225) corrected
        vm_drum_shaft_valid            Whether the shaft's frequency stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
        vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
        vm_lagrange_start              Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y = q, pi
-       vm_lagrange_partial_q          Partial derivative dT/dq_i of a system's kinetic energy, with the masses frozen at (t, q), J per unit of q_i
+       vm_lagrange_partial_q          Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
        vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
@@ -2580,7 +2580,7 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
     return VM_OK;
 }
 
-/* Right-hand side of the rotor's equations of motion, (65), (66), (68), and (46) for s = 0.
+/* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
    An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor, whose fields are not checked.
    VM_BAD_ARGUMENT for a null pointer. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
@@ -2625,7 +2625,7 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
     return 0;
 }
 
-/* Polar states {r, phi, psi, r', phi', psi'} from the states {x, y, psi, x', y', psi'} of a rotor.
+/* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r = 0. polar may be y. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
@@ -2649,7 +2649,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, p, polar);
 }
 
-/* States {x, y, psi, x', y', psi'} of a rotor from its polar states {r, phi, psi, r', phi', psi'}.
+/* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r is not positive. y may be polar. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
@@ -2746,7 +2746,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     return reach;
 }
 
-/* The remainder and the piece of a rotor after the break, with their motions, (52)-(64) corrected.
+/* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
    is not in (0, M); VM_BAD_INERTIA for an inertia of the rest that is negative or lost in rounding errors; VM_DOMAIN
    for a whole with s != 0 and for a piece whose mass centre S2 is at A. */
@@ -3029,9 +3029,9 @@ VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const
     return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
 }
 
-/* State of the remainder t seconds after start by (70)-(72), without the term -s p^2 omega^2 y of (69).
-   The dissertation leaves this term out, although it is of the order of the others: for comparison with
-   vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
+/* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
+   The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
+   with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
 VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
@@ -3143,8 +3143,9 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
-/* Characteristic polynomial of small motions exp(l t) about the steady motion at psi' = Omega, (81) corrected.
-   c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
+/* Characteristic polynomial of small motions about the steady motion, (81) corrected.
+   They go with exp(l t) about the motion at psi' = Omega, rad/s. c is an array of VM_BROKEN_ROTOR_ROOTS + 1
+   coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
    lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
@@ -4467,8 +4468,9 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
     return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
 
-/* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads, inertial axes.
-   `force` is the resultant of the outer forces (N), `moment` their moment about the mass centre (N m), inertial axes.
+/* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
+   They are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the mass
+   centre (N m), inertial axes.
    v' is the rate of momentum/mass in m/s^2, omega' is in rad/s^2. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_INERTIA (a singular inertia, that of a rod or a point, included). */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
@@ -4716,8 +4718,9 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
-/* Right-hand side of a free body whose mass, mass centre and inertia flow.update gives as functions of time.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow. The streams make forces and moments as in vm_flow_rhs.
+/* Right-hand side of a free body with given laws of mass, mass centre and inertia.
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
+   The streams make forces and moments as in vm_flow_rhs.
    With no streams this is (170): mass joins and leaves at rest, at the mass centre. Errors as for vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -4860,7 +4863,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     return VM_OK;
 }
 
-/* Event function: the mass minus flow.least_mass, kg.
+/* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
    For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. NaN for a null pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
@@ -5299,10 +5302,10 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
     else *first = l.hi / x;
 }
 
-/* Position and velocity on a line after t seconds of a stream of constant rate, under a constant force.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; force in N; rate and velocity of the stream are constant too. t may
-   be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute velocity
-   u:
+/* Position and velocity on a line after t seconds of a stream of constant rate.
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; the force (N), the rate and the velocity of the stream are constant.
+   t may be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute
+   velocity u:
      v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
@@ -5336,9 +5339,9 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
-/* Jet damping: angular velocity of a spinning rocket after t seconds of its jet, body axes, no outer loads.
-   With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate gyration_axial t the transverse
-   part of omega has the length
+/* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
+   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
+   gyration_axial t the transverse part of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
    omega_z stays constant, and the transverse part turns by omega_z times the integral of C/A - 1. With
    tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
@@ -5461,7 +5464,8 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     return VM_OK;
 }
 
-/* Mass, mass centre and inertia of the drum with its band at the angle phi >= 0 rad, (182)-(188).
+/* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
+   phi >= 0 in rad.
    VM_BAD_ARGUMENT (phi < 0, too), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. */
 VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
 {
@@ -5690,7 +5694,7 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
     return vmi_two_times(angle, f).hi;
 }
 
-/* Angle of the drum on a rigid shaft as published, by Lambert's W, (198)-(206) corrected, rad.
+/* Angle of the drum on a rigid shaft by Lambert's W, as published, (198)-(206) corrected, rad.
    r - k1 ln r = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with W_-1 for 0 < k1 < 1 and W_0 for other k1. It
    is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
    branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
@@ -5737,7 +5741,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft at the angle phi in the first approximation, m, (224), (225) corrected:
+/* Deflection x or y of the elastic shaft at the angle phi, m, first approximation, (224), (225) corrected:
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
    particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
    amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
@@ -5967,8 +5971,9 @@ VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_rea
     return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* Partial derivative dT/dq_i of a system's kinetic energy, with the masses frozen at (t, q), J per unit of q_i.
-   q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null pointer. */
+/* Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i.
+   The masses are those at (t, q).    q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null
+   pointer. */
 VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
                                      int i)
 {

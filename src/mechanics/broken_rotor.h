@@ -96,7 +96,7 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
     return VM_OK;
 }
 
-/* Right-hand side of the rotor's equations of motion, (65), (66), (68), and (46) for s = 0.
+/* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
    An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor, whose fields are not checked.
    VM_BAD_ARGUMENT for a null pointer. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
@@ -141,7 +141,7 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
     return 0;
 }
 
-/* Polar states {r, phi, psi, r', phi', psi'} from the states {x, y, psi, x', y', psi'} of a rotor.
+/* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r = 0. polar may be y. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
@@ -165,7 +165,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, p, polar);
 }
 
-/* States {x, y, psi, x', y', psi'} of a rotor from its polar states {r, phi, psi, r', phi', psi'}.
+/* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r is not positive. y may be polar. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
@@ -262,7 +262,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
     return reach;
 }
 
-/* The remainder and the piece of a rotor after the break, with their motions, (52)-(64) corrected.
+/* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
    is not in (0, M); VM_BAD_INERTIA for an inertia of the rest that is negative or lost in rounding errors; VM_DOMAIN
    for a whole with s != 0 and for a piece whose mass centre S2 is at A. */

@@ -245,9 +245,9 @@ VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const
     return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
 }
 
-/* State of the remainder t seconds after start by (70)-(72), without the term -s p^2 omega^2 y of (69).
-   The dissertation leaves this term out, although it is of the order of the others: for comparison with
-   vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
+/* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
+   The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
+   with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
 VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(t, rotor, start, 0, end);

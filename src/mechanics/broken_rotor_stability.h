@@ -76,8 +76,9 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
-/* Characteristic polynomial of small motions exp(l t) about the steady motion at psi' = Omega, (81) corrected.
-   c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
+/* Characteristic polynomial of small motions about the steady motion, (81) corrected.
+   They go with exp(l t) about the motion at psi' = Omega, rad/s. c is an array of VM_BROKEN_ROTOR_ROOTS + 1
+   coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
    lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,

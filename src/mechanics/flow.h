@@ -226,8 +226,9 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
-/* Right-hand side of a free body whose mass, mass centre and inertia flow.update gives as functions of time.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow. The streams make forces and moments as in vm_flow_rhs.
+/* Right-hand side of a free body with given laws of mass, mass centre and inertia.
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
+   The streams make forces and moments as in vm_flow_rhs.
    With no streams this is (170): mass joins and leaves at rest, at the mass centre. Errors as for vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -370,7 +371,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     return VM_OK;
 }
 
-/* Event function: the mass minus flow.least_mass, kg.
+/* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
    For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. NaN for a null pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {

@@ -73,10 +73,10 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
     else *first = l.hi / x;
 }
 
-/* Position and velocity on a line after t seconds of a stream of constant rate, under a constant force.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; force in N; rate and velocity of the stream are constant too. t may
-   be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute velocity
-   u:
+/* Position and velocity on a line after t seconds of a stream of constant rate.
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; the force (N), the rate and the velocity of the stream are constant.
+   t may be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute
+   velocity u:
      v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
    for a velocity w relative to the body:
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
@@ -110,9 +110,9 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
-/* Jet damping: angular velocity of a spinning rocket after t seconds of its jet, body axes, no outer loads.
-   With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate gyration_axial t the transverse
-   part of omega has the length
+/* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
+   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
+   gyration_axial t the transverse part of omega has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
    omega_z stays constant, and the transverse part turns by omega_z times the integral of C/A - 1. With
    tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is

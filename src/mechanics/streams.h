@@ -291,8 +291,9 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
     return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
 
-/* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads, inertial axes.
-   `force` is the resultant of the outer forces (N), `moment` their moment about the mass centre (N m), inertial axes.
+/* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
+   They are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the mass
+   centre (N m), inertial axes.
    v' is the rate of momentum/mass in m/s^2, omega' is in rad/s^2. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
    VM_BAD_INERTIA (a singular inertia, that of a rod or a point, included). */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
