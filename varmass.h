@@ -147,36 +147,40 @@
        vm_energy_gain                 Energy gained at a separation, J
        vm_energy_loss                 Energy lost at an attachment, J
 
-     mechanics/broken_rotor: a rotor from which a piece breaks off
-       vm_broken_rotor_rhs            (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_broken_rotor
-       vm_broken_rotor_linear         The remainder for short times, |psi| << 1, linearised
-       vm_broken_rotor_linear_uncoupled Documented with vm_broken_rotor_linear
-       vm_broken_rotor_free_motion    State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0
-       vm_broken_rotor_orbit          A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, not 0
-       vm_broken_rotor_break_off      The remainder's spin, state[5], is Omega_b + Omega_r1 [(59), (64) corrected]
-       vm_broken_rotor_polar_rhs      Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0
-       vm_broken_rotor_to_polar       Documented with vm_broken_rotor_polar_rhs
-       vm_broken_rotor_from_polar     Documented with vm_broken_rotor_polar_rhs
-       vm_broken_rotor_steady_radius  Steady motion at psi' = Omega, which needs torque = damping Omega (47)
-       vm_broken_rotor_characteristic Small motions about it, exp(lambda t)
-       vm_broken_rotor_routh          Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2
-       vm_broken_rotor_is_stable      1 where the steady motion is asymptotically stable, exactly Omega^2 < omega^2 (82) with k* > 0, s != 0, Omega != 0; else 0 (for k*, s or Omega = 0 some motions neither grow nor fade)
-       vm_broken_rotor_eigenvalues    Its five roots, by rising |imaginary part|, pairs as (+, -)
-       vm_broken_rotor_resonance_radius r(t) after a start from rest where Omega = torque/damping is not below omega
+     mechanics/broken_rotor: a rotor from which a piece breaks off: equations of motion and the break
+       vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), (46)
+       vm_broken_rotor_polar_rhs      Right-hand side of the rotor's equations of motion in polar form (75)
+       vm_broken_rotor_to_polar       Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y
+       vm_broken_rotor_from_polar     States {x, y, psi, x', y', psi'} of a rotor from its polar states
+       vm_broken_rotor_break_off      Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected
 
-     mechanics/generalized_force: generalised forces
-       vm_lagrange_add_force          Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235)
+     mechanics/broken_rotor_motion: motion of the broken rotor in closed form
+       vm_broken_rotor_linear         State of the remainder t seconds after start, by the linearised equations (69), complete
+       vm_broken_rotor_linear_uncoupled State of the remainder t seconds after start by (70)-(72), which lack a term of (69)
+       vm_broken_rotor_free_motion    State of the unbroken rotor t seconds after start, exact, (46)-(51)
+       vm_broken_rotor_orbit          Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m
+
+     mechanics/broken_rotor_stability: steady motion of the broken rotor, its stability, growth at resonance
+       vm_broken_rotor_steady_radius  Radius of the mass centre's circle in steady motion at psi' = Omega, m
+       vm_broken_rotor_characteristic Characteristic polynomial of small motions about the steady motion, (81) corrected
+       vm_broken_rotor_routh          First column of Routh's scheme of the characteristic polynomial
+       vm_broken_rotor_is_stable      Whether the steady motion at psi' = Omega is asymptotically stable (82)
+       vm_broken_rotor_eigenvalues    Roots re + i im of the characteristic polynomial, 1/s
+       vm_broken_rotor_resonance_radius Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega, m
+
+     mechanics/generalized_force: generalized forces of forces and moments
+       vm_lagrange_add_force          Adds the generalized forces of a force and a moment
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
-       vm_lagrange_mass               Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes)
-       vm_lagrange_momentum           Documented with vm_lagrange_mass
-       vm_lagrange_impulse            Documented with vm_lagrange_mass
-       vm_lagrange_separate           
-       vm_lagrange_attach             
-       vm_lagrange_impact             matrix (qdot_after - qdot) = impulse
+       vm_lagrange_mass               Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2
+       vm_lagrange_momentum           Adds the generalized momentum of a body, as it moves, to p
+       vm_lagrange_impulse            Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p
+       vm_lagrange_separate           Velocities after a part separates
+       vm_lagrange_attach             Velocities after a part is attached
+       vm_lagrange_impact             Velocities after an impact that changes no mass
 
      mechanics/pendulum: a pendulum from which a part is cut
-       vm_pendulum_separate           part is l, 0 < l < L; u in the axes of the pendulum
+       vm_pendulum_separate           Motion of a pendulum and of the part that is cut off it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
        vm_torque_free_init            Preparation of the exact torque-free motion of a body that is as given at the time t0 (s)
@@ -185,59 +189,59 @@
        vm_torque_free_at              The body at the time t (s), later than t0 or earlier
        vm_torque_free_rotation        The body a time t (s) later, in one call
 
-     mechanics/streams: streams of mass: reactive force and torque
-       vm_reactive_loads              centre
-       vm_accelerations               v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the mass centre; VM_BAD_INERTIA where the inertia is singular
-       vm_velocity_by_momentum        Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity
+     mechanics/streams: streams of mass: reactive force, moment and torque
+       vm_reactive_loads              Reactive force, moment and torque of n streams on a moving body, (156)-(158)
+       vm_accelerations               Accelerations v' (159) and omega' (160) of a body under reactive and outer loads
 
-     mechanics/flow: a free body with streams of mass
-       vm_flow_rhs                    Documented with vm_flow_body
-       vm_flow_given_rhs              13 states; flow.update sets mass, centre and inertia
-       vm_flow_balanced_rhs           vm_flow_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have brought
-       vm_flow_carried_rhs            The same for what moves with the body (166)
-       vm_flow_start                  y
-       vm_flow_body                   The body of n states, with q of length 1
-       vm_flow_mass_left              Event functions of vm_flow_rhs and vm_flow_balanced_rhs, ctx the flow
-       vm_flow_inertia_left           Documented with vm_flow_mass_left
+     mechanics/flow: a free body in space with streams of mass
+       vm_flow_rhs                    Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152)
+       vm_flow_given_rhs              Right-hand side of a free body with given laws of mass, mass centre and inertia
+       vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy
+       vm_flow_carried_rhs            Right-hand side of a free body that loses or gains mass which moves with the body (166)
+       vm_flow_start                  Initial state y of a body with streams
+       vm_flow_body                   The body that n states y describe, its quaternion with length 1
+       vm_flow_mass_left              Mass minus flow.least_mass, kg
+       vm_flow_inertia_left           Event function
 
      mechanics/flow2: a body in a plane with streams of mass
-       vm_flow2_rhs                   
+       vm_flow2_rhs                   Right-hand side of a body in the plane with streams of mass, (151), (152)
 
-     mechanics/flow1: translation, bodies on a line or an axle with streams of mass
-       vm_translation_rhs             
-       vm_flow1_rhs                   
+     mechanics/flow1: translation, and bodies on a line or an axle, with streams of mass
+       vm_translation_rhs             Right-hand side of a body in translation with streams of mass
+       vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
 
-     mechanics/rocket: closed forms: Tsiolkovsky's rocket, linear flow, jet damping
-       vm_tsiolkovsky                 Documented with vm_velocity_by_momentum
-       vm_linear_flow                 Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE), through rate = 0 without loss
-       vm_jet_damping                 With tau = rate gyration t/A0 and c likewise
+     mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
+       vm_velocity_by_momentum        Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171)
+       vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m
+       vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
+       vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
 
      mechanics/drum: a band that winds up on a drum
-       vm_drum_band                   mu (181)
-       vm_drum_at                     The drum with its band at the angle phi >= 0
-       vm_drum_rhs                    
-       vm_drum_rhs_reduced            
-       vm_drum_rate                   The rigid shaft (194)
-       vm_drum_rhs_angle              (210), (211) of y = {x, y, dx/dphi, dy/dphi}, phi the independent variable, with phi'(phi) of the rigid shaft (196); VM_BAD_ARGUMENT where the drum does not get to phi
-       vm_drum_stop                   Documented with vm_drum_rate
-       vm_drum_time                   Documented with vm_drum_rate
-       vm_drum_angle                  Documented with vm_drum_rate
-       vm_drum_angle_lambert          phi(t) as published, (198)-(206) corrected
-       vm_drum_shaft_init             VM_SINGULAR where c or Omega_b is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA
-       vm_drum_deflection             (224), (225) corrected
-       vm_drum_shaft_valid            (226)
+       vm_drum_band                   The band's mass per angle on a drum, mu = R h b rho (181), kg/rad
+       vm_drum_at                     Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188)
+       vm_drum_rhs                    Right-hand side of the drum on an elastic shaft, exact
+       vm_drum_rhs_reduced            Right-hand side of the drum on an elastic shaft for a light band, (192), (193)
+       vm_drum_rate                   Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s
+       vm_drum_rhs_angle              Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211)
+       vm_drum_stop                   Angle at which the drum on a rigid shaft comes to rest, rad
+       vm_drum_time                   Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197)
+       vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
+       vm_drum_angle_lambert          Angle of the drum on a rigid shaft by Lambert's W, as published, (198)-(206) corrected, rad
+       vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
+       vm_drum_deflection             Deflection x or y of the elastic shaft at the angle phi, m, first approximation, (224), (225) corrected
+       vm_drum_shaft_valid            Whether the shaft's frequency stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
-       vm_lagrange_rhs                An ode_rhs of 2 n states q, pi, ctx a vm_lagrange_system
-       vm_lagrange_start              y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE
-       vm_lagrange_rates              Documented with vm_lagrange_start
-       vm_lagrange_partial_q          dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .
+       vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
+       vm_lagrange_start              Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'
+       vm_lagrange_rates              Rates q' of a system at time t, from its state y = q, pi
+       vm_lagrange_partial_q          Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i
 
      mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Euler's angles psi, theta, phi (3-1-3
-       vm_euler_313_axes              Documented with vm_euler_313
-       vm_euler_313_body_axes         Documented with vm_euler_313
-       vm_euler_313_rates             Documented with vm_euler_313
+       vm_euler_313                   Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles
+       vm_euler_313_axes              Axes about which Euler's angles turn, in inertial axes
+       vm_euler_313_body_axes         Axes about which Euler's angles turn, in body axes
+       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/waves: the wave forms of a strongly nonlinear oscillator: cosine, cn, ca
        vm_osc_route_name              -- The plan --
@@ -2840,84 +2844,339 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 }
 
 #endif
-/* mechanics/broken_rotor.h - a rotor from which a piece breaks off */
+/* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
+
+   A disc on a massless elastic shaft, driven by a torque, with viscous damping of the rotation; plane motion (chapter
+   3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s from it after the
+   break. Here are the equations of motion (46), (65)-(68), the same in polar form (75), and the break (52)-(64), in
+   corrected form. The motion of the rotor is in mechanics/broken_rotor_motion.h, the stability of the remainder's
+   steady motion in mechanics/broken_rotor_stability.h.
+
+       vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
+       vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
+       vm_broken_rotor_break result;
+       status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest moves on from result.state
+
+   Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_H
 #define VARMASS_MECHANICS_BROKEN_ROTOR_H
 
 #include <string.h>
 
-/* A disc on an elastic shaft without mass, turned by a torque against viscous damping, in the plane. The shaft goes
-   through the mass centre of the whole (s = 0) and passes the remainder's at distance s: at r + s (cos psi, sin psi).
-   Its state is y[6] = {x, y, psi, x', y', psi'} as rk45 takes it: mass centre from where the shaft is at rest (m),
-   angle (rad), rates. In the notation of (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
-   k* = damping/inertia, M* = torque/inertia. */
+/* The rotor. In the notation of (67): omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia,
+   M* = torque/inertia. */
 typedef struct VM_TAG(vm_broken_rotor) {
-    vm_real mass;      /* kg, > 0 */
-    vm_real inertia;   /* about the own mass centre, kg m^2, > 0 */
-    vm_real stiffness; /* c of the shaft, N/m, >= 0 */
-    vm_real damping;   /* k, N m s */
+    vm_real mass;      /* M > 0, kg */
+    vm_real inertia;   /* I > 0, about its own mass centre, kg m^2 */
+    vm_real stiffness; /* c >= 0 of the shaft, N/m */
+    vm_real damping;   /* k of the rotation, N m s */
     vm_real torque;    /* N m */
-    vm_real s;         /* m */
+    vm_real s;         /* m: the shaft passes at r + s (cos psi, sin psi), r the mass centre */
 } vm_broken_rotor;
 
-/* The break, (52)-(64) corrected: the whole touches the stator at A and loses a piece, of which A keeps its velocity
-   while S2 loses that across S2A (57). This is an assumption of [1]; everything else follows by momenta. */
+/* Where the states of a rotor stand in y, and how many there are */
+enum {
+    VM_BROKEN_ROTOR_X = 0,     /* mass centre from the place where the shaft is at rest, 2 numbers x, y, m */
+    VM_BROKEN_ROTOR_ANGLE = 2, /* psi, rad */
+    VM_BROKEN_ROTOR_V = 3,     /* velocity of the mass centre, 2 numbers, m/s */
+    VM_BROKEN_ROTOR_OMEGA = 5, /* psi', rad/s */
+    VM_BROKEN_ROTOR_STATES = 6
+};
+
+/* The same in polar form; psi and psi' have the same places as above */
+enum {
+    VM_BROKEN_ROTOR_RADIUS = 0,        /* r > 0, distance of the mass centre from the place of the shaft at rest, m */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* phi, rad */
+    VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* r', m/s */
+    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* phi', rad/s */
+};
+
+/* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
+   whole touches the stator. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
-    vm_real mass, inertia; /* m; I_S2 about the own mass centre S2, >= 0 */
-    vm_real distance;      /* SS2, m */
-    vm_real alpha;         /* angle from SS2 to SA, counterclockwise (Fig. 17: S2 at -alpha from SA) */
-    vm_real radius;        /* SA, m */
-    vm_real contact;       /* direction angle of SA in inertial axes */
+    vm_real mass;     /* m, kg, 0 < m < M */
+    vm_real inertia;  /* I_S2 >= 0 about its own mass centre S2, kg m^2 */
+    vm_real distance; /* SS2, m */
+    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17: S2 at -alpha from SA) */
+    vm_real radius;   /* SA, m */
+    vm_real contact;  /* direction angle of SA in inertial axes, rad */
 } vm_broken_rotor_piece;
 
+/* The break, (52)-(64) corrected. The touched point A of the piece keeps its velocity, and S2 loses its velocity
+   across S2A (57). This is an assumption of [1]; everything else follows from momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
-    vm_broken_rotor rest;      /* the remainder: I_S1 by the parallel axes, s = m SS2/(M - m); the rest is the whole's */
-    vm_real state[6];   /* its state, psi being the direction from S1 to the shaft, which is that of SS2 */
-    vm_real piece[6];   /* the piece's state, psi likewise */
-    vm_real dragging;   /* v_S2d (52), (61): speed of S2 before, and */
-    vm_real gamma;      /* its angle from SA (52), (60); both for v_S in any direction */
-    vm_real beta;       /* angle of S2A from SA, tan beta = SS2 sin alpha/(R - SS2 cos alpha)  [(56) corrected] */
-    vm_real normal;     /* N (54), m/s, along S2A, */
-    vm_real tangential; /* T = v_S2d sin(gamma - beta) across it, counterclockwise  [(55) with the other sign] */
-    vm_real spin_piece; /* Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;  /* Omega_r1, from I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T  [(58) corrected] */
-    vm_real stop_inertia; /* the I_S2 that would stop the rest, where there is one: I_S (R - SS2)/R for alpha = 0
-                             [after (64), corrected] */
+    vm_broken_rotor rest; /* the remainder: its own mass, inertia and s = m SS2/(M - m); the whole's stiffness, damping
+                             and torque */
+    /* its state: psi is the direction from its mass centre S1 to the shaft, which is the direction of SS2; psi' is
+       Omega_b + Omega_r1 [(59), (64) corrected] */
+    vm_real state[VM_BROKEN_ROTOR_STATES];
+    vm_real piece[VM_BROKEN_ROTOR_STATES]; /* the piece's state, with the same psi */
+    vm_real dragging;                      /* v_S2d (52), (61), m/s: speed of S2 before the break */
+    vm_real gamma;                         /* angle of this velocity from SA (52), (60), rad; for v_S in any direction */
+    vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
+                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
+    vm_real normal;                        /* N (54), m/s: component of v_S2d along S2A */
+    vm_real tangential;                    /* T = v_S2d sin(gamma - beta), m/s: component across S2A, counterclockwise
+                                              [(55) with the other sign] */
+    vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), rad/s */
+    vm_real spin_rest;                     /* Omega_r1, rad/s [(58) corrected]:
+                                              I_S1 Omega_r1 = -I_S2 Omega_r + m M/(M - m) SS2 x v_T */
+    vm_real stop_inertia;                  /* the I_S2 that would stop the rest, kg m^2, where there is one:
+                                              I_S (R - SS2)/R for alpha = 0 [after (64), corrected] */
 } vm_broken_rotor_break;
 
-VM_API int vmi_check_rotor(const vm_broken_rotor *r)
+VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
         !VM_IS_FINITE(r->damping) || !VM_IS_FINITE(r->torque) || !VM_IS_FINITE(r->s))
         return VM_NOT_FINITE;
     if (!(r->mass > 0)) return VM_BAD_MASS;
     if (!(r->inertia > 0)) return VM_BAD_INERTIA;
-    return r->stiffness >= 0 ? VM_OK : VM_DOMAIN;
+    if (!(r->stiffness >= 0)) return VM_DOMAIN;
+    return VM_OK;
 }
 
-/* (65), (66), (68), and (46) for s = 0, as an ode_rhs for n = 6; rotor points at a vm_broken_rotor */
+/* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor, whose fields are not checked.
+   VM_BAD_ARGUMENT for a null pointer. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
-    vm_real sine, cosine, fx, fy;
+    const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
+    vm_real sine, cosine, fx, fy; /* fx, fy: force of the shaft (66) */
     (void)t;
-    vmi_sincos(y[2], &sine, &cosine);
-    fx = -r->stiffness * (y[0] + r->s * cosine);
-    fy = -r->stiffness * (y[1] + r->s * sine); /* (66) */
-    dydt[0] = y[3];
-    dydt[1] = y[4];
-    dydt[2] = y[5];
-    dydt[3] = fx / r->mass;
-    dydt[4] = fy / r->mass;
-    dydt[5] = (r->torque - r->damping * y[5] + r->s * (cosine * fy - sine * fx)) / r->inertia;
+    vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
+    fx = -r->stiffness * (y[VM_BROKEN_ROTOR_X] + r->s * cosine);
+    fy = -r->stiffness * (y[VM_BROKEN_ROTOR_X + 1] + r->s * sine);
+    dydt[VM_BROKEN_ROTOR_X] = y[VM_BROKEN_ROTOR_V];
+    dydt[VM_BROKEN_ROTOR_X + 1] = y[VM_BROKEN_ROTOR_V + 1];
+    dydt[VM_BROKEN_ROTOR_ANGLE] = omega;
+    dydt[VM_BROKEN_ROTOR_V] = fx / r->mass;
+    dydt[VM_BROKEN_ROTOR_V + 1] = fy / r->mass;
+    dydt[VM_BROKEN_ROTOR_OMEGA] = (r->torque - r->damping * omega + r->s * (cosine * fy - sine * fx)) / r->inertia;
     return 0;
 }
 
-/* (67), and the coupling s p^2 omega^2 of (69) */
+/* Right-hand side of the rotor's equations of motion in polar form (75).
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor, whose fields
+   are not checked. VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN, which ends the run, where r is not positive. */
+VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
+{
+    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
+    const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
+    const vm_real w2 = r->stiffness / r->mass, radius = y[VM_BROKEN_ROTOR_RADIUS], omega = y[VM_BROKEN_ROTOR_OMEGA];
+    const vm_real radius_rate = y[VM_BROKEN_ROTOR_RADIUS_RATE], rate = y[VM_BROKEN_ROTOR_DIRECTION_RATE];
+    vm_real sine, cosine;
+    (void)t;
+    if (!(radius > 0)) return VM_DOMAIN;
+    vmi_sincos(y[VM_BROKEN_ROTOR_DIRECTION] - y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
+    dydt[VM_BROKEN_ROTOR_RADIUS] = radius_rate;
+    dydt[VM_BROKEN_ROTOR_DIRECTION] = rate;
+    dydt[VM_BROKEN_ROTOR_ANGLE] = omega;
+    dydt[VM_BROKEN_ROTOR_RADIUS_RATE] = radius * (rate * rate) - w2 * (radius + r->s * cosine);
+    dydt[VM_BROKEN_ROTOR_DIRECTION_RATE] = (r->s * w2 * sine - 2 * radius_rate * rate) / radius;
+    dydt[VM_BROKEN_ROTOR_OMEGA] =
+        (r->torque - r->damping * omega - r->s * r->stiffness * radius * sine) / r->inertia;
+    return 0;
+}
+
+/* Polar states {r, phi, psi, r', phi', psi'} of a rotor from its states in x and y.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r = 0. polar may be y. */
+VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
+{
+    vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
+    if (!y || !polar) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, y)) return VM_NOT_FINITE;
+    x0 = y[VM_BROKEN_ROTOR_X];
+    y0 = y[VM_BROKEN_ROTOR_X + 1];
+    vx = y[VM_BROKEN_ROTOR_V];
+    vy = y[VM_BROKEN_ROTOR_V + 1];
+    radius = vmi_hypot(x0, y0);
+    if (!(radius > 0)) return VM_DOMAIN;
+    c = x0 / radius;
+    s = y0 / radius;
+    p[VM_BROKEN_ROTOR_RADIUS] = radius;
+    p[VM_BROKEN_ROTOR_DIRECTION] = vmi_atan2(y0, x0);
+    p[VM_BROKEN_ROTOR_ANGLE] = y[VM_BROKEN_ROTOR_ANGLE];
+    p[VM_BROKEN_ROTOR_RADIUS_RATE] = c * vx + s * vy;
+    p[VM_BROKEN_ROTOR_DIRECTION_RATE] = (c * vy - s * vx) / radius;
+    p[VM_BROKEN_ROTOR_OMEGA] = y[VM_BROKEN_ROTOR_OMEGA];
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, p, polar);
+}
+
+/* States {x, y, psi, x', y', psi'} of a rotor from its polar states.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_DOMAIN where r is not positive. y may be polar. */
+VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
+{
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: velocity in polar directions */
+    if (!y || !polar) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
+    radius = polar[VM_BROKEN_ROTOR_RADIUS];
+    if (!(radius > 0)) return VM_DOMAIN;
+    vmi_sincos(polar[VM_BROKEN_ROTOR_DIRECTION], &s, &c);
+    along = polar[VM_BROKEN_ROTOR_RADIUS_RATE];
+    across = radius * polar[VM_BROKEN_ROTOR_DIRECTION_RATE];
+    z[VM_BROKEN_ROTOR_X] = radius * c;
+    z[VM_BROKEN_ROTOR_X + 1] = radius * s;
+    z[VM_BROKEN_ROTOR_ANGLE] = polar[VM_BROKEN_ROTOR_ANGLE];
+    z[VM_BROKEN_ROTOR_V] = along * c - across * s;
+    z[VM_BROKEN_ROTOR_V + 1] = along * s + across * c;
+    z[VM_BROKEN_ROTOR_OMEGA] = polar[VM_BROKEN_ROTOR_OMEGA];
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, z, y);
+}
+
+VM_API int vmi_check_broken_rotor_piece(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p)
+{
+    if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
+        !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
+        return VM_NOT_FINITE;
+    if (!(p->mass > 0 && p->mass < whole->mass)) return VM_BAD_MASS;
+    if (!(p->inertia >= 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* A vector of the plane */
+typedef struct VM_TAG(vmi_broken_rotor_vector) {
+    vm_real x, y;
+} vmi_broken_rotor_vector;
+
+/* a turned by the angle whose sine and cosine are given */
+VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cosine, vmi_broken_rotor_vector a)
+{
+    vmi_broken_rotor_vector b;
+    b.x = cosine * a.x - sine * a.y;
+    b.y = sine * a.x + cosine * a.y;
+    return b;
+}
+
+/* Sets the state of a body at angle psi whose mass centre is at d from S and which moves relative to the whole with
+   the velocity (ux, uy) and the given spin. before is the state of the whole. */
+VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
+                                   vm_real spin, vm_real *state)
+{
+    const vm_real omega = before[VM_BROKEN_ROTOR_OMEGA];
+    state[VM_BROKEN_ROTOR_X] = before[VM_BROKEN_ROTOR_X] + dx;
+    state[VM_BROKEN_ROTOR_X + 1] = before[VM_BROKEN_ROTOR_X + 1] + dy;
+    state[VM_BROKEN_ROTOR_ANGLE] = psi;
+    state[VM_BROKEN_ROTOR_V] = before[VM_BROKEN_ROTOR_V] - omega * dy + ux;
+    state[VM_BROKEN_ROTOR_V + 1] = before[VM_BROKEN_ROTOR_V + 1] + omega * dx + uy;
+    state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
+}
+
+/* Sets mass, inertia and eccentricity of the rest. VM_BAD_INERTIA where the inertia is negative or lost in rounding
+   errors */
+VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
+{
+    const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
+    *rest = *whole;
+    rest->mass = left;
+    rest->inertia = (whole->inertia - p->inertia) - share * whole->mass * (p->distance * p->distance);
+    rest->s = share * p->distance;
+    if (!(rest->inertia > lost * whole->inertia)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the direction of S2A; returns AS2. All
+   vectors are in axes along SA and counterclockwise across it: d = SS2, v = v_S. */
+VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
+                                        vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
+                                        vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
+{
+    const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
+    const vm_real reduced = p->mass / b->rest.mass * whole->mass;
+    const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
+    vm_real moment; /* SS2 x v_T */
+    e->x = reach_x / reach;
+    e->y = reach_y / reach;
+    b->dragging = vmi_hypot(ux, uy);
+    b->gamma = vmi_atan2(uy, ux);
+    b->beta = vmi_atan2(reach_y, reach_x);
+    b->normal = ux * e->x + uy * e->y;
+    b->tangential = uy * e->x - ux * e->y;
+    moment = b->tangential * (d.x * e->x + d.y * e->y);
+    b->spin_piece = b->tangential / reach;
+    b->spin_rest = (reduced * moment - p->inertia * b->spin_piece) / b->rest.inertia;
+    b->stop_inertia = (whole->inertia * spin + reduced * (moment - p->distance * p->distance * spin)) /
+                      (spin + b->spin_piece);
+    return reach;
+}
+
+/* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
+   `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
+   is not in (0, M); VM_BAD_INERTIA for an inertia of the rest that is negative or lost in rounding errors; VM_DOMAIN
+   for a whole with s != 0 and for a piece whose mass centre S2 is at A. */
+VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
+                                     const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
+{
+    vm_broken_rotor_break b;
+    vmi_broken_rotor_vector d, v, e;
+    vm_real sine, cosine, share, T, psi;
+    int status;
+    if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
+    status = vmi_check_broken_rotor(whole);
+    if (!status && !vmi_all_finite(VM_BROKEN_ROTOR_STATES, before)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_check_broken_rotor_piece(whole, piece);
+    if (!status && whole->s != 0) status = VM_DOMAIN;
+    if (!status) status = vmi_broken_rotor_rest(whole, piece, &b.rest);
+    if (status) return status;
+
+    vmi_sincos(piece->alpha, &sine, &cosine);
+    d.x = piece->distance * cosine;
+    d.y = -piece->distance * sine;
+    vmi_sincos(piece->contact, &sine, &cosine);
+    v.x = before[VM_BROKEN_ROTOR_V];
+    v.y = before[VM_BROKEN_ROTOR_V + 1];
+    v = vmi_broken_rotor_turned(-sine, cosine, v);
+    if (!(vmi_broken_rotor_contact(whole, piece, before[VM_BROKEN_ROTOR_OMEGA], d, v, &e, &b) > 0)) return VM_DOMAIN;
+
+    d = vmi_broken_rotor_turned(sine, cosine, d);
+    e = vmi_broken_rotor_turned(sine, cosine, e);
+    share = piece->mass / b.rest.mass;
+    T = b.tangential;
+    psi = piece->contact - piece->alpha;
+    vmi_broken_rotor_moved(before, psi, d.x, d.y, T * e.y, -T * e.x, b.spin_piece, b.piece);
+    vmi_broken_rotor_moved(before, psi, -share * d.x, -share * d.y, -share * T * e.y, share * T * e.x, b.spin_rest,
+                           b.state);
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, b.state) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, b.piece))
+        return VM_NOT_FINITE;
+    *result = b;
+    return VM_OK;
+}
+
+#endif
+/* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
+
+   The motion at any time, without an integrator: exact before the break (46)-(51), where the shaft passes through the
+   mass centre; of the remainder for short times after the break, |psi| << 1, by the linearised equations (69),
+   complete and in the form (70)-(72) of the dissertation, which leaves out a term. For long times integrate
+   vm_broken_rotor_rhs.
+
+       vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
+       status = vm_broken_rotor_free_motion(5, &whole, y, y); // y at 5 s
+
+   The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
+     x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
+   Tests: tests/test_broken_rotor.c. */
+#ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
+#define VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
+
+#include <string.h>
+
+/* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
-    vm_real omega, k, torque, s, coupling;
+    vm_real omega, k, torque, s; /* omega, k*, M*, s */
+    vm_real coupling;            /* s p^2 omega^2 of (69), or 0 where this term is left out */
 } vmi_broken_rotor_linear;
+
+/* Where y, psi and their rates stand in z, the coupled part of the state */
+enum {
+    VMI_BROKEN_ROTOR_Y = 0,
+    VMI_BROKEN_ROTOR_PSI = 1,
+    VMI_BROKEN_ROTOR_Y_RATE = 2,
+    VMI_BROKEN_ROTOR_PSI_RATE = 3,
+    VMI_BROKEN_ROTOR_COUPLED = 4 /* how many there are */
+};
 
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
@@ -2926,28 +3185,39 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     a.k = r->damping / r->inertia;
     a.torque = r->torque / r->inertia;
     a.s = r->s;
-    a.coupling = coupled ? r->s * (r->stiffness / r->inertia) : 0;
+    a.coupling = 0;
+    if (coupled) a.coupling = r->s * (r->stiffness / r->inertia);
     return a;
 }
 
-/* What z = y, psi, y', psi' of (69) changes by within h, by the series in t, for |h| times vmi_broken_rotor_rate at most
-   1: the n-th terms of y and of s psi are then below 1/n! of the first ones */
+/* A bound of the rates at which solutions change, 1/s */
+VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
+{
+    return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
+}
+
+/* Sets the change of z within the time h by the Taylor series in h, for |h| vmi_broken_rotor_rate <= 1: the n-th
+   terms of y and of s psi are then below 1/n! of the first ones, so that the number of terms is enough. y0, y1, y2
+   are three terms of y in a row, psi0, psi1, psi2 those of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
     const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
-    vm_real y0 = z[0], psi0 = z[1], y1 = z[2] * h, psi1 = z[3] * h, drive = a->torque * h * h;
+    vm_real y0 = z[VMI_BROKEN_ROTOR_Y], y1 = z[VMI_BROKEN_ROTOR_Y_RATE] * h;
+    vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], psi1 = z[VMI_BROKEN_ROTOR_PSI_RATE] * h;
+    vm_real drive = a->torque * h * h;
     int n;
-    change[0] = y1;
-    change[1] = psi1;
-    change[2] = change[3] = 0;
+    change[VMI_BROKEN_ROTOR_Y] = y1;
+    change[VMI_BROKEN_ROTOR_PSI] = psi1;
+    change[VMI_BROKEN_ROTOR_Y_RATE] = 0;
+    change[VMI_BROKEN_ROTOR_PSI_RATE] = 0;
     for (n = 2; n < terms && h != 0; n++) {
         const vm_real share = 1 / (vm_real)(n * (n - 1)), y2 = -omega_h2 * (y0 + a->s * psi0) * share;
         const vm_real psi2 = (drive - k_h * (vm_real)(n - 1) * psi1 - coupling_h2 * y0) * share;
-        change[0] += y2;
-        change[1] += psi2;
-        change[2] += (vm_real)n * y2 / h;
-        change[3] += (vm_real)n * psi2 / h;
+        change[VMI_BROKEN_ROTOR_Y] += y2;
+        change[VMI_BROKEN_ROTOR_PSI] += psi2;
+        change[VMI_BROKEN_ROTOR_Y_RATE] += (vm_real)n * y2 / h;
+        change[VMI_BROKEN_ROTOR_PSI_RATE] += (vm_real)n * psi2 / h;
         y0 = y1;
         psi0 = psi1;
         y1 = y2;
@@ -2956,9 +3226,46 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
+/* Doubles the time to which m belongs: (m + E)^2 - E = 2 m + m m, computed in this form because E would swallow the
+   digits of m. m[j] is the change from the unit state j, for the last j the change that the torque makes from 0. */
+VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
-    return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
+    vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
+    int i, j, k;
+    memcpy(old, m, sizeof old);
+    for (j = 0; j <= VMI_BROKEN_ROTOR_COUPLED; j++)
+        for (i = 0; i < VMI_BROKEN_ROTOR_COUPLED; i++) {
+            m[j][i] *= 2;
+            for (k = 0; k < VMI_BROKEN_ROTOR_COUPLED; k++) m[j][i] += old[k][i] * old[j][k];
+        }
+}
+
+/* Moves z on by the time t, for any coefficients: by the series within t/2^n, where it holds, then by n doublings */
+VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
+{
+    enum { n = VMI_BROKEN_ROTOR_COUPLED };
+    vm_real m[n + 1][n], start[n], change[n], h = t;
+    vmi_broken_rotor_linear driven = *a;
+    int doublings = 0, i, j;
+    for (; VM_FABS(h) * vmi_broken_rotor_rate(a) > 1; h /= 2) doublings++;
+    if (doublings == 0) {
+        vmi_broken_rotor_series(a, h, z, change);
+        for (i = 0; i < n; i++) z[i] += change[i];
+        return;
+    }
+    for (j = 0; j <= n; j++) {
+        for (i = 0; i < n; i++) start[i] = i == j;
+        driven.torque = 0;
+        if (j == n) driven.torque = a->torque;
+        vmi_broken_rotor_series(&driven, h, start, m[j]);
+    }
+    for (; doublings > 0; doublings--) vmi_broken_rotor_double(m);
+    memcpy(start, z, sizeof start);
+    for (i = 0; i < n; i++) {
+        vm_real sum = m[n][i];
+        for (j = 0; j < n; j++) sum += m[j][i] * start[j];
+        z[i] += sum;
+    }
 }
 
 /* (e^z - 1)/z and (e^z - 1 - z)/z^2, to a few eps */
@@ -2976,7 +3283,7 @@ VM_API void vmi_broken_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *ph
     *phi1 = 1 + z * *phi2;
 }
 
-/* w - sin w, given sin w */
+/* w - sin w to a few eps, where sine = sin w is given */
 VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
@@ -2987,9 +3294,13 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* cos wt, 1 - cos wt, w sin wt, sin wt/w, t - sin wt/w */
+/* Functions of the free swing w, each to a few eps for w = 0 too */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
-    vm_real c, c1, w_s, s_w, late;
+    vm_real c;    /* cos wt */
+    vm_real c1;   /* 1 - cos wt */
+    vm_real w_s;  /* w sin wt */
+    vm_real s_w;  /* sin wt/w */
+    vm_real late; /* t - sin wt/w */
 } vmi_broken_rotor_swing;
 
 VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
@@ -3000,18 +3311,25 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     vmi_sincos(w * t, &sine, &g.c);
     g.c1 = 2 * half * half;
     g.w_s = w * sine;
-    g.s_w = w > 0 ? sine / w : t;
-    g.late = w > 0 ? vmi_broken_rotor_less_sine(w * t, sine) / w : 0;
+    g.s_w = t;
+    g.late = 0;
+    if (w > 0) {
+        g.s_w = sine / w;
+        g.late = vmi_broken_rotor_less_sine(w * t, sine) / w;
+    }
     return g;
 }
 
-/* (71), (72) with M* in the place of k* Omega, for z = y, psi, y', psi' and |t| times the rate of 1 and more. y
-   answers to -s psi, and psi = psi0 + psi0' E1 + M* E2, E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k. g0, g1, g2 solve g''
-   + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
-VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g, vm_real *z)
+/* Moves z on by the time t by (71), (72), without coupling, with M* in the place of k* Omega; for |t| times the rate
+   > 1.
+   psi = psi0 + psi0' E1 + M* E2 with E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k, and y responds to -s psi: g0, g1, g2
+   solve g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
+VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
+                                    vm_real *z)
 {
     const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
-    const vm_real y0 = z[0], psi0 = z[1], v0 = z[2], rate0 = z[3];
+    const vm_real y0 = z[VMI_BROKEN_ROTOR_Y], v0 = z[VMI_BROKEN_ROTOR_Y_RATE];
+    const vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], rate0 = z[VMI_BROKEN_ROTOR_PSI_RATE];
     vm_real E0, E1, E2, g0, g1, g2;
     vmi_broken_rotor_exp_quotients(-a->k * t, &E1, &E2);
     E0 = vmi_exp(-a->k * t, 0);
@@ -3020,276 +3338,118 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
     g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
     g2 = (w2 * E2 + (a->k * g->late - g->c1)) / sum;
-    z[0] = y0 * g->c + v0 * g->s_w - a->s * (psi0 * g->c1 + (rate0 * g1 + a->torque * g2));
-    z[1] = psi0 + (rate0 * E1 + a->torque * E2);
-    z[2] = v0 * g->c - y0 * g->w_s - a->s * (psi0 * g->w_s + (rate0 * g0 + a->torque * g1));
-    z[3] = rate0 * E0 + a->torque * E1;
+    z[VMI_BROKEN_ROTOR_Y] = y0 * g->c + v0 * g->s_w - a->s * (psi0 * g->c1 + (rate0 * g1 + a->torque * g2));
+    z[VMI_BROKEN_ROTOR_PSI] = psi0 + (rate0 * E1 + a->torque * E2);
+    z[VMI_BROKEN_ROTOR_Y_RATE] = v0 * g->c - y0 * g->w_s - a->s * (psi0 * g->w_s + (rate0 * g0 + a->torque * g1));
+    z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* z changes by M (z, 1), M = [exp(A t) - E | answer to the torque]: doubled from where the series holds, by
-   2 M + M M, which keeps the digits that E would swallow */
-VM_API void vmi_broken_rotor_double(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
+/* The three public motions: all of (69) if coupled = 1, without its last term if coupled = 0 */
+VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled,
+                                       vm_real *end)
 {
-    vm_real m[5][4], old[5][4], unit[4], h = t; /* m[j]: of the unit state j, of the torque for j = 4 */
-    vmi_broken_rotor_linear driven = *a;
-    int doublings = 0, i, j, k;
-    for (; VM_FABS(h) * vmi_broken_rotor_rate(a) > 1; h /= 2) doublings++;
-    if (doublings == 0) {
-        vmi_broken_rotor_series(a, h, z, unit);
-        for (i = 0; i < 4; i++) z[i] += unit[i];
-        return;
-    }
-    for (j = 0; j < 5; j++) {
-        for (i = 0; i < 4; i++) unit[i] = i == j;
-        driven.torque = j < 4 ? 0 : a->torque;
-        vmi_broken_rotor_series(&driven, h, unit, m[j]);
-    }
-    for (; doublings > 0; doublings--) {
-        memcpy(old, m, sizeof m);
-        for (j = 0; j < 5; j++)
-            for (i = 0; i < 4; i++)
-                for (m[j][i] *= 2, k = 0; k < 4; k++) m[j][i] += old[k][i] * old[j][k];
-    }
-    memcpy(unit, z, sizeof unit);
-    for (i = 0; i < 4; i++) {
-        vm_real change = m[4][i];
-        for (j = 0; j < 4; j++) change += m[j][i] * unit[j];
-        z[i] += change;
-    }
-}
-
-VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled, vm_real *end)
-{
-    vm_real y[6], z[4];
+    vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0;
     vmi_broken_rotor_linear a;
     vmi_broken_rotor_swing g;
     int status;
     if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !vmi_all_finite(6, start)) return VM_NOT_FINITE;
-    status = vmi_check_rotor(rotor);
+    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
+    status = vmi_check_broken_rotor(rotor);
     if (status) return status;
     a = vmi_broken_rotor_reduced(rotor, coupled);
     g = vmi_broken_rotor_swing_at(t, a.omega);
-    z[0] = start[1];
-    z[1] = start[2];
-    z[2] = start[4];
-    z[3] = start[5];
-    if (coupled || VM_FABS(t) * vmi_broken_rotor_rate(&a) <= 1) vmi_broken_rotor_double(t, &a, z);
+    z[VMI_BROKEN_ROTOR_Y] = start[VM_BROKEN_ROTOR_X + 1];
+    z[VMI_BROKEN_ROTOR_PSI] = start[VM_BROKEN_ROTOR_ANGLE];
+    z[VMI_BROKEN_ROTOR_Y_RATE] = start[VM_BROKEN_ROTOR_V + 1];
+    z[VMI_BROKEN_ROTOR_PSI_RATE] = start[VM_BROKEN_ROTOR_OMEGA];
+    if (coupled || VM_FABS(t) * vmi_broken_rotor_rate(&a) <= 1) vmi_broken_rotor_advance(t, &a, z);
     else vmi_broken_rotor_follow(t, &a, &g, z);
-    y[0] = start[0] * g.c + (start[3] * g.s_w - a.s * g.c1); /* (70) */
-    y[3] = start[3] * g.c - g.w_s * (start[0] + a.s);
-    y[1] = z[0];
-    y[2] = z[1];
-    y[4] = z[2];
-    y[5] = z[3];
-    return vmi_copy_if_finite(6, y, end);
+    x0 = start[VM_BROKEN_ROTOR_X];
+    vx0 = start[VM_BROKEN_ROTOR_V];
+    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* (70) */
+    y[VM_BROKEN_ROTOR_V] = vx0 * g.c - g.w_s * (x0 + a.s);
+    y[VM_BROKEN_ROTOR_X + 1] = z[VMI_BROKEN_ROTOR_Y];
+    y[VM_BROKEN_ROTOR_ANGLE] = z[VMI_BROKEN_ROTOR_PSI];
+    y[VM_BROKEN_ROTOR_V + 1] = z[VMI_BROKEN_ROTOR_Y_RATE];
+    y[VM_BROKEN_ROTOR_OMEGA] = z[VMI_BROKEN_ROTOR_PSI_RATE];
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, y, end);
 }
 
-/* The remainder for short times, |psi| << 1, linearised: (69) complete; and without its term -s y omega^2 p^2,
-   which (70)-(72) leave out, though it is of the order of the others. Both for any k*, omega, s, zero included, and
-   accurate as vm_broken_rotor_free_motion is (the first to twice that). All of (69) grows exponentially: VM_NOT_FINITE where it
-   overflows. */
+/* State of the remainder t seconds after start, by the linearised equations (69), complete.
+   For short times, |psi| << 1; any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may
+   be start. damping, stiffness and s may be 0. Error: no more than twice what rounding every input, t included, would
+   make. All of (69) grows exponentially: VM_NOT_FINITE where it overflows. VM_BAD_ARGUMENT, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (a negative stiffness). */
 VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
 }
 
-/* Documented with vm_broken_rotor_linear. */
+/* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
+   The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
+   with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
 VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
 }
 
-/* State at t after start by (46)-(51), exact; VM_DOMAIN unless s = 0. damping and stiffness may be 0; end may be
-   start, here and below. Error: no more than the rounding of every input, t included, would do. */
-/* With s = 0 the uncoupled equations are (46) itself. */
+/* State of the unbroken rotor t seconds after start, exact, (46)-(51).
+   Any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
+   stiffness may be 0. Error: no more than rounding every input, t included, would make. VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (s is not 0, or a negative stiffness). */
 VM_API int vm_broken_rotor_free_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
 {
-    if (rotor && rotor->s != 0) return rotor->s - rotor->s == 0 ? VM_DOMAIN : VM_NOT_FINITE;
-    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
+    if (rotor && !VM_IS_FINITE(rotor->s)) return VM_NOT_FINITE;
+    if (rotor && rotor->s != 0) return VM_DOMAIN;
+    return vmi_broken_rotor_linearised(t, rotor, start, 0, end); /* for s = 0 these equations are (46) itself */
 }
 
-/* A0, B0, C0, D0 (51), m, of x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass,
-   not 0. The orbit's half axes are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, wrong after (52), is
-     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t) */
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
+   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, which must not be 0. The
+   half axes of the orbit are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, which [1] prints wrongly after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN where the stiffness is not positive. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
-    vm_real w, vx, vy, c[4];
+    vm_real w, x, y, vx, vy, c[4];
     int status;
     if (!rotor || !start || !abcd) return VM_BAD_ARGUMENT;
-    if (!vmi_all_finite(6, start)) return VM_NOT_FINITE;
-    status = vmi_check_rotor(rotor);
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
+    status = vmi_check_broken_rotor(rotor);
     if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
     if (status) return status;
     w = VM_SQRT(rotor->stiffness / rotor->mass);
-    vx = start[3] / w;
-    vy = start[4] / w;
-    c[0] = (start[0] + vy) / 2;
-    c[1] = (start[1] - vx) / 2;
-    c[2] = (start[0] - vy) / 2;
-    c[3] = (start[1] + vx) / 2;
+    x = start[VM_BROKEN_ROTOR_X];
+    y = start[VM_BROKEN_ROTOR_X + 1];
+    vx = start[VM_BROKEN_ROTOR_V] / w;
+    vy = start[VM_BROKEN_ROTOR_V + 1] / w;
+    c[0] = (x + vy) / 2;
+    c[1] = (y - vx) / 2;
+    c[2] = (x - vy) / 2;
+    c[3] = (y + vx) / 2;
     return vmi_copy_if_finite(4, c, abcd);
 }
 
-/* -- The break, in axes along SA and counterclockwise across it -- */
-VM_API int vmi_check_piece(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p)
-{
-    if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
-        !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
-        return VM_NOT_FINITE;
-    if (!(p->mass > 0 && p->mass < whole->mass)) return VM_BAD_MASS;
-    return p->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
-}
+#endif
+/* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
 
-/* (x, y) turned by the angle whose sine and cosine are given */
-VM_API void vmi_broken_rotor_turn(vm_real sine, vm_real cosine, vm_real *x, vm_real *y)
-{
-    const vm_real x0 = *x;
-    *x = cosine * x0 - sine * *y;
-    *y = sine * x0 + cosine * *y;
-}
+   After the break the remainder can turn steadily, psi' = Omega, with its mass centre on a circle (76), (77). Here
+   are the radius of this circle, the small motions about it with their characteristic polynomial (81), its roots and
+   Routh's column, and the stability (82): the steady motion is stable below resonance only. Above resonance the orbit
+   of a rotor that starts from rest grows, and vm_broken_rotor_resonance_radius says how. In the formulas omega^2 =
+   stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
 
-/* State of a body whose mass centre is at d from S, at angle psi, moving relative to the whole by (ux, uy), spin */
-VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
-                            vm_real spin, vm_real *state)
-{
-    state[0] = before[0] + dx;
-    state[1] = before[1] + dy;
-    state[2] = psi;
-    state[3] = before[3] - before[5] * dy + ux;
-    state[4] = before[4] + before[5] * dx + uy;
-    state[5] = before[5] + spin;
-}
+       vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
+       int stable = vm_broken_rotor_is_stable(&rest, 2);
 
-/* Mass, inertia and eccentricity of the rest */
-VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
-{
-    const vm_real left = whole->mass - p->mass, share = p->mass / left;
-    *rest = *whole;
-    rest->mass = left;
-    rest->inertia = (whole->inertia - p->inertia) - share * whole->mass * (p->distance * p->distance);
-    rest->s = share * p->distance;
-    return rest->inertia > 8 * VM_EPSILON * whole->inertia ? VM_OK : VM_BAD_INERTIA;
-}
+   Tests: tests/test_broken_rotor_stability.c. */
+#ifndef VARMASS_MECHANICS_BROKEN_ROTOR_STABILITY_H
+#define VARMASS_MECHANICS_BROKEN_ROTOR_STABILITY_H
 
-/* (52)-(58), all but rest, state and piece, from SS2 and v_S in axes along SA and counterclockwise across it; e is
-   the direction of S2A. Returns AS2. */
-VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin, const vm_real *d,
-                                 const vm_real *v, vm_real *e, vm_broken_rotor_break *b)
-{
-    const vm_real ux = v[0] - spin * d[1], uy = v[1] + spin * d[0], reduced = p->mass / b->rest.mass * whole->mass;
-    const vm_real reach_x = p->radius - d[0], reach_y = -d[1], reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T */
-    e[0] = reach_x / reach;
-    e[1] = reach_y / reach;
-    b->dragging = vmi_hypot(ux, uy);
-    b->gamma = vmi_atan2(uy, ux);
-    b->beta = vmi_atan2(reach_y, reach_x);
-    b->normal = ux * e[0] + uy * e[1];
-    b->tangential = uy * e[0] - ux * e[1];
-    moment = b->tangential * (d[0] * e[0] + d[1] * e[1]);
-    b->spin_piece = b->tangential / reach;
-    b->spin_rest = (reduced * moment - p->inertia * b->spin_piece) / b->rest.inertia;
-    b->stop_inertia = (whole->inertia * spin + reduced * (moment - p->distance * p->distance * spin)) /
-                      (spin + b->spin_piece);
-    return reach;
-}
+#include <string.h>
 
-/* The remainder's spin, state[5], is Omega_b + Omega_r1  [(59), (64) corrected]. Refuses m not in (0, M), an I_S1
-   that is negative or lost in rounding errors (VM_BAD_INERTIA), a whole with s != 0 and S2 at A (VM_DOMAIN). */
-VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before, const vm_broken_rotor_piece *piece,
-                              vm_broken_rotor_break *result)
-{
-    vm_broken_rotor_break b;
-    vm_real sine, cosine, d[2], v[2], e[2], share, T;
-    int status;
-    if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_rotor(whole);
-    if (!status) status = vmi_all_finite(6, before) ? vmi_check_piece(whole, piece) : VM_NOT_FINITE;
-    if (!status && whole->s != 0) status = VM_DOMAIN;
-    if (!status) status = vmi_broken_rotor_rest(whole, piece, &b.rest);
-    if (status) return status;
-
-    vmi_sincos(piece->alpha, &sine, &cosine);
-    d[0] = piece->distance * cosine;
-    d[1] = -piece->distance * sine;
-    vmi_sincos(piece->contact, &sine, &cosine);
-    v[0] = before[3];
-    v[1] = before[4];
-    vmi_broken_rotor_turn(-sine, cosine, &v[0], &v[1]);
-    if (!(vmi_broken_rotor_contact(whole, piece, before[5], d, v, e, &b) > 0)) return VM_DOMAIN;
-
-    vmi_broken_rotor_turn(sine, cosine, &d[0], &d[1]);
-    vmi_broken_rotor_turn(sine, cosine, &e[0], &e[1]);
-    share = piece->mass / b.rest.mass;
-    T = b.tangential;
-    vmi_broken_rotor_moved(before, piece->contact - piece->alpha, d[0], d[1], T * e[1], -T * e[0], b.spin_piece, b.piece);
-    vmi_broken_rotor_moved(before, piece->contact - piece->alpha, -share * d[0], -share * d[1], -share * T * e[1],
-                    share * T * e[0], b.spin_rest, b.state);
-    if (!vmi_all_finite(6, b.state) || !vmi_all_finite(6, b.piece)) return VM_NOT_FINITE;
-    *result = b;
-    return VM_OK;
-}
-
-/* Polar form (75), y[6] = {r, phi, psi, r', phi', psi'}; stops the run with VM_DOMAIN at r = 0. The conversions
-   refuse r = 0 and r < 0. */
-/* -- Polar form -- */
-VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
-{
-    if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
-    const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
-    const vm_real w2 = r->stiffness / r->mass;
-    vm_real sine, cosine;
-    (void)t;
-    if (!(y[0] > 0)) return VM_DOMAIN;
-    vmi_sincos(y[1] - y[2], &sine, &cosine);
-    dydt[0] = y[3];
-    dydt[1] = y[4];
-    dydt[2] = y[5];
-    dydt[3] = y[0] * (y[4] * y[4]) - w2 * (y[0] + r->s * cosine);
-    dydt[4] = (r->s * w2 * sine - 2 * y[3] * y[4]) / y[0];
-    dydt[5] = (r->torque - r->damping * y[5] - r->s * r->stiffness * y[0] * sine) / r->inertia;
-    return 0;
-}
-
-/* Documented with vm_broken_rotor_polar_rhs. */
-VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
-{
-    vm_real p[6], c, s;
-    if (!y || !polar) return VM_BAD_ARGUMENT;
-    if (!vmi_all_finite(6, y)) return VM_NOT_FINITE;
-    p[0] = vmi_hypot(y[0], y[1]);
-    if (!(p[0] > 0)) return VM_DOMAIN;
-    c = y[0] / p[0];
-    s = y[1] / p[0];
-    p[1] = vmi_atan2(y[1], y[0]);
-    p[2] = y[2];
-    p[3] = c * y[3] + s * y[4];
-    p[4] = (c * y[4] - s * y[3]) / p[0];
-    p[5] = y[5];
-    return vmi_copy_if_finite(6, p, polar);
-}
-
-/* Documented with vm_broken_rotor_polar_rhs. */
-VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
-{
-    vm_real z[6], c, s, across;
-    if (!y || !polar) return VM_BAD_ARGUMENT;
-    if (!vmi_all_finite(6, polar)) return VM_NOT_FINITE;
-    if (!(polar[0] > 0)) return VM_DOMAIN;
-    vmi_sincos(polar[1], &s, &c);
-    across = polar[0] * polar[4];
-    z[0] = polar[0] * c;
-    z[1] = polar[0] * s;
-    z[2] = polar[2];
-    z[3] = polar[3] * c - across * s;
-    z[4] = polar[3] * s + across * c;
-    z[5] = polar[5];
-    return vmi_copy_if_finite(6, z, y);
-}
-
-/* -- The steady motion and its stability -- */
-/* (omega^2 - Omega^2) mass, whose sign is right and whose relative error is an eps however near resonance is */
+/* (omega^2 - Omega^2) mass, in two words: its sign is right and its relative error is an eps, however close to
+   resonance the rotor turns */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -3297,30 +3457,35 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
     return left.hi + left.lo;
 }
 
-/* Steady motion at psi' = Omega, which needs torque = damping Omega (47). r_SS = s omega^2/(omega^2 - Omega^2), m:
-   positive as in (77), phi = psi + pi, where Omega^2 < omega^2; negative as in (76), phi = psi. Infinite at resonance
-   (NaN for s = 0). Within 2 eps however near resonance is. */
+/* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
+   Omega in rad/s; the motion needs torque = damping Omega (47). The radius is positive as in (77), phi = psi + pi,
+   where Omega^2 < omega^2, and negative as in (76), phi = psi, where Omega^2 > omega^2. Within 2 eps however close to
+   resonance.
+   Infinite at resonance (NaN for s = 0); NaN for a null pointer and for a rotor whose fields have not the signs that
+   vm_broken_rotor states. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
-    if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
+    if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
     detuning = vmi_broken_rotor_detuning(rotor, Omega);
     if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
     share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
     return -rotor->s * (share / (1 - share));
 }
 
-/* w^2, O^2, k*, D and G of (81) */
+/* omega^2, Omega^2, k*, D and G of vm_broken_rotor_characteristic */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
 
+/* Sets *a. VM_BAD_ARGUMENT, VM_NOT_FINITE, the statuses of a bad rotor, VM_DOMAIN at resonance */
 VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
     vm_real detuning;
     if (!r) return VM_BAD_ARGUMENT;
-    status = VM_IS_FINITE(Omega) ? vmi_check_rotor(r) : VM_NOT_FINITE;
+    if (!VM_IS_FINITE(Omega)) return VM_NOT_FINITE;
+    status = vmi_check_broken_rotor(r);
     if (status) return status;
     detuning = vmi_broken_rotor_detuning(r, Omega);
     if (detuning == 0) return VM_DOMAIN;
@@ -3332,14 +3497,22 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
     return VM_OK;
 }
 
-/* Small motions about it, exp(lambda t). (81) corrected (its last term lacks lambda^2) is lambda times the polynomial
+enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
+
+/* Characteristic polynomial of small motions about the steady motion, (81) corrected.
+   They go with exp(l t) about the motion at psi' = Omega, rad/s. c is an array of VM_BROKEN_ROTOR_ROOTS + 1
+   coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   D = w^2 - O^2, G = s^2 p^2 w^4/D: c[6], highest power first. lambda = 0 is the freedom of the phase. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
+   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_DOMAIN (resonance, a negative stiffness). */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
-    vm_real p[6];
-    int status = c ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    vm_real p[VM_BROKEN_ROTOR_ROOTS + 1];
+    int status;
+    if (!c) return VM_BAD_ARGUMENT;
+    status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (status) return status;
     p[0] = 1;
     p[1] = a.k;
@@ -3347,15 +3520,20 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     p[3] = 2 * a.k * (a.w2 + a.O2);
     p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2);
     p[5] = a.k * (a.D * a.D);
-    return vmi_copy_if_finite(6, p, c);
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* Routh's first column 1, k*, G, k* D, 4 G Omega^2, k* D^2 */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2.
+   column is an array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all are
+   positive.
+   Errors as for vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
-    vm_real p[6];
-    int status = column ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    vm_real p[VM_BROKEN_ROTOR_ROOTS + 1];
+    int status;
+    if (!column) return VM_BAD_ARGUMENT;
+    status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (status) return status;
     p[0] = 1;
     p[1] = a.k;
@@ -3363,59 +3541,70 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
     p[3] = a.k * a.D;
     p[4] = 4 * a.G * a.O2;
     p[5] = a.k * (a.D * a.D);
-    return vmi_copy_if_finite(6, p, column);
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, column);
 }
 
-/* 1 where the steady motion is asymptotically stable, exactly Omega^2 < omega^2 (82) with k* > 0, s != 0, Omega != 0;
-   else 0 (for k*, s or Omega = 0 some motions neither grow nor fade) */
+/* Whether the steady motion at psi' = Omega is asymptotically stable (82): 1 or 0.
+   It is exactly for Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0. (With damping, s or Omega = 0 some motions
+   neither grow nor fade.) 0 for a null pointer and a bad rotor. */
 VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
-    if (!rotor || vmi_check_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
+    if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
     return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_broken_rotor_detuning(rotor, Omega) > 0;
 }
 
-/* Its five roots, by rising |imaginary part|, pairs as (+, -): each within twice what an eps of every coefficient
-   would do, the smallest too, which near resonance is many orders below the largest. VM_DOMAIN at resonance. */
-/* lambda is measured in size = |Omega| + omega + k* + sqrt|G|, so that no coefficient is above 10. */
+/* Roots re + i im of the characteristic polynomial, 1/s.
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers; the roots stand in the order of rising |imaginary part|, of
+   a pair first the one with im > 0. The error of each root is at most twice what an eps of every coefficient would
+   make, also that of the smallest root, which near resonance is many orders below the largest. Errors as for
+   vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
-    vm_real c[6], x[5], y[5], size, power;
-    int i, status = re && im ? vmi_broken_rotor_about_steady(rotor, Omega, &a) : VM_BAD_ARGUMENT;
+    vm_real c[VM_BROKEN_ROTOR_ROOTS + 1], x[VM_BROKEN_ROTOR_ROOTS], y[VM_BROKEN_ROTOR_ROOTS], size, power;
+    int i, status;
+    if (!re || !im) return VM_BAD_ARGUMENT;
+    status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
+    /* roots in units of `size`, so that no coefficient is above 10 */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
-    for (i = 1, power = 1 / size; i < 6; i++, power /= size) c[i] *= power;
-    if (!vmi_all_finite(6, c)) return VM_NOT_FINITE;
-    vmi_poly_roots(5, c, x, y);
-    for (i = 0; i < 5; i++) {
+    power = 1 / size;
+    for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
+        c[i] *= power;
+        power /= size;
+    }
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_ROOTS + 1, c)) return VM_NOT_FINITE;
+    vmi_poly_roots(VM_BROKEN_ROTOR_ROOTS, c, x, y);
+    for (i = 0; i < VM_BROKEN_ROTOR_ROOTS; i++) {
         x[i] *= size;
         y[i] *= size;
     }
-    if (!vmi_all_finite(5, x)) return VM_NOT_FINITE;
-    status = vmi_copy_if_finite(5, y, im);
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_ROOTS, x)) return VM_NOT_FINITE;
+    status = vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS, y, im);
     if (!status) memcpy(re, x, sizeof x);
     return status;
 }
 
-/* ln(1 + x) - x + x^2/2, x >= 0, to a few eps: x^3/3 - x^4/4 ..., by powers of w = x/(2 + x), all terms positive */
+/* ln(1 + x) - x + x^2/2 for x >= 0, to a few eps. For x <= 1 it is x^3/3 - x^4/4 + ... as a series in w = x/(2 + x)
+   <= 1/3, whose terms are all positive: coefficient n - 2 of w^n, and 1/n more for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
-    const int terms = VM_MANT_DIG > 24 ? 45 : 21; /* w <= 1/3 */
+    const int terms = VM_MANT_DIG > 24 ? 45 : 21;
     const vm_real w = x / (2 + x);
     vm_real sum = 0;
-    vm_two l;
     int n;
-    if (x > 1) {
-        l = vmi_log(1 + x);
-        return (l.hi - x) + x * x / 2;
+    if (x > 1) return (vmi_log(1 + x).hi - x) + x * x / 2;
+    for (n = terms; n >= 3; n--) {
+        vm_real coefficient = (vm_real)(n - 2);
+        if (n & 1) coefficient += 1 / (vm_real)n;
+        sum = w * sum + coefficient;
     }
-    for (n = terms; n >= 3; n--) sum = w * sum + ((vm_real)(n - 2) + (n & 1 ? 1 / (vm_real)n : 0));
     return 2 * w * w * w * sum;
 }
 
-/* r r' = A + B/r gives tau = t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A r/B: convex, so that Newton's method
-   falls to the root from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
+/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex, so that Newton's method falls to the root
+   from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3429,16 +3618,20 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
     return x;
 }
 
-/* r(t) after a start from rest where Omega = torque/damping is not below omega: psi' is caught at omega, and what the
-   torque has left goes into the orbit. r = |s|/4 + R with R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R),
-   R(0) = 0, which changes over from one law to the other,
+/* Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega,
+   m.
+   psi' is caught at omega, and the torque that is left goes into the orbit: r = |s|/4 + R, where R(0) = 0 and
+   R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   s/4 is the next order. Not in it: terms of s^2/r and the time of the capture (Fig. 18 at t = 400: 0.001 of 3.473
-   and 0.093 of 12.437 too little and too much). NaN below resonance, for t < 0, k* < 0 and omega = 0. */
+   |s|/4 is the next order of the expansion. Neglected are terms of s^2/r and the time of the capture: in Fig. 18 at
+   t = 400 the radius is 0.001 of 3.473 too small at resonance and 0.093 of 12.437 too large above it. NaN below
+   resonance, for t < 0, damping < 0, omega = 0, a null pointer and a bad rotor.
+   R R' = A + B/R has the solution t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
-    if (!rotor || vmi_check_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega)) return VM_NAN;
+    if (!rotor || vmi_check_broken_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega))
+        return VM_NAN;
     over = -vmi_broken_rotor_detuning(rotor, Omega);
     w = VM_SQRT(rotor->stiffness / rotor->mass);
     if (!(over >= 0) || !(w > 0) || !(rotor->damping >= 0)) return VM_NAN;
@@ -3446,83 +3639,112 @@ VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor
     B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
     R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
     if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
-    z = A * R / B;
-    if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t); /* B = 0 among it */
+    z = A * R / B; /* below eps the term A is negligible, beyond 1/eps (and for B = 0) the term B/R is */
+    if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
     else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
     return VM_FABS(rotor->s) / 4 + R;
 }
 
 #endif
-/* mechanics/generalized_force.h - generalised forces */
+/* mechanics/generalized_force.h - generalized forces of forces and moments
+
+   What a force and a moment do in generalized coordinates (235): used by Lagrange's equations (mechanics/lagrange.h)
+   and by their jumps (mechanics/lagrange_jump.h), where the "forces" are momenta and impulses.
+
+       vm_real Q[1] = {0};
+       vm_vec3 dr[1]; // dr/dq_0 of the point at which the weight acts
+       ...
+       vm_lagrange_add_force(1, weight, dr, no_moment, NULL, Q);
+
+   Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Q_i += force dr/dq_i + moment domega/dq'_i, i < n (235): of outer loads F, M; of streams M' u at the point where
-   they cross, and M' kappa omega2. dr or domega may be null: no part of it. */
-VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr, vm_vec3 moment, const vm_vec3 *domega, vm_real *Q)
+/* Adds the generalized forces of a force and a moment: Q_i += force dr/dq_i + moment domega/dq'_i (235).
+   For outer loads give their resultant and moment; for a stream the force M' u at the point where it crosses and the
+   moment M' kappa omega2. dr, domega and Q are arrays of n; without dr or domega their term is left out; without Q
+   nothing is done. */
+VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
+                                  const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
-    if (!Q) return;
     int k;
-    for (k = 0; k < n; k++) Q[k] += (dr ? vmi_dot(force, dr[k]) : 0) + (domega ? vmi_dot(moment, domega[k]) : 0);
+    if (!Q) return;
+    for (k = 0; k < n; k++) {
+        vm_real sum = 0;
+        if (dr_or_NULL) sum = vmi_dot(force, dr_or_NULL[k]);
+        if (domega_or_NULL) sum += vmi_dot(moment, domega_or_NULL[k]);
+        Q[k] += sum;
+    }
 }
 
 #endif
-/* mechanics/lagrange_jump.h - Lagrange's equations across a jump */
+/* mechanics/lagrange_jump.h - Lagrange's equations across a jump
+
+   Generalized velocities after a part separates from a system, or is attached to it, in an instant (96), and after an
+   impact. Mass matrices are arrays of n n numbers, row after row; velocities, momenta and impulses have n. The
+   matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i of the body's mass centre and turn[i] =
+   d omega/dqdot_i, in inertial axes, (87)-(90).
+
+       vm_real before[4], after[4], part[2], qdot[2], work[VM_LAGRANGE_WORK(2)];
+       ... // vm_lagrange_mass and vm_lagrange_momentum add to arrays that are zero at first
+       status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
+
+   The coordinates may be quasi-coordinates, too: velocities qdot_i that are no derivatives, as those about body axes.
+   Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
 
 #include <string.h>
 
-/* (96): d(T2 - T1)/dqdot = impulse, where the part's velocity relative to the body is held while differentiating, so
-   that d(T of the part)/dqdot is its generalized momentum part:
-     after qdot_after = before qdot - part + impulse    separation
-     after qdot_after = before qdot + part + impulse    attachment
-   Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
-   qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
-   mass, or a negative one: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled
-   to 1. */
+/* Length of `work` for n coordinates */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes). A body
-   enters by dr[i] = dv/dqdot_i of its mass centre and turn[i] = d omega/dqdot_i, in inertial axes (87)-(90). With
-   these each function adds to its last argument: a body's share of the mass matrix (n by n, T = qdot^T matrix
-   qdot/2), the generalized momentum of a body (as it moves), the generalized impulse (95) of what acts on a body
-   whose mass centre is at r; its moment is that about r, as (23a) should have said. dr or turn may be null: no part
-   of it. With another null pointer nothing is added. */
-VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix)
+/* Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2.
+   dr and turn are arrays of n; without one of them its term is left out; without body or matrix nothing is done. */
+VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
+                             vm_real *matrix)
 {
-    if (!body || !matrix) return;
-    const vm_vec3 none = {0, 0, 0};
     int i, j;
+    if (!body || !matrix) return;
     for (j = 0; j < n; j++) {
-        vm_body moved = *body;
-        vm_vec3 spin;
-        moved.omega = turn ? turn[j] : none;
-        spin = vmi_spin_momentum(&moved);
-        for (i = 0; i < n; i++)
-            matrix[i * n + j] +=
-                (dr ? body->mass * vmi_dot(dr[i], dr[j]) : 0) + (turn ? vmi_dot(turn[i], spin) : 0);
+        vm_vec3 spin = vmi_vec3(0, 0, 0);
+        if (turn_or_NULL) {
+            vm_body moved = *body;
+            moved.omega = turn_or_NULL[j];
+            spin = vmi_spin_momentum(&moved);
+        }
+        for (i = 0; i < n; i++) {
+            vm_real sum = 0;
+            if (dr_or_NULL) sum = body->mass * vmi_dot(dr_or_NULL[i], dr_or_NULL[j]);
+            if (turn_or_NULL) sum += vmi_dot(turn_or_NULL[i], spin);
+            matrix[i * n + j] += sum;
+        }
     }
 }
 
-/* Documented with vm_lagrange_mass. */
-VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
+/* Adds the generalized momentum of a body, as it moves, to p.
+   dr, turn and p are arrays of n; without dr or turn its term is left out; without body or p nothing is done. */
+VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
+                                 vm_real *p)
 {
     if (!body || !p) return;
-    vm_lagrange_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
+    vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Documented with vm_lagrange_mass. */
-VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
-                                vm_real *p)
+/* Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
+   r in m, inertial axes. The moment of the impulse is that about r, which (23a) does not say. dr, turn and p are
+   arrays of n; without dr or turn its term is left out; without impulse or p nothing is done. */
+VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
+                                const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
-    vm_lagrange_add_force(n, impulse->linear, dr, moment, turn, p);
+    vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* matrix (qdot_after - qdot) = b, of which work has b behind room for the matrix */
-VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after, vm_real *work)
+/* Solves matrix (qdot_after - qdot) = b. work holds room for the matrix, then b, then room for n numbers. */
+VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
+                                   vm_real *work)
 {
     vm_real *a = work, *b = a + n * n, *scale = b + n;
     int i;
@@ -3533,22 +3755,32 @@ VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot,
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,
-   with a small error */
+/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change, so that
+   a part of little mass changes qdot by little, with an error that is small against this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
-                             const vm_real *part, vm_real sign, const vm_real *impulse, vm_real *qdot_after,
-                             vm_real *work)
+                             const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
+                             vm_real *qdot_after, vm_real *work)
 {
     int i, j;
     if (n <= 0 || !before || !after || !qdot || !qdot_after || !work) return VM_BAD_ARGUMENT;
     for (i = 0; i < n; i++) {
-        vm_real sum = part ? sign * part[i] : 0;
+        vm_real sum = 0;
+        if (part_or_NULL) sum = sign * part_or_NULL[i];
         for (j = 0; j < n; j++) sum += (before[i * n + j] - after[i * n + j]) * qdot[j];
-        work[n * n + i] = impulse ? sum + impulse[i] : sum;
+        if (impulse_or_NULL) sum += impulse_or_NULL[i];
+        work[n * n + i] = sum;
     }
-    return vmi_lagrange_solve(n, after, qdot, qdot_after, work);
+    return vmi_lagrange_jump_solve(n, after, qdot, qdot_after, work);
 }
 
+/* Velocities after a part separates: after qdot_after = before qdot - part + impulse (96).
+   (96) is d(T2 - T1)/dqdot = impulse, where the velocity of the part relative to the body is held while
+   differentiating; then the part's share is its generalized momentum `part`. before and after are the mass matrices
+   with and without the part. Without part or impulse its term is 0; qdot_after may be qdot; work has
+   VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by little, and this change is right to a few eps of
+   itself. VM_BAD_ARGUMENT (a null pointer, n <= 0), VM_NOT_FINITE; VM_SINGULAR where a coordinate, or several
+   together, move no mass or a negative one: an entry on the diagonal of `after` is not positive, or a pivot is below
+   4 n eps when the diagonal is scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -3556,6 +3788,8 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, -1, impulse_or_NULL, qdot_after, work);
 }
 
+/* Velocities after a part is attached: after qdot_after = before qdot + part + impulse (96).
+   `part` is the generalized momentum of the part before it is attached; the rest is as for vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -3563,41 +3797,63 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, 1, impulse_or_NULL, qdot_after, work);
 }
 
-/* matrix (qdot_after - qdot) = impulse: no mass changes. Also a separation, free of cancellation for m -> M, where
-   matrix is that of the rest and -impulse the momentum of the part's motion relative to the body. */
+/* Velocities after an impact that changes no mass: matrix (qdot_after - qdot) = impulse.
+   It is also a separation that stays accurate where the part is nearly the whole body: then `matrix` is that of the
+   rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays, errors and
+   work as for vm_lagrange_separate; impulse must be there. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
-                           vm_real *qdot_after, vm_real *work)
+                              vm_real *qdot_after, vm_real *work)
 {
     if (!impulse) return VM_BAD_ARGUMENT;
     return vmi_lagrange_jump(n, matrix, matrix, qdot, NULL, 0, impulse, qdot_after, work);
 }
 
 #endif
-/* mechanics/pendulum.h - a pendulum from which a part is cut */
+/* mechanics/pendulum.h - a pendulum from which a part is cut
+
+   Example (119)-(132) in corrected form: a uniform rod of mass M and length L swings about its end O; its outer
+   length l, with the mass m = M l/L, is cut off and leaves with a velocity and an angular velocity relative to the
+   rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
+
+       vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
+       vm_pendulum_cut cut;
+       status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
+
+   Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
 
-/* Example (119)-(132), corrected: a uniform rod of mass M swings about its end O; the outer length l, and with it
-   m = M l/L, leaves at the relative velocity u and angular velocity Omega. */
+/* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* S2 at (cos, sin) angle: angle from x, counterclockwise; what (122), (125), (132) need */
-    VM_AXES_SIN_COS = 1  /* S2 at (sin, cos) angle (123): x across, y along, so that the angle turns clockwise */
+    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which counts from x counterclockwise; the formulas
+                            (122), (125), (132) need this */
+    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), x across and y along: the angle turns
+                            clockwise */
 };
 
+/* A uniform rod that swings about its end O, the origin */
 typedef struct VM_TAG(vm_pendulum) {
-    vm_real mass, length; /* M, L > 0 */
-    vm_real angle, rate;  /* phi, phi' */
-    int axes;
+    vm_real mass;   /* M > 0, kg */
+    vm_real length; /* L > 0, m */
+    vm_real angle;  /* phi, rad */
+    vm_real rate;   /* phi', rad/s */
+    int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the rest and of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
-    vm_pendulum rest;         /* rest.rate is phi1' */
-    vm_real mass;             /* of the part, m */
-    vm_real x, y, vx, vy;     /* of S2 (123), (121) */
-    vm_real rate;             /* of the part, phi' + Omega; turns as phi does */
-    vm_real T1, T_S1, T_S2;   /* kinetic energies (119), (124), (122) corrected, J */
-    vm_real L1, L2;           /* angular momenta about O of the rest (130) and the part (128) corrected */
-    vm_real pivot_x, pivot_y; /* impulse of the pivot on the rest during the cut, N s */
+    vm_pendulum rest; /* rest.rate is phi1' */
+    vm_real mass;     /* m of the part, kg */
+    vm_real x, y;     /* place of S2 (123), m */
+    vm_real vx, vy;   /* velocity of S2 (121), m/s */
+    vm_real rate;     /* angular velocity of the part, phi' + Omega, rad/s; it has the sense of phi */
+    vm_real T1;       /* kinetic energy before the cut (119), J */
+    vm_real T_S1;     /* kinetic energy of the rest (124), J */
+    vm_real T_S2;     /* kinetic energy of the part (122), corrected, J */
+    vm_real L1;       /* angular momentum of the rest about O (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about O (128), corrected, kg m^2/s */
+    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut, N s */
+    vm_real pivot_y;
 } vm_pendulum_cut;
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
@@ -3607,12 +3863,37 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
         return VM_NOT_FINITE;
     if (!(p->mass > 0)) return VM_BAD_MASS;
     if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_DOMAIN;
-    return part > 0 && part < p->length ? VM_OK : VM_DOMAIN;
+    if (!(part > 0 && part < p->length)) return VM_DOMAIN;
+    return VM_OK;
 }
 
-/* part is l, 0 < l < L; u in the axes of the pendulum. phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y
-   u_x)), s = 1 for (cos, sin), -1 for (sin, cos): (125), (132) corrected, with what cancels cancelled */
-/* With e from O to S2, f across it the way the angle grows: x u_y - y u_x = s rho u.f */
+/* Unit vectors of a pendulum: e from O along the rod, f across it in the direction in which the angle grows */
+VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
+{
+    if (p->axes == VM_AXES_COS_SIN) {
+        vmi_sincos(p->angle, ey, ex);
+        *fx = -*ey;
+        *fy = *ex;
+    } else {
+        vmi_sincos(p->angle, ex, ey);
+        *fx = *ey;
+        *fy = -*ex;
+    }
+}
+
+VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
+{
+    return VM_IS_FINITE(c->rest.rate) && VM_IS_FINITE(c->vx) && VM_IS_FINITE(c->vy) && VM_IS_FINITE(c->T1) &&
+           VM_IS_FINITE(c->L1) && VM_IS_FINITE(c->L2) && VM_IS_FINITE(c->T_S1) && VM_IS_FINITE(c->T_S2) &&
+           VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
+}
+
+/* Motion of a pendulum and of the part that is cut off it, (119)-(132).
+   part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
+   sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
+   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_DOMAIN (a part that is not shorter than the rod, axes that do not exist). */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -3622,22 +3903,15 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
     if (status) return status;
-    if (pendulum->axes == VM_AXES_COS_SIN) {
-        vmi_sincos(pendulum->angle, &ey, &ex);
-        fx = -ey;
-        fy = ex;
-    } else {
-        vmi_sincos(pendulum->angle, &ex, &ey);
-        fx = ey;
-        fy = -ex;
-    }
-    rho = pendulum->length - part / 2;
+    vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
+    rho = pendulum->length - part / 2; /* from O to S2 */
     left = pendulum->length - part;
-    across = ux * fx + uy * fy;
+    rest_mass = pendulum->mass * (left / pendulum->length);
+    across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
-    c.rest.mass = rest_mass = pendulum->mass * (left / pendulum->length);
+    c.rest.mass = rest_mass;
     c.rest.length = left;
     c.rest.rate = pendulum->rate + change;
     c.mass = pendulum->mass * (part / pendulum->length);
@@ -3651,12 +3925,9 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after less before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after minus momentum before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
-    if (!VM_IS_FINITE(c.rest.rate) || !VM_IS_FINITE(c.vx) || !VM_IS_FINITE(c.vy) || !VM_IS_FINITE(c.T1) ||
-        !VM_IS_FINITE(c.L1) || !VM_IS_FINITE(c.L2) || !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) ||
-        !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
-        return VM_NOT_FINITE;
+    if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
 }
@@ -4396,76 +4667,87 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 }
 
 #endif
-/* mechanics/streams.h - streams of mass: reactive force and torque */
+/* mechanics/streams.h - streams of mass: reactive force, moment and torque
+
+   A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
+   momentum with it: this is the reactive force (156), the reactive moment (158) and the reactive torque (157). Here
+   are the loads of an instant and the accelerations that follow from them, (159) and (160). To integrate a motion,
+   take mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+
+       vm_stream nozzle;
+       vm_reactive loads;
+       memset(&nozzle, 0, sizeof nozzle);
+       nozzle.rate = -2;          // 2 kg/s leave
+       nozzle.velocity.x = -2500; // m/s, relative to the body: VM_RELATIVE is 0
+       if (vm_reactive_loads(&body, centre, 1, &nozzle, &loads) == VM_OK) thrust = loads.force; // 5000 N
+
+   Tests: tests/test_streams.c. */
 #ifndef VARMASS_MECHANICS_STREAMS_H
 #define VARMASS_MECHANICS_STREAMS_H
 
-/* A stream carries mass into a body (rate > 0) or out of it (rate < 0) at one point. Zero fields are fair defaults,
-   and what does not act costs nothing; the loads of several streams add. Its velocity is given as its motion says: */
+/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body at which the
+   stream crosses the body's surface. */
 enum {
-    VM_RELATIVE = 0, /* velocity against the point of the body where it crosses, spin against the body: body axes */
-    VM_ABSOLUTE = 1, /* velocity and spin as they are: inertial axes */
-    VM_CARRIED = 2,  /* moves with the body: no torque, but M' omega x d is left of the force that (166) has as 0 */
-    VM_AT_REST = 3   /* has neither velocity nor spin (167)-(169) */
+    VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
+    VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
+    VM_CARRIED = 2,  /* the mass moves as the point and the body do; velocity and spin of the stream are not read.
+                        There is no torque, but the force M' omega x d remains, which (166) neglects */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169), velocity and spin of the stream are not read */
 };
 
+/* The place in a body that mass is taken from or put to, where this is not the point at which its stream crosses */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* m, body axes, from the body's reference point */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what is stored there, about its mass centre */
+    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of the stored mass, about its own mass centre */
 } vm_store;
 
+/* A stream of mass in space. Zero is a fair value of every field, and a term that is zero costs nothing. */
 typedef struct VM_TAG(vm_stream) {
-    vm_real rate;        /* kg/s */
-    int motion;          /* VM_RELATIVE ... */
-    vm_vec3 at;          /* m, where it crosses, body axes, from the body's reference point */
-    vm_vec3 velocity;    /* m/s */
-    vm_vec3 spin;        /* rad/s */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what crosses, about its own mass centre */
-    /* where the mass is taken from or put; null: where it crosses. Between the two it flows in a straight line, with
-       what it has of momentum on the way */
-    const vm_store *from;
+    vm_real rate;         /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    vm_vec3 at;           /* m, body axes: the point of crossing, from the body's reference point */
+    vm_vec3 velocity;     /* m/s, velocity of the mass when it crosses */
+    vm_vec3 spin;         /* rad/s, angular velocity of the mass when it crosses */
+    vm_inertia gyration;  /* m^2, body axes: inertia per unit mass of the crossing mass, about its own mass centre */
+    const vm_store *from; /* where the mass is taken from or put to; NULL: the point of crossing. Between the two it
+                             flows in a straight line, and its momentum on this way counts */
 } vm_stream;
 
-/* Reactive loads at an instant, inertial axes but for inertia_rate. With d = SS2 from the mass centre to the crossing
-   point, M' the rate, u the velocity, kappa the gyration, omega2 the angular velocity of each stream:
+/* The reactive loads of an instant, in inertial axes except inertia_rate. For each stream M' is the rate, u the
+   velocity of the crossing mass, omega2 its angular velocity, kappa its gyration, and d goes from the body's mass
+   centre to the point of crossing; P(d) = |d|^2 E - d d^T:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
-     torque  sum M' kappa omega2 - I' omega             (157) corrected: printed I' (omega2 - omega), which is right
+     torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
-   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160): v' is the rate of
-   momentum/mass, which v is. */
+   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). v is momentum/mass, and
+   v' is its rate. */
 typedef struct VM_TAG(vm_reactive) {
-    vm_vec3 force, moment, torque, drift; /* N, N m, N m, m/s */
-    vm_real mass_rate;                    /* kg/s */
-    vm_inertia inertia_rate;              /* kg m^2/s */
+    vm_vec3 force;           /* N */
+    vm_vec3 moment;          /* N m, about the mass centre */
+    vm_vec3 torque;          /* N m */
+    vm_vec3 drift;           /* m/s, velocity of the mass centre relative to the body's material */
+    vm_real mass_rate;       /* kg/s, sum of M' */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* What the streams of a moving body add up to, body axes */
-typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate, carried;    /* sum M'; that of the streams whose velocity is given relative to the body, */
-    vm_vec3 pushed;           /* their sum M' (u - v), */
-    vm_vec3 absolute;         /* and sum M' u of the others, inertial axes: exact where u = 0 */
-    vm_vec3 moment;           /* sum d x M' (u - v) */
-    vm_vec3 own;              /* sum M' kappa omega2 */
-    vm_vec3 crossing, stored; /* sum M' d, sum M' d_s */
-    vm_inertia inertia;       /* I' */
-    vm_real brought, lost;    /* twice the sums of T' */
-} vmi_stream_sum;
+/* The velocity u of a stream's mass is, for every known motion, the velocity of the body's point (or zero) plus the
+   velocity that the stream gives (or zero); its spin likewise. These two functions say which; nothing else decodes
+   VM_RELATIVE ... VM_AT_REST. */
+VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
+VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* Momentum, and angular momentum about the mass centre, of what is between the stores and the points of crossing */
-VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
+/* The velocity u of a stream's mass along a line: own is the body's velocity, given that of the stream */
+VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
-    int k;
-    *p = *h = vmi_vec3(0, 0, 0);
-    for (k = 0; k < n; k++) {
-        if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
-    }
+    vm_real u = 0;
+    if (vmi_stream_moves_with_body(motion)) u = own;
+    if (vmi_stream_velocity_is_given(motion)) u += given;
+    return u;
 }
 
 /* M' kappa */
@@ -4481,50 +4763,84 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
     return i;
 }
 
-/* The motion of a body as the streams see it: v = momentum/mass in inertial axes; in body axes slip, the velocity
-   of its material at the mass centre less v, omega and the mass centre. energy: brought and lost are wanted */
+/* Momentum *p, and angular momentum *h about the mass centre, of the mass on the way between stores and points of
+   crossing. A straight flow of M' kg/s from s to d has the momentum M' (s - d), whatever its speed is. */
+VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
+{
+    int k;
+    *p = *h = vmi_vec3(0, 0, 0);
+    for (k = 0; k < n; k++) {
+        if (!s[k].from) continue;
+        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
+        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+    }
+}
+
+/* The motion of a body as its streams need it */
 typedef struct VM_TAG(vmi_stream_seen) {
-    const vmi_mat3 *turn;
-    vm_vec3 v, slip, omega, centre;
-    int energy;
+    const vmi_mat3 *turn; /* from body axes to inertial ones */
+    vm_vec3 v;            /* momentum/mass, inertial axes */
+    vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
+    vm_vec3 omega;        /* angular velocity, body axes */
+    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    int energy;           /* 1 if the sums `brought` and `lost` are wanted */
 } vmi_stream_seen;
 
-/* M' (u - v) and omega2 of a stream, body axes, and its part of the momentum's rate; 0 for an unknown motion */
-VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
-                                vm_vec3 *push, vm_vec3 *spin)
+/* The sums over the streams of a moving body, in body axes except `absolute`. The velocity of mass that moves with
+   the body is kept relative to the body, and so these sums are exact for a body that moves fast. */
+typedef struct VM_TAG(vmi_stream_sum) {
+    vm_real rate;       /* sum M' */
+    vm_real carried;    /* sum M' of the streams whose velocity is relative to the body */
+    vm_vec3 pushed;     /* sum M' (u - v) of these streams */
+    vm_vec3 absolute;   /* sum M' u of the other streams, inertial axes: exactly 0 for mass at rest */
+    vm_vec3 moment;     /* sum d x M' (u - v) of all streams */
+    vm_vec3 own;        /* sum M' kappa omega2 */
+    vm_vec3 crossing;   /* sum M' d, d to the point of crossing */
+    vm_vec3 stored;     /* sum M' d_s, d_s to the store where there is one, else d */
+    vm_inertia inertia; /* I', rate of the inertia */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
+    vm_real lost;       /* the same sum of velocities relative to the body: twice the power that mixing takes */
+} vmi_stream_sum;
+
+/* One stream of known motion: sets *push = M' (u - v) and *spin = omega2, body axes, and adds its part to the sums
+   from which the force is made. `carried` is the velocity of the point of crossing, less v, body axes. */
+VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
+                                 vm_vec3 *push, vm_vec3 *spin)
 {
-    switch (s->motion) {
-    case VM_RELATIVE:
-        carried = vmi_add(carried, s->velocity);
-        *spin = vmi_add(b->omega, s->spin);
-        break;
-    case VM_ABSOLUTE:
+    const int given = vmi_stream_velocity_is_given(s->motion);
+    if (vmi_stream_moves_with_body(s->motion)) {
+        *spin = b->omega;
+        if (given) {
+            carried = vmi_add(carried, s->velocity);
+            *spin = vmi_add(b->omega, s->spin);
+        }
+        *push = vmi_scale(s->rate, carried);
+        sum->carried += s->rate;
+        sum->pushed = vmi_add(sum->pushed, *push);
+    } else if (given) {
         *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
         sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
-        return 1;
-    case VM_CARRIED: *spin = b->omega; break;
-    case VM_AT_REST:
+    } else {
         *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
-        return 1;
-    default: return 0;
     }
-    *push = vmi_scale(s->rate, carried);
-    sum->carried += s->rate;
-    sum->pushed = vmi_add(sum->pushed, *push);
-    return 1;
 }
 
+/* Adds a stream's part to sum->brought and sum->lost; push and spin are those of vmi_stream_motion */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 u = s->rate != 0 ? vmi_scale(1 / s->rate, push) : push, relative = vmi_sub(spin, b->omega);
-    const vm_vec3 absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v)), w = vmi_sub(u, carried);
+    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    vm_vec3 u = push, absolute, w;
+    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
+    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vmi_sub(u, carried);
     sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
+/* The sums over n streams. Returns 0 where the motion of a stream does not exist, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -4535,7 +4851,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
         const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
-        if (!vmi_stream_motion(s, b, carried, sum, &push, &spin)) return 0;
+        if (!vmi_stream_motion_is_known(s->motion)) return 0;
+        vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
         sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
@@ -4546,22 +4863,23 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* as a whole, so that opposite streams cancel */
+        /* the whole term is added at once, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* The loads of an instant */
-/* VM_OK if i is finite and has no negative moment. Only the body has to satisfy the triangle inequality: in plane
-   motion a tensor with zz alone is enough, as long as the body is not that flat itself */
+/* VM_OK if the gyration is finite and has no negative moment. Only the body has to satisfy the triangle inequality:
+   for motion in a plane a tensor with zz alone is enough, as long as the body itself is not that flat. */
 VM_API int vmi_gyration_is_valid(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
-    return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
+    if (!(i->xx >= 0 && i->yy >= 0 && i->zz >= 0)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
+/* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
 VM_API int vmi_stream_is_valid(const vm_stream *s)
 {
     int status;
@@ -4571,18 +4889,29 @@ VM_API int vmi_stream_is_valid(const vm_stream *s)
         return VM_NOT_FINITE;
     status = vmi_gyration_is_valid(&s->gyration);
     if (status || !s->from) return status;
-    return vmi_vec3_finite(s->from->at) ? vmi_gyration_is_valid(&s->from->gyration) : VM_NOT_FINITE;
+    if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
+    return vmi_gyration_is_valid(&s->from->gyration);
 }
 
+/* The status of the first of n streams that is not valid, else VM_OK */
 VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
-    int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
+    int k, status = VM_OK;
+    if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
     for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
     return status;
 }
 
-/* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0), VM_STORED_STREAM */
+VM_API int vmi_reactive_finite(const vm_reactive *r)
+{
+    return vmi_vec3_finite(r->force) && vmi_vec3_finite(r->moment) && vmi_vec3_finite(r->torque) &&
+           vmi_vec3_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_finite(&r->inertia_rate);
+}
+
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
+   from its reference point, in body axes (m). The loads of the streams add; their formulas stand with vm_reactive.
+   VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_STORED_STREAM (a stream has a store: integrate vm_flow_rhs instead). */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -4613,74 +4942,65 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
-    if (!vmi_vec3_finite(r.force) || !vmi_vec3_finite(r.moment) || !vmi_vec3_finite(r.torque) ||
-        !vmi_vec3_finite(r.drift) || !VM_IS_FINITE(r.mass_rate) || !vmi_inertia_finite(&r.inertia_rate))
-        return VM_NOT_FINITE;
+    if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
     *result = r;
     return VM_OK;
 }
 
-/* I^-1 (moment - omega x I omega), body axes */
+/* I^-1 (moment - omega x I omega), body axes: Euler's equations solved for the angular acceleration */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
     return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
 
-/* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
-   mass centre; VM_BAD_INERTIA where the inertia is singular */
+/* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
+   They are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the mass
+   centre (N m), inertial axes.
+   v' is the rate of momentum/mass in m/s^2, omega' is in rad/s^2. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA (a singular inertia, that of a rod or a point, included). */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
-    vm_vec3 straight, turning;
+    vm_vec3 sum, linear, angular;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    straight = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
-    turning = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
-                               vmi_times_transposed(&turn, moment));
-    turning = vmi_times(&turn, turning);
-    if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
-    *acceleration = straight;
-    *angular_acceleration = turning;
+    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
+    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
+                               vmi_times_transposed(&turn, sum));
+    angular = vmi_times(&turn, angular);
+    if (!vmi_vec3_finite(linear) || !vmi_vec3_finite(angular)) return VM_NOT_FINITE;
+    *acceleration = linear;
+    *angular_acceleration = angular;
     return VM_OK;
 }
 
-/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity. v when the mass has
-   come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
-   (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
-   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive and for infinite arguments. */
-VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
-{
-    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
-    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
-    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
-}
-
 #endif
-/* mechanics/flow.h - a free body with streams of mass */
-#ifndef VARMASS_MECHANICS_FLOW_H
-#define VARMASS_MECHANICS_FLOW_H
+/* mechanics/flow.h - a free body in space with streams of mass
 
-/* The free body in space. A vm_flow is the ctx of the right-hand sides below:
+   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves: given
+   by its streams (151), (152), given as functions of time (170), or carried off by mass that moves with the body
+   (166). The momenta are the states, and velocity and angular velocity follow from them: a motion that keeps a
+   momentum keeps it exactly here, and rates may jump.
 
        vm_flow flow;
        ode_event empty;
        rk45_options options = rk45_defaults(NULL);
        rk45 s;
        vm_real y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
-       memset(&flow, 0, sizeof flow); // what is not set is zero: not there
+       memset(&flow, 0, sizeof flow); // a field that is zero has no effect
        flow.n = 1;
        flow.streams = &nozzle;
        flow.least_mass = dry;
        memset(&empty, 0, sizeof empty);
-       empty.g = vm_flow_mass_left;
+       empty.g = vm_flow_mass_left; // stops the run when the tank is empty
        empty.ctx = &flow;
        empty.direction = -1;
        empty.action = ODE_STOP;
@@ -4690,111 +5010,145 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
            rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
-   What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
-   and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
-   The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
-   here, and rates may jump. States, in inertial axes but for the last two:
-     y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
-     y[VM_Y_MASS], and in body axes y[VM_Y_CENTRE] mass centre c from the reference point 3, y[VM_Y_INERTIA] xx, yy,
-     zz, xy, xz, yz about the mass centre
+   The equations, with the streams' M', u, d, kappa, omega2 of vm_reactive:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
-   R turns body axes into inertial ones, d = at - c; these are (151), (152), which [1] prints with I' omega2, in the
-   body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
-   holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
-   q/|q|: the length is held, and the order of no integrator suffers.
-   In a trial step beyond the end, the mass may not be positive, or the inertia may be one that no body has (a
-   moment that is not positive, or larger than the two others together). The derivatives are then NaN, so that the
-   step is shortened, and flow.status says why. Use the events below to stop before that. */
+   r is the mass centre, p = M v the momentum, H the angular momentum about the mass centre, q the attitude, c the
+   mass centre from the reference point in body axes, d = at - c, and R turns body axes into inertial ones. [1] prints
+   the torque of (152) with I' omega2. Where a stream has a store at s, d_s = s - c replaces d in c' and P(d), the
+   store's gyration replaces kappa in I', and the mass on its way through the body holds the momentum M' (s - at) and
+   the angular momentum M' d x d_s. R belongs to q/|q|; the last term of q' is 0 for |q| = 1 and brings the length
+   back to 1, and no integrator loses order by it. The reference point of `at` and of the stores is fixed in the body,
+   at r - R c; if flow.centre is 0 at the start, it is the mass centre at that time.
+   Tests: tests/test_flow.c. */
+#ifndef VARMASS_MECHANICS_FLOW_H
+#define VARMASS_MECHANICS_FLOW_H
+
+/* Where the states stand in y, inertial axes unless it says body axes; and how many states there are */
 enum {
-    VM_Y_R = 0,
-    VM_Y_Q = 3,
-    VM_Y_P = 7,
-    VM_Y_H = 10,
-    VM_Y_MASS = 13,
-    VM_Y_CENTRE = 14,
-    VM_Y_INERTIA = 17,
-    VM_Y_BALANCE = 23,
-    VM_FLOW_GIVEN_STATES = 13,   /* numbers of states: mass, centre and inertia given by flow.update */
-    VM_FLOW_STATES = 23,         /* or states */
-    VM_FLOW_BALANCED_STATES = 30 /* and the account of momenta and energy */
+    VM_Y_R = 0,        /* r, 3 numbers, m */
+    VM_Y_Q = 3,        /* attitude q = w, x, y, z */
+    VM_Y_P = 7,        /* momentum, 3 numbers, kg m/s; for vm_flow_carried_rhs the velocity v, m/s */
+    VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
+                          angular velocity in body axes, rad/s */
+    VM_Y_MASS = 13,    /* kg */
+    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_INERTIA = 17, /* xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
+    VM_Y_BALANCE = 23, /* vm_flow_balanced_rhs: integrals of momentum 3, angular momentum 3, energy 1 */
+    VM_FLOW_GIVEN_STATES = 13,   /* vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives mass, centre, inertia */
+    VM_FLOW_STATES = 23,         /* vm_flow_rhs: mass, centre and inertia are states */
+    VM_FLOW_BALANCED_STATES = 30 /* vm_flow_balanced_rhs: these, and the balance */
 };
 
+/* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
+   stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
-    int n;              /* streams */
-    vm_stream *streams; /* the caller's */
+    int n;              /* number of streams */
+    vm_stream *streams; /* n streams, kept by the caller */
     vm_vec3 force;      /* N, resultant of the outer forces, inertial axes */
-    vm_vec3 moment;     /* N m, their moment about the mass centre and the torques, inertial axes */
-    /* null, or called before each evaluation; it may change all that is here; nonzero stops the run. What switches in
-       time belongs into an ODE_RESTART event's change, not here */
+    vm_vec3 moment;     /* N m, their moment about the mass centre and all torques, inertial axes */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
+       and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
+       rate that follows a valve, and the laws M(t), c(t), I(t) of mass for vm_flow_given_rhs and vm_flow_carried_rhs.
+       (A law of mass is a function here and not a vm_law, because it has ten numbers, which belong together.) It
+       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
+       smooth function of t and y: what switches at some time belongs into the change of an ODE_RESTART event. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
-    void *ctx;                         /* the caller's */
-    vm_real mass;                      /* vm_flow_given_rhs, vm_flow_carried_rhs: the laws M(t), */
-    vm_vec3 centre;                    /* c(t) (vm_flow_start: where the mass centre is at first), */
-    vm_inertia inertia;                /* I(t) */
-    vm_vec3 drift;                     /* and c'(t), vm_flow_carried_rhs */
-    vm_real least_mass, least_inertia; /* of the events */
-    int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
-    /* 0, or how many numbers y has room for, VM_LENGTH(y); all functions here check it. vm_flow_start writes no
-       more than that: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and if there is room for all VM_FLOW_BALANCED_STATES, also the zeros
-       of the account */
+    void *ctx;             /* for the caller's `update`; not used here */
+    vm_real mass;          /* M(t), kg: vm_flow_given_rhs, vm_flow_carried_rhs */
+    vm_vec3 centre;        /* c(t), m, body axes: vm_flow_given_rhs, and at the start vm_flow_start */
+    vm_inertia inertia;    /* I(t), kg m^2, body axes: vm_flow_given_rhs, vm_flow_carried_rhs */
+    vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
+    vm_real least_mass;    /* kg, where vm_flow_mass_left is 0 */
+    vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
+    /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass may not be
+       positive, or the inertia may be one that no body has; the derivatives are then NaN, so that the integrator
+       shortens its step. An event should stop the run before that. */
+    int status;
+    /* 0, or how many numbers y has room for, VM_LENGTH(y). All functions here check it. vm_flow_start writes no more:
+       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all VM_FLOW_BALANCED_STATES, the zeros
+       of the balance too. */
     int y_size;
 } vm_flow;
 
-/* The free body */
-/* Whether there are as many streams as there should be */
-VM_INLINE int vmi_flow_has(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
+/* Whether there is an array for n streams */
+VM_INLINE int vmi_flow_has_streams(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
 
-/* Derivatives that make the integrator shorten its step */
-VM_API int vmi_flow_refuse(int n, vm_real *dydt)
+/* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0: the run goes on. */
+VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
 {
     int k;
     for (k = 0; k < n; k++) dydt[k] = VM_NAN;
     return 0;
 }
 
-/* Keeps the first reason of evaluations in a row that are refused: the others follow from its NaN */
-VM_INLINE int vmi_flow_refused(int *kept, int status)
+/* Notes the status of an evaluation in *kept and returns it. Of several failures in a row the first is kept, because
+   the later ones follow from its NaN. */
+VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
 }
 
-/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes: the length comes back within some steps of any explicit
-   method, at a rate that is below that of the rotation itself */
-VM_INLINE void vmi_stream_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
+/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length back to
+   1 within some steps of any explicit method, at a rate below that of the rotation itself. */
+VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
 {
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8, x = omega.x / 2, y = omega.y / 2,
-                  z = omega.z / 2;
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
     dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
     dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
     dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
     dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
-/* A state taken apart: rotation, velocity and angular velocity; VM_BAD_MASS, VM_BAD_INERTIA */
-VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mass, const vm_inertia *inertia,
-                              vm_vec3 centre, vmi_mat3 *turn, vmi_stream_seen *seen)
+/* Mass, mass centre and inertia of a body at an instant */
+typedef struct VM_TAG(vmi_flow_mass) {
+    vm_real mass;
+    vm_vec3 centre;
+    vm_inertia inertia;
+} vmi_flow_mass;
+
+/* They come from the state, or, if given = 1, from the flow's laws */
+VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
+{
+    vmi_flow_mass b;
+    if (given) {
+        b.mass = flow->mass;
+        b.centre = flow->centre;
+        b.inertia = flow->inertia;
+    } else {
+        b.mass = y[VM_Y_MASS];
+        b.centre = vmi_get3(y + VM_Y_CENTRE);
+        b.inertia = vmi_get_inertia(y + VM_Y_INERTIA);
+    }
+    return b;
+}
+
+/* Rotation, velocity and angular velocity of a state. VM_BAD_MASS, VM_BAD_INERTIA */
+VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
+                              vmi_stream_seen *seen)
 {
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
     const vm_vec3 p = vmi_get3(y + VM_Y_P);
-    const vm_real inverse = 1 / mass;
-    vm_vec3 h;
+    const vm_real inverse = 1 / b->mass;
+    vm_vec3 h, p_on_the_way, h_on_the_way;
     vmi_inertia_ldl factors;
-    if (!(mass > 0)) return VM_BAD_MASS;
-    if (!vmi_inertia_factor_if_possible(inertia, &factors)) return VM_BAD_INERTIA;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
-    vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
+    vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
-    seen->centre = centre;
+    seen->centre = b->centre;
     seen->v = vmi_scale(inverse, p);
-    seen->slip = vmi_scale(-inverse, seen->slip);
-    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, seen->omega));
+    seen->slip = vmi_scale(-inverse, p_on_the_way);
+    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, h_on_the_way));
     return VM_OK;
 }
 
-/* VM_Y_BALANCE on: momentum, angular momentum and energy carried off by streams less those brought by loads */
+/* The seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that streams take out, minus what outer
+   loads put in */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -4805,73 +5159,82 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
+/* The right-hand side of n states; n tells which of the three it is */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
-    vm_real mass;
-    vm_vec3 centre, force, moment;
-    vm_inertia inertia;
+    vm_vec3 force, moment;
+    vmi_flow_mass body;
     vmi_mat3 turn;
     vmi_stream_seen seen;
     vmi_stream_sum sum;
-    int status = flow->update ? flow->update(t, y, flow) : 0;
+    int status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return flow->status = VM_SHORT_ARRAY;
-    mass = given ? flow->mass : y[VM_Y_MASS];
-    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
-    inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
-    status = vmi_flow_motion(flow, y, mass, &inertia, centre, &turn, &seen);
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(n, dydt);
+    body = vmi_flow_mass_at(flow, given, y);
+    status = vmi_flow_motion(flow, y, &body, &turn, &seen);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(n, dydt);
     seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
     force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / mass, sum.crossing))));
-    vmi_stream_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
+    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / mass, sum.stored));
+    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / body.mass, sum.stored));
     vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
 }
 
-/* Documented with vm_flow_body. */
+/* Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152).
+   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of this chapter. Returns
+   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
+   y_size that is too small; and what flow.update returns. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
-/* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
-   at rest where the mass centre is */
+/* Right-hand side of a free body with given laws of mass, mass centre and inertia.
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
+   The streams make forces and moments as in vm_flow_rhs.
+   With no streams this is (170): mass joins and leaves at rest, at the mass centre. Errors as for vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* vm_flow_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have
-   brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the body's own all seven stay
-   constant (the energy but for streams with a store, where angular momentum is y[VM_Y_H] + r x p). The energy goes
-   by the limit of (113), (118), for either sign of M':
+/* Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy.
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
+   zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
+   out, minus what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream
+   has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.) The energy
+   has the continuous limit of (113), (118), for either sign of M':
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega:
-   the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
+   the first sum is what the streams bring; the second is what engines give (M' < 0) or plastic impact takes (M' > 0).
+   Errors as for vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_BALANCED_STATES, t, y, dydt);
 }
 
-/* The same for what moves with the body (166). The states are r, q, v (not the momentum), omega in body axes (not the
-   angular momentum); streams are not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I
-   omega = M_S */
+/* Right-hand side of a free body that loses or gains mass which moves with the body (166).
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
+   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum); streams
+   are not read. v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S. Errors as for
+   vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -4881,47 +5244,59 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const vm_vec3 omega = vmi_get3(y + VM_Y_H);
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
-    int status = flow->update ? flow->update(t, y, flow) : 0;
+    int status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
     if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return flow->status = VM_SHORT_ARRAY;
     if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
     if (!(flow->mass > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW_GIVEN_STATES, dydt);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_stream_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
-               vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+             vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
-               vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
+             vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
 }
 
-/* How many numbers of the state vm_flow_start makes: as far as it is known that y has room */
+/* How many numbers vm_flow_start writes: as many as y is known to have room for, but the balance only if y_size says
+   so */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
+    if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
     if (flow->y_size && flow->y_size < VM_FLOW_STATES) return VM_FLOW_GIVEN_STATES;
-    return flow->y_size < VM_FLOW_BALANCED_STATES ? VM_FLOW_STATES : VM_FLOW_BALANCED_STATES;
+    return VM_FLOW_STATES;
 }
 
-/* y: the VM_FLOW_STATES first states for body (fewer where y_size says so), streams being as they are at first;
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod
-   or a point too) */
+/* What can be wrong in the arguments of vm_flow_start, which also needs the factors of the inertia to exist */
+VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
+{
+    vmi_inertia_ldl factors;
+    int status = vmi_check_body(body);
+    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
+    if (status) return status;
+    if (!(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
+        return VM_NOT_FINITE;
+    if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Initial state y of a body with streams. Writes the VM_FLOW_STATES first states, or as many as flow.y_size says; the
+   mass centre is flow.centre, and the streams are as flow.streams says at the start. Sets flow.mass and flow.inertia
+   too. For vm_flow_given_rhs y_size or the length of y has to be VM_FLOW_GIVEN_STATES at least; the states of
+   vm_flow_carried_rhs are others, and the caller sets them. VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that
+   does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (a rod or a point, too), VM_SHORT_ARRAY. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
     vm_quat q;
-    vmi_inertia_ldl factors;
     vmi_mat3 turn;
     vm_real start[VM_FLOW_BALANCED_STATES];
     int status, k;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
-    if (!status &&
-        !(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
-        status = VM_NOT_FINITE;
-    if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    status = vmi_flow_check_start(flow, body);
     if (status) return status;
     q = vmi_unit_quat(body->q);
     turn = vmi_rotation(q);
@@ -4946,23 +5321,25 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body of n states, with q of length 1: n = VM_FLOW_GIVEN_STATES takes mass, centre and inertia from flow, more from y.
-   The states of vm_flow_carried_rhs are other ones: not for them. */
+/* The body that n states y describe, its quaternion with length 1. n = VM_FLOW_GIVEN_STATES takes mass, mass centre
+   and inertia from the flow, a larger n takes them from y. Not for the states of vm_flow_carried_rhs, which are
+   others. VM_BAD_ARGUMENT (n < VM_FLOW_GIVEN_STATES, too), VM_SHORT_ARRAY, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_NOT_FINITE. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
-    const int given = n < VM_FLOW_STATES;
-    vm_vec3 centre;
     vm_body b;
+    vmi_flow_mass now;
     vmi_mat3 turn;
     vmi_stream_seen seen;
     int status;
-    if (!flow || !y || !body || n < VM_FLOW_GIVEN_STATES || !vmi_flow_has(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
+    if (!flow || !y || !body || n < VM_FLOW_GIVEN_STATES) return VM_BAD_ARGUMENT;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
-    b.mass = given ? flow->mass : y[VM_Y_MASS];
-    b.inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
-    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
-    status = vmi_flow_motion(flow, y, b.mass, &b.inertia, centre, &turn, &seen);
+    now = vmi_flow_mass_at(flow, n < VM_FLOW_STATES, y);
+    status = vmi_flow_motion(flow, y, &now, &turn, &seen);
     if (status) return status;
+    b.mass = now.mass;
+    b.inertia = now.inertia;
     b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
@@ -4972,8 +5349,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     return VM_OK;
 }
 
-/* Event functions of vm_flow_rhs and vm_flow_balanced_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
-   0 where I is singular. They do not watch the triangle inequality, whose limit is near for thin bodies. */
+/* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
+   For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. NaN for a null pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -4981,58 +5358,84 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Documented with vm_flow_mass_left. */
+/* Event function: the least pivot of the inertia minus flow.least_inertia, kg m^2. The pivot is 0 where the inertia
+   is singular. For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. The triangle inequality is
+   not watched, because the inertia of thin bodies is always close to its limit. NaN for a null pointer. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
     const vm_inertia i = vmi_get_inertia(y + VM_Y_INERTIA);
     vmi_inertia_ldl f;
-    vm_real least = i.xx;
+    vm_real least = 0;
     (void)t;
-    if (vmi_inertia_factor(&i, &f)) {
-        if (1 / f.y < least) least = 1 / f.y;
-        if (1 / f.z < least) least = 1 / f.z;
-    } else least = 0;
+    if (vmi_inertia_factor(&i, &f)) least = vmi_smaller(1 / f.z, vmi_smaller(1 / f.y, i.xx));
     return least - ((const vm_flow *)flow)->least_inertia;
 }
 
 #endif
-/* mechanics/flow2.h - a body in a plane with streams of mass */
+/* mechanics/flow2.h - a body in a plane with streams of mass
+
+   The right-hand side of mechanics/flow.h for motion in a plane, with 10 states in the place of 23. The streams have
+   no stores; else everything is as in space.
+
+       vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
+       vm_flow2 flow;
+       vm_real y[VM_FLOW2_STATES] = {0, 0, 0, 0, 0, 1, 100, 0, 0, 20}; // spins slowly, 100 kg, 20 kg m^2
+       memset(&flow, 0, sizeof flow);
+       flow.n = 1;
+       flow.streams = &jet;
+       status = vm_flow2_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow2_rhs, &flow, ...)
+
+   Tests: tests/test_flow2.c. */
 #ifndef VARMASS_MECHANICS_FLOW2_H
 #define VARMASS_MECHANICS_FLOW2_H
 
-/* The plane: as in space. States: x, y, angle, momentum 2, angular momentum about the mass centre, mass, mass centre
-   from the reference point in body axes 2, inertia about it. No stores. */
+/* Where the states stand in y, inertial axes unless it says body axes; and how many there are */
+enum {
+    VM_FLOW2_X = 0,       /* mass centre, 2 numbers x, y, m */
+    VM_FLOW2_ANGLE = 2,   /* rad, anticlockwise */
+    VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
+    VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
+    VM_FLOW2_MASS = 6,    /* kg */
+    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
+    VM_FLOW2_STATES = 10
+};
+
+/* A stream of mass in the plane */
 typedef struct VM_TAG(vm_stream2) {
-    vm_real rate;
-    int motion;
-    vm_real x, y;   /* where it crosses */
-    vm_real vx, vy; /* velocity */
-    vm_real spin;
-    vm_real gyration; /* m^2 */
+    vm_real rate;     /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    vm_real x, y;     /* m, body axes: the point of crossing, from the body's reference point */
+    vm_real vx, vy;   /* m/s, velocity of the mass when it crosses */
+    vm_real spin;     /* rad/s, angular velocity of the mass when it crosses */
+    vm_real gyration; /* m^2, inertia per unit mass of the crossing mass, about its own mass centre */
 } vm_stream2;
 
+/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow2) {
-    int n;
-    vm_stream2 *streams;
-    vm_real fx, fy, moment;
+    int n;               /* number of streams */
+    vm_stream2 *streams; /* n streams, kept by the caller */
+    vm_real fx, fy;      /* N, resultant of the outer forces, inertial axes */
+    vm_real moment;      /* N m, their moment about the mass centre and all torques */
+    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
+       vm_flow.update does; it returns 0, or another number, which ends the run */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
-    void *ctx;
-    int status;
+    void *ctx;  /* for the caller's `update`; not used here */
+    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-enum { VM_FLOW2_STATES = 10 };
-
-/* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
-   less its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it
-   costs 2^-67 (2^-28) */
+/* sin and cos of x, with errors below 0.6 eps. The same as vmi_sincos, with a shorter reduction below 2^20 quarter
+   turns (float 2^10): pi/2 is the sum of `first`, of 33 (float 14) bits, whose products with j are exact, and
+   `second`, which is known to 2^-87 (2^-38). Rounding j times `second` costs 2^-67 (2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
-    const vm_real most = VM_C(1048576.0), first = VM_C(1.570796326734125614166),
-                  second = VM_C(6.077100506506192601e-11);
+    const vm_real most = VM_C(1048576.0);
+    const vm_real first = VM_C(1.570796326734125614166), second = VM_C(6.077100506506192601e-11);
 #else
-    const vm_real most = VM_C(1024.0), first = VM_C(1.5706787109375), second = VM_C(1.176158573966192321e-4);
+    const vm_real most = VM_C(1024.0);
+    const vm_real first = VM_C(1.5706787109375), second = VM_C(1.176158573966192321e-4);
 #endif
     const vm_real quarters = x * VM_C(0.63661977236758134308);
     vm_real s, c, rest, tail;
@@ -5052,21 +5455,36 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
-/* Sums of the streams in the plane, body axes but for fx, fy */
+/* The motion of a body in the plane as its streams need it */
+typedef struct VM_TAG(vmi_stream_seen2) {
+    vm_real sine, cosine;       /* of the body's angle */
+    vm_real vx, vy;             /* momentum/mass, body axes */
+    vm_real omega;              /* rad/s */
+    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+} vmi_stream_seen2;
+
+/* The sums over the streams of a body in the plane, in body axes except fx, fy; the letters of vm_reactive */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate, carried, px, py, fx, fy, moment, sx, sy, inertia;
+    vm_real rate;    /* sum M' */
+    vm_real carried; /* sum M' of the streams whose velocity is relative to the body */
+    vm_real px, py;  /* sum M' (u - v) of these streams */
+    vm_real fx, fy;  /* sum M' u of the other streams, inertial axes, and the outer force */
+    vm_real moment;  /* sum d x M' (u - v) + M' kappa omega2, and the outer moment */
+    vm_real sx, sy;  /* sum M' d */
+    vm_real inertia; /* sum M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* bx, by: v in body axes, of which sine and cosine are the direction */
-VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_real omega, vm_real bx, vm_real by,
-                               vm_real sine, vm_real cosine, vmi_stream_sum2 *sum)
+/* Adds a stream of known motion to the sums */
+VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
-    vm_real ux, uy, spin = 0; /* M' (u - v) */
-    if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
-        ux = -omega * dy;
-        uy = omega * dx;
-        spin = omega;
-        if (s->motion == VM_RELATIVE) {
+    const int given = vmi_stream_velocity_is_given(s->motion);
+    const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
+    vm_real ux, uy, spin = 0; /* M' (u - v) in the end, and omega2 */
+    if (vmi_stream_moves_with_body(s->motion)) {
+        ux = -b->omega * dy;
+        uy = b->omega * dx;
+        spin = b->omega;
+        if (given) {
             ux += s->vx;
             uy += s->vy;
             spin += s->spin;
@@ -5077,15 +5495,15 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
         sum->px += ux;
         sum->py += uy;
     } else {
-        ux = -s->rate * bx;
-        uy = -s->rate * by;
-        if (s->motion == VM_ABSOLUTE) {
-            const vm_real ax = s->rate * s->vx, ay = s->rate * s->vy;
-            sum->fx += ax;
-            sum->fy += ay;
+        ux = -s->rate * b->vx;
+        uy = -s->rate * b->vy;
+        if (given) {
+            const vm_real fx = s->rate * s->vx, fy = s->rate * s->vy;
+            sum->fx += fx;
+            sum->fy += fy;
             spin = s->spin;
-            ux += cosine * ax + sine * ay;
-            uy += cosine * ay - sine * ax;
+            ux += b->cosine * fx + b->sine * fy;
+            uy += b->cosine * fy - b->sine * fx;
         }
     }
     sum->rate += s->rate;
@@ -5095,216 +5513,311 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
+/* VM_OK if the mass and the inertia of the state y are positive */
+VM_INLINE int vmi_flow2_check_state(const vm_real *y)
+{
+    if (!(y[VM_FLOW2_MASS] > 0)) return VM_BAD_MASS;
+    if (!(y[VM_FLOW2_INERTIA] > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Right-hand side of a body in the plane with streams of mass, (151), (152).
+   An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
+   Returns VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what
+   flow.update returns. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow2 *flow = (vm_flow2 *)ctx;
     vmi_stream_sum2 sum = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-    vm_real sine, cosine, inverse, vx, vy, omega, sx, sy;
-    int k, status = flow->update ? flow->update(t, y, flow) : 0;
+    vmi_stream_seen2 seen;
+    vm_real sine = 0, cosine = 1, inverse, vx, vy, sx, sy;
+    int k, status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW2_STATES, dydt);
-    sine = 0;
-    cosine = 1;
-    if (flow->n) vmi_sincos_of_angle(y[2], &sine, &cosine);
-    inverse = 1 / y[6];
-    vx = y[3] * inverse;
-    vy = y[4] * inverse;
-    omega = y[5] / y[9];
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    status = vmi_flow2_check_state(y);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW2_STATES, dydt);
+    if (flow->n) vmi_sincos_of_angle(y[VM_FLOW2_ANGLE], &sine, &cosine);
+    inverse = 1 / y[VM_FLOW2_MASS];
+    vx = y[VM_FLOW2_P] * inverse;
+    vy = y[VM_FLOW2_P + 1] * inverse;
+    seen.sine = sine;
+    seen.cosine = cosine;
+    seen.vx = cosine * vx + sine * vy;
+    seen.vy = cosine * vy - sine * vx;
+    seen.omega = y[VM_FLOW2_H] / y[VM_FLOW2_INERTIA];
+    seen.centre_x = y[VM_FLOW2_CENTRE];
+    seen.centre_y = y[VM_FLOW2_CENTRE + 1];
     sum.fx = flow->fx;
     sum.fy = flow->fy;
     sum.moment = flow->moment;
     for (k = 0; k < flow->n; k++) {
         if (!vmi_stream_motion_is_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
-        vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
-                        cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
+        vmi_stream_add2(flow->streams + k, &seen, &sum);
     }
     sx = sum.sx * inverse;
     sy = sum.sy * inverse;
-    dydt[0] = vx + cosine * sx - sine * sy;
-    dydt[1] = vy + sine * sx + cosine * sy;
-    dydt[2] = omega;
-    dydt[3] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
-    dydt[4] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
-    dydt[5] = sum.moment;
-    dydt[6] = sum.rate;
-    dydt[7] = sx;
-    dydt[8] = sy;
-    dydt[9] = sum.inertia;
+    dydt[VM_FLOW2_X] = vx + cosine * sx - sine * sy;
+    dydt[VM_FLOW2_X + 1] = vy + sine * sx + cosine * sy;
+    dydt[VM_FLOW2_ANGLE] = seen.omega;
+    dydt[VM_FLOW2_P] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
+    dydt[VM_FLOW2_P + 1] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
+    dydt[VM_FLOW2_H] = sum.moment;
+    dydt[VM_FLOW2_MASS] = sum.rate;
+    dydt[VM_FLOW2_CENTRE] = sx;
+    dydt[VM_FLOW2_CENTRE + 1] = sy;
+    dydt[VM_FLOW2_INERTIA] = sum.inertia;
     return 0;
 }
 
 #endif
-/* mechanics/flow1.h - translation, bodies on a line or an axle with streams of mass */
+/* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
+
+   Right-hand sides of motions with streams of mass that need fewer states than a body in space: translation in space
+   (172), straight motion (175), (176), and rotation about a fixed axle (173a), which has the equation of straight
+   motion with the inertia in the place of the mass.
+
+       vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
+       vm_flow1 flow;
+       vm_real y[VM_FLOW1_STATES] = {0, 0, 100}; // at rest, 100 kg
+       memset(&flow, 0, sizeof flow);
+       flow.n = 1;
+       flow.streams = &jet;
+       status = vm_flow1_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow1_rhs, &flow, ...)
+
+   Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_FLOW1_H
 #define VARMASS_MECHANICS_FLOW1_H
 
-/* Translation (172): 7 states r, momentum, mass; the flow's streams without at, spin and gyration, body axes along
-   the inertial ones */
-enum { VM_TRANSLATION_STATES = 7 };
+/* Where the states of vm_translation_rhs stand in y, and how many there are */
+enum {
+    VM_TRANSLATION_R = 0,    /* mass centre, 3 numbers, m */
+    VM_TRANSLATION_P = 3,    /* momentum, 3 numbers, kg m/s */
+    VM_TRANSLATION_MASS = 6, /* kg */
+    VM_TRANSLATION_STATES = 7
+};
 
-/* One degree of freedom: straight motion (175), (176), and rotation about a fixed axle (173a), which is the same
-   equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa +
-   rho^2), rho the distance from the axle, and velocity the stream's angular momentum per unit mass over that. */
+/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle read angle (rad), angular momentum
+   (kg m^2/s) and moment of inertia about the axle (kg m^2). */
+enum {
+    VM_FLOW1_X = 0,    /* place, m */
+    VM_FLOW1_P = 1,    /* momentum, kg m/s */
+    VM_FLOW1_MASS = 2, /* kg */
+    VM_FLOW1_STATES = 3
+};
+
+/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2), with the
+   distance rho from the axle and the gyration kappa of the mass, and `velocity` is the stream's angular momentum per
+   unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
-    vm_real rate, velocity;
-    int motion;
+    vm_real rate;     /* kg/s; > 0: mass joins. Axle: kg m^2/s */
+    vm_real velocity; /* m/s. Axle: rad/s */
+    int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
+/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow1) {
-    int n;
-    vm_stream1 *streams;
-    vm_real force; /* or moment */
+    int n;               /* number of streams */
+    vm_stream1 *streams; /* n streams, kept by the caller */
+    vm_real force;       /* N, resultant of the outer forces. Axle: their moment, N m */
+    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
+       vm_flow.update does; it returns 0, or another number, which ends the run */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
-    void *ctx;
-    int status;
+    void *ctx;  /* for the caller's `update`; not used here */
+    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-enum { VM_FLOW1_STATES = 3 };
+/* The velocity u of a stream's mass: v is the body's velocity, given that of the stream; one set of axes */
+VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
+{
+    vm_vec3 u = vmi_vec3(0, 0, 0);
+    if (vmi_stream_moves_with_body(motion)) u = v;
+    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    return u;
+}
 
+/* The right-hand side of vm_translation_rhs after flow->update */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
-    const vm_real inverse = 1 / y[6];
-    const vm_vec3 v = vmi_scale(inverse, vmi_get3(y + 3));
+    const vm_real mass = y[VM_TRANSLATION_MASS];
+    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
-    int k;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    int k, status = VM_OK;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < VM_TRANSLATION_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
-        return vmi_flow_refuse(VM_TRANSLATION_STATES, dydt);
+    if (!(mass > 0)) status = VM_BAD_MASS;
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_TRANSLATION_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
-        vm_vec3 u = vmi_add(v, s->velocity);
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
-        if (s->motion != VM_RELATIVE)
-            u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, u));
+        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
-    vmi_set3(dydt, v);
-    vmi_set3(dydt + 3, force);
-    dydt[6] = rate;
+    vmi_set3(dydt + VM_TRANSLATION_R, v);
+    vmi_set3(dydt + VM_TRANSLATION_P, force);
+    dydt[VM_TRANSLATION_MASS] = rate;
     return 0;
 }
 
-VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
-{
-    const vm_real v = y[1] / y[2];
-    vm_real force = flow->force, rate = 0;
-    int k;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_FLOW1_STATES, dydt);
-    for (k = 0; k < flow->n; k++) {
-        const vm_stream1 *s = flow->streams + k;
-        vm_real u = v + s->velocity;
-        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
-        if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
-        rate += s->rate;
-        force += s->rate * u;
-    }
-    dydt[0] = v;
-    dydt[1] = force;
-    dydt[2] = rate;
-    return 0;
-}
-
-/* Apart, so that nothing is saved for a call that is not made */
-VMI_APART int vmi_translation_updated(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
+/* flow->update, then the rates. Out of line, so that a flow without update saves no registers for the call. */
+VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
-    return status ? status : vmi_translation_rates(flow, y, dydt);
+    if (status) return status;
+    return vmi_translation_rates(flow, y, dydt);
 }
 
-VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
-{
-    const int status = flow->update(t, y, flow);
-    return status ? status : vmi_rates1(flow, y, dydt);
-}
-
+/* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
+   An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
+   are used. Body axes are along the inertial ones; at, spin, gyration and stores of the streams are not read. Returns
+   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
+   y_size that is too small; and what flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     vm_flow *f = (vm_flow *)flow;
-    return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
+    if (f->update) return vmi_translation_updated_rates(t, y, dydt, f);
+    return vmi_translation_rates(f, y, dydt);
 }
 
+/* The right-hand side of vm_flow1_rhs after flow->update */
+VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
+{
+    const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
+    vm_real force = flow->force, rate = 0;
+    int k, status = VM_OK;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (!(y[VM_FLOW1_MASS] > 0)) status = VM_BAD_MASS;
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW1_STATES, dydt);
+    for (k = 0; k < flow->n; k++) {
+        const vm_stream1 *s = flow->streams + k;
+        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
+        rate += s->rate;
+        force += s->rate * vmi_stream_velocity1(s->motion, v, s->velocity);
+    }
+    dydt[VM_FLOW1_X] = v;
+    dydt[VM_FLOW1_P] = force;
+    dydt[VM_FLOW1_MASS] = rate;
+    return 0;
+}
+
+/* flow->update, then the rates; out of line for the reason given above */
+VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
+{
+    const int status = flow->update(t, y, flow);
+    if (status) return status;
+    return vmi_flow1_rates(flow, y, dydt);
+}
+
+/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176). An ode_rhs of
+   VM_FLOW1_STATES states; ctx is a vm_flow1. x' = p/M, p' = F + sum M' u, M' = sum of the rates. Returns
+   VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what flow.update
+   returns. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
     vm_flow1 *f = (vm_flow1 *)flow1;
-    return f->update ? vmi_updated1(t, y, dydt, f) : vmi_rates1(f, y, dydt);
+    if (f->update) return vmi_flow1_updated_rates(t, y, dydt, f);
+    return vmi_flow1_rates(f, y, dydt);
 }
 
 #endif
-/* mechanics/rocket.h - closed forms: Tsiolkovsky's rocket, linear flow, jet damping */
+/* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
+
+   Motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151), (171) and
+   (175), (176); the motion along a line at a constant rate of mass; the spin of a rocket whose jet damps it, from
+   Euler's equations. All are right to a few eps, down to a rate of zero.
+
+       vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
+
+   Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* Jet damping of an axisymmetric body without outer loads: omega after t, body axes, z the axis of symmetry. Mass
-   is taken from around the mass centre, which stays, and leaves through a nozzle on the axis (or the other way
-   round); A, C are the transverse and the axial moment of inertia, A' = rate gyration_transverse, C' = rate
-   gyration_axial:
-     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-     omega_z constant, phase of omega_t: omega_z integral (C/A - 1) dt
-   Within 8 eps of what an eps in the inputs makes; VM_BAD_INERTIA where A or C is not positive, VM_NOT_FINITE */
+/* A spinning axisymmetric body whose mass is taken from around the mass centre, which stays in its place, and leaves
+   through a nozzle on the axis (rate < 0), or goes the other way (rate > 0). The z axis is the axis of symmetry. */
 typedef struct VM_TAG(vm_jet) {
-    vm_real rate;                /* kg/s, < 0: leaves */
-    vm_real axial, transverse;   /* C0, A0, kg m^2 */
-    vm_real gyration_axial;      /* m^2, of what is stored and, alike, of what crosses */
-    vm_real gyration_transverse; /* m^2, of what is stored, */
-    vm_real gyration_out;        /* and of what crosses */
-    vm_real nozzle;              /* m, from the mass centre */
+    vm_real rate;                /* kg/s, < 0: mass leaves */
+    vm_real axial;               /* C0, kg m^2, moment of inertia about the axis at t = 0 */
+    vm_real transverse;          /* A0, kg m^2, moment of inertia across the axis at t = 0 */
+    vm_real gyration_axial;      /* m^2, inertia per unit mass about the axis, of stored and of crossing mass */
+    vm_real gyration_transverse; /* m^2, inertia per unit mass across the axis, of the stored mass */
+    vm_real gyration_out;        /* m^2, inertia per unit mass across the axis, of the crossing mass */
+    vm_real nozzle;              /* m, distance of the nozzle from the mass centre */
 } vm_jet;
 
-/* Closed forms */
-/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34; NaN beyond), within 2 ulp */
-VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
+VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 {
-    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
-    *second = vmi_log1p_rest(whole, l).hi;
-    *first = VM_FABS(x) < VM_EPSILON ? 1 - x / 2 : l.hi / x;
+    return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Documented with vm_velocity_by_momentum. */
+/* Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171).
+   v0 (m/s) is the velocity at mass m0 (kg), impulse (N s) that of the outer forces meanwhile. u = 0 is Levi-Civita's
+   case. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
+   terms. NaN where a mass is not positive and for infinite arguments. */
+VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
+{
+    if (!vmi_masses_are_good(m0, m)) return VM_NAN;
+    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
+    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
+}
+
+/* Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m: v0 + w ln(m/m0), (175), (176).
+   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body; there is no outer
+   force. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
+   terms. NaN where a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
-    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
     if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
 }
 
-/* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
-   through rate = 0 without loss: 8 eps of the terms; VM_BAD_MASS where m0 + rate t or m0 is not positive */
-/* With tau = rate t/m0, L = ln(1 + tau)/tau, B = (tau - ln(1 + tau))/tau^2, constant force and u:
-     v - v0 = (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B
-   as M (v - u) + const; and with constant w:
-     v - v0 = (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B) */
+/* *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), NaN beyond; within 2 ulp.
+   They are the means of 1/m over a flow at constant rate. */
+VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
+{
+    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
+    *second = vmi_log1p_rest(whole, l).hi;
+    if (VM_FABS(x) < VM_EPSILON) *first = 1 - x / 2;
+    else *first = l.hi / x;
+}
+
+/* Position and velocity on a line after t seconds of a stream of constant rate.
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; the force (N), the rate and the velocity of the stream are constant.
+   t may be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute
+   velocity u:
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
+   for a velocity w relative to the body:
+     v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
+   Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
+   m0 + rate t is not positive. */
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v)
 {
-    vm_real tau, first, second, less, pull, result[2];
+    vm_real tau, first, second, difference, given = 0, acceleration, result[2];
     if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
-    less = tau < VM_C(-0.5) ? ((1 + tau) * first - 1) / tau : first - second; /* near -1 both are large */
-    pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
-    if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
-        pull = (force + stream->rate * pull) / m0;
-        result[1] = v0 + pull * t * first;
-        result[0] = x0 + t * (v0 + pull * t * less);
+    if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
+    if (vmi_stream_moves_with_body(stream->motion)) {
+        difference = first - second;
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near -1 both are large */
+        acceleration = (force + stream->rate * given) / m0;
+        result[0] = x0 + t * (v0 + acceleration * t * difference);
+        result[1] = v0 + acceleration * t * first;
     } else {
-        pull = (force + stream->rate * (pull - v0)) / m0;
-        result[1] = v0 + pull * t / (1 + tau);
-        result[0] = x0 + t * (v0 + pull * t * second);
+        acceleration = (force + stream->rate * (given - v0)) / m0;
+        result[0] = x0 + t * (v0 + acceleration * t * second);
+        result[1] = v0 + acceleration * t / (1 + tau);
     }
     if (!vmi_all_finite(2, result)) return VM_NOT_FINITE;
     *x = result[0];
@@ -5312,25 +5825,31 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
-/* With tau = rate gyration t/A0 and c likewise: ln(A/A0) = tau L, integral (C/A - 1) dt = t (C0/A0 L - 1 + rate t
-   gyration_axial/A0 B) */
+/* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
+   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
+   gyration_axial t the transverse part of omega has the length
+     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
+   omega_z stays constant, and the transverse part turns by omega_z times the integral of C/A - 1. With
+   tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
+   t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
 VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
 {
-    vm_real change, tau, first, second, decay, sine, cosine;
+    vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
-    decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(decay) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
+    exponent = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
         return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
-    decay = vmi_exp(decay * first, 0);
-    vmi_sincos(omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second),
-               &sine, &cosine);
-    later = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
+    share = vmi_exp(exponent * first, 0);
+    angle = omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second);
+    vmi_sincos(angle, &sine, &cosine);
+    later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
                      omega0.z);
     if (!vmi_vec3_finite(later)) return VM_NOT_FINITE;
     *omega = later;
@@ -5338,138 +5857,185 @@ VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 
 }
 
 #endif
-/* mechanics/drum.h - a band that winds up on a drum */
+/* mechanics/drum.h - a band that winds up on a drum
+
+   A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
+   Here are the geometry (181)-(188), the exact equations of motion, the reduced ones of the dissertation (192)-(193),
+   the motion on a rigid shaft in closed form (194)-(206), and the vibrations of an elastic shaft (210)-(226).
+
+   The band moves at the velocity v along y and meets the drum at S + (R, 0), S the centre of the shaft. After the
+   angle phi it covers the arc from 0 to phi, whose mass centre is in the direction phi/2. R stays constant: the first
+   layer, 0 <= phi <= 2 pi, is meant. The letters of the formulas: mu the band's mass per angle, j = mu R^2 (186), D
+   the damping, and e = mu v R - D, whose sign says whether the band drives the drum (e > 0) or the drum comes to
+   rest.
+
+       vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
+       vm_real angle = vm_drum_angle(1, &drum); // rad, after 1 s on a rigid shaft
+
+   Tests: tests/test_drum.c, tests/test_drum_shaft.c. */
 #ifndef VARMASS_MECHANICS_DRUM_H
 #define VARMASS_MECHANICS_DRUM_H
 
-/* A band of constant velocity v along y winds up on a drum (Fig. 20). It meets the drum in S + (R, 0), S the centre
-   of the shaft; after the angle phi it covers the arc from 0 to phi, whose mass centre is at phi/2. R stays constant:
-   the first layer, 0 <= phi <= 2 pi, is what is meant. mu = R h b rho (181), j = mu R^2 (186), and
-   e = mu v R - D, which decides whether the drum is driven (e > 0) or comes to rest. */
+/* A drum, its shaft and the band */
 typedef struct VM_TAG(vm_drum) {
     vm_real radius;    /* R, m */
     vm_real mass;      /* M0 > 0 of the empty drum, kg */
     vm_real inertia;   /* J0 > 0 of the empty drum about its axle, kg m^2 */
-    vm_real band;      /* mu >= 0, the band's mass per angle, kg/rad */
+    vm_real band;      /* mu >= 0, the band's mass per angle, kg/rad: vm_drum_band */
     vm_real speed;     /* v of the band, m/s */
     vm_real damping;   /* D of the rotation, N m s */
     vm_real stiffness; /* c >= 0 of the shaft, N/m */
     vm_real omega;     /* Omega_b > 0, the angular velocity at phi = 0, rad/s */
 } vm_drum;
 
+/* The drum with the band that it carries at some angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* M (182), kg */
-    vm_real arc_centre;   /* S S' (184), m */
-    vm_real offset;       /* S S1 (185) corrected, m: S1 = S + offset (cos phi/2, sin phi/2) */
+    vm_real arc_centre;   /* S S' (184), m: distance of the band's mass centre from the shaft */
+    vm_real offset;       /* S S1 (185) corrected, m: the mass centre is S1 = S + offset (cos phi/2, sin phi/2) */
     vm_real axle_inertia; /* J_S (187), about the axle, kg m^2 */
     vm_real inertia;      /* J_S1 (188), about the mass centre, kg m^2 */
 } vm_drum_geometry;
 
-/* Right-hand sides for rk45, ctx a vm_drum, of y = {xS, yS, phi, xS', yS', phi'} (VM_DRUM_STATES values). The first
-   is exact; it takes the place of (177) and (191), which lack the drift of the mass centre and turn the shaft's
-   torque round. With q = mu R (sin phi, 1 - cos phi):
-     M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
-     J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   The second is (192), (193), what is left of it for small mu, with the unbalance mu R phi'^2 (sin phi, -cos phi),
-   of the same order as what (192) keeps. Both stop a run, by VM_BAD_MASS or VM_BAD_INERTIA, where a mass or inertia
-   is not positive. */
-#define VM_DRUM_STATES 6
+/* Where the states of vm_drum_rhs and vm_drum_rhs_reduced stand in y, and how many there are */
+enum {
+    VM_DRUM_X = 0,     /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_ANGLE = 2, /* phi, rad */
+    VM_DRUM_V = 3,     /* velocity of S, 2 numbers, m/s */
+    VM_DRUM_OMEGA = 5, /* phi', rad/s */
+    VM_DRUM_STATES = 6
+};
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b):
-     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), y with mu v/(M0 Omega_b) on the right (214), ' = d/dphi */
+/* Where the states of vm_drum_rhs_angle stand in y, and how many there are */
+enum {
+    VM_DRUM_DEFLECTION = 0, /* deflection of the shaft, 2 numbers x, y of S, m */
+    VM_DRUM_SLOPE = 2,      /* dx/dphi, dy/dphi, m/rad */
+    VM_DRUM_ANGLE_STATES = 4
+};
+
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b): with ' = d/dphi
+     x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213), and for y with mu v/(M0 Omega_b) on the right (214) */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* sqrt(c/M0)/Omega_b */
-    vm_real delta; /* (mu/M0 + e/(J0 Omega_b) - j/J0)/2, corrected */
-    vm_real A;     /* mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), corrected, 1/rad */
+    vm_real k;     /* sqrt(c/M0)/Omega_b, a pure number */
+    vm_real delta; /* (mu/M0 + e/(J0 Omega_b) - j/J0)/2, 1/rad, corrected */
+    vm_real A;     /* mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), 1/rad, corrected */
     vm_real shift; /* mu v/(M0 Omega_b k^2), m: y oscillates about shift/(1 - A phi) */
 } vm_drum_shaft;
 
-/* mu (181) */
+/* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
+   Radius R of the drum, thickness h and width b of the band in m, density in kg/m^3. NaN in, NaN out. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
 }
 
-/* M, J_S, and |q|^2/M = M (S S1)^2 at phi; s = sin(phi/2) */
-VM_API int vmi_drum_inertia(vm_real phi, vm_real s, const vm_drum *d, vm_real *M, vm_real *J, vm_real *steiner)
+/* What the equations of motion need of the drum at the angle phi */
+typedef struct VM_TAG(vmi_drum_mass) {
+    vm_real M;       /* mass */
+    vm_real J;       /* inertia about the axle */
+    vm_real steiner; /* M (S S1)^2, so that J - steiner is the inertia about the mass centre */
+} vmi_drum_mass;
+
+/* Sets *m for the angle phi, s = sin(phi/2). With s = 0 the distance S S1 is neglected. VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA */
+VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
-    *M = d->mass + d->band * phi;
-    *J = d->inertia + d->band * d->radius * d->radius * phi;
-    *steiner = q / *M * q; /* q alone may be too small to be squared */
-    if (!VM_IS_FINITE(*M) || !VM_IS_FINITE(*J)) return VM_NOT_FINITE;
-    if (!(*M > 0)) return VM_BAD_MASS;
-    return *J - *steiner > 0 ? VM_OK : VM_BAD_INERTIA;
+    m->M = d->mass + d->band * phi;
+    m->J = d->inertia + d->band * d->radius * d->radius * phi;
+    m->steiner = q / m->M * q; /* q^2 alone could underflow */
+    if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
+    if (!(m->M > 0)) return VM_BAD_MASS;
+    if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
-/* The drum with its band at the angle phi >= 0. VM_BAD_MASS, VM_BAD_INERTIA where no drum is like that;
-   VM_BAD_ARGUMENT (phi < 0, too), VM_NOT_FINITE */
+/* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
+   phi >= 0 in rad.
+   VM_BAD_ARGUMENT (phi < 0, too), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. */
 VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
 {
-    vm_real s, c, M, J, steiner;
+    vm_real s, c;
+    vmi_drum_mass m;
     int status;
     if (!d || !g || phi < 0) return VM_BAD_ARGUMENT;
     if (!(VM_IS_FINITE(phi) && VM_IS_FINITE(d->radius))) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
     vmi_sincos(phi / 2, &s, &c);
-    status = vmi_drum_inertia(phi, s, d, &M, &J, &steiner);
+    status = vmi_drum_mass_at(d, phi, s, &m);
     if (status) return status;
-    g->mass = M;
-    g->arc_centre = phi > VM_MIN ? d->radius * s / (phi / 2) : d->radius;
-    g->offset = 2 * d->band * d->radius * s / M;
-    g->axle_inertia = J;
-    g->inertia = J - steiner;
+    g->mass = m.M;
+    g->arc_centre = d->radius;
+    if (phi > VM_MIN) g->arc_centre = d->radius * s / (phi / 2);
+    g->offset = 2 * d->band * d->radius * s / m.M;
+    g->axle_inertia = m.J;
+    g->inertia = m.J - m.steiner;
     return VM_OK;
 }
 
+/* Right-hand side of the drum on an elastic shaft, exact.
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which lack the drift of the
+   mass centre and have the shaft's torque with the other sign. With q = mu R (sin phi, 1 - cos phi):
+     M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
+     J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
+   VM_BAD_ARGUMENT for a null pointer, and VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, where the drum cannot be at
+   this angle, end the run. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
-    const vm_real flow = d->band * y[5], slip = d->speed - y[4] - d->radius * y[5];
-    vm_real s, c, M, J, steiner, qx, qy, X, Y, N, turn;
+    const vm_real phi = y[VM_DRUM_ANGLE], rate = y[VM_DRUM_OMEGA];
+    const vm_real flow = d->band * rate, slip = d->speed - y[VM_DRUM_V + 1] - d->radius * rate;
+    vm_real s, c, qx, qy, force_x, force_y, moment, turn; /* turn: phi'' */
+    vmi_drum_mass m;
     int status;
     (void)t;
-    vmi_sincos(y[2] / 2, &s, &c);
-    status = vmi_drum_inertia(y[2], s, d, &M, &J, &steiner);
+    vmi_sincos(phi / 2, &s, &c);
+    status = vmi_drum_mass_at(d, phi, s, &m);
     if (status) return status;
     qx = 2 * d->band * d->radius * s * c;
     qy = 2 * d->band * d->radius * s * s;
-    X = -d->stiffness * y[0] - flow * y[3] + y[5] * y[5] * qx;
-    Y = -d->stiffness * y[1] + flow * slip + y[5] * y[5] * qy;
-    N = -d->damping * y[5] + flow * d->radius * slip;
-    turn = (N - (qx * Y - qy * X) / M) / (J - steiner);
-    dydt[0] = y[3];
-    dydt[1] = y[4];
-    dydt[2] = y[5];
-    dydt[3] = (X + turn * qy) / M;
-    dydt[4] = (Y - turn * qx) / M;
-    dydt[5] = turn;
+    force_x = -d->stiffness * y[VM_DRUM_X] - flow * y[VM_DRUM_V] + rate * rate * qx;
+    force_y = -d->stiffness * y[VM_DRUM_X + 1] + flow * slip + rate * rate * qy;
+    moment = -d->damping * rate + flow * d->radius * slip;
+    turn = (moment - (qx * force_y - qy * force_x) / m.M) / (m.J - m.steiner);
+    dydt[VM_DRUM_X] = y[VM_DRUM_V];
+    dydt[VM_DRUM_X + 1] = y[VM_DRUM_V + 1];
+    dydt[VM_DRUM_ANGLE] = rate;
+    dydt[VM_DRUM_V] = (force_x + turn * qy) / m.M;
+    dydt[VM_DRUM_V + 1] = (force_y - turn * qx) / m.M;
+    dydt[VM_DRUM_OMEGA] = turn;
     return VM_OK;
 }
 
+/* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
+   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It is what vm_drum_rhs becomes for small mu, with the
+   unbalance mu R phi'^2 (sin phi, -cos phi), which is of the same order as the terms that (192) keeps. Errors as for
+   vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
-    const vm_real flow = d->band * y[5], unbalance = flow * d->radius * y[5];
-    vm_real s, c, M, J, steiner;
+    const vm_real rate = y[VM_DRUM_OMEGA], vx = y[VM_DRUM_V], vy = y[VM_DRUM_V + 1];
+    const vm_real flow = d->band * rate, unbalance = flow * d->radius * rate;
+    vm_real s, c;
+    vmi_drum_mass m;
     int status;
     (void)t;
-    vmi_sincos(y[2], &s, &c);
-    status = vmi_drum_inertia(y[2], 0, d, &M, &J, &steiner);
+    vmi_sincos(y[VM_DRUM_ANGLE], &s, &c);
+    status = vmi_drum_mass_at(d, y[VM_DRUM_ANGLE], 0, &m);
     if (status) return status;
-    dydt[0] = y[3];
-    dydt[1] = y[4];
-    dydt[2] = y[5];
-    dydt[3] = (-d->stiffness * y[0] - flow * y[3] + unbalance * s) / M;
-    dydt[4] = (-d->stiffness * y[1] + flow * (d->speed - y[4]) - unbalance * c) / M;
-    dydt[5] = (-d->damping * y[5] + flow * d->radius * (d->speed - y[4] - d->radius * y[5])) / J;
+    dydt[VM_DRUM_X] = vx;
+    dydt[VM_DRUM_X + 1] = vy;
+    dydt[VM_DRUM_ANGLE] = rate;
+    dydt[VM_DRUM_V] = (-d->stiffness * y[VM_DRUM_X] - flow * vx + unbalance * s) / m.M;
+    dydt[VM_DRUM_V + 1] = (-d->stiffness * y[VM_DRUM_X + 1] + flow * (d->speed - vy) - unbalance * c) / m.M;
+    dydt[VM_DRUM_OMEGA] = (-d->damping * rate + flow * d->radius * (d->speed - vy - d->radius * rate)) / m.J;
     return VM_OK;
 }
 
-/* -- The rigid shaft, in two words, the drum's fields taken as exact -- */
+/* Whether the fields that the motion on a rigid shaft depends on are finite and have the signs that vm_drum states */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
     return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
@@ -5477,12 +6043,13 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-VM_API vm_two vmi_drum_j(const vm_drum *d) /* mu R^2 */
+/* j = mu R^2 in two words */
+VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* mu v R - D, of which rounding leaves all digits also where it nearly cancels */
+/* e = mu v R - D in two words, computed in three, so that all digits are right where the two terms nearly cancel */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
     const vm_two band = vmi_two_product(d->band, d->radius);
@@ -5491,50 +6058,55 @@ VM_API vm_two vmi_drum_e(const vm_drum *d)
     return vmi_two(e.hi, e.mid);
 }
 
-/* The rigid shaft (194): angular velocity phi' (196), time t (197) at which the angle phi is reached, phi(t), and the
-   angle J0 Omega_b/|e| that is never reached where e < 0 (else infinity). phi, t >= 0; NaN beyond the stop, for a
-   null pointer, and for fields without the signs above. Within 4 ulp with the drum's fields taken as exact, through
-   e = 0 and k1 = 1 - e/(j Omega_b) = 0, up to the stop, for data whose products in these formulas stay within the
-   range of numbers. With x = e phi/(J0 Omega_b)
-     t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2],
-   and phi(t) is solved for by Newton's method: no Lambert W, no branches. */
+/* a b/c in two words */
+VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
+{
+    return vmi_two_over(vmi_two_times(a, vmi_two(b, 0)), c);
+}
+
+/* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
+   This function, vm_drum_time and vm_drum_angle are right within 4 ulp if the drum's fields are taken as exact,
+   through e = 0 and k1 = 1 - e/(j Omega_b) = 0 and up to the stop, as long as products of the fields do not overflow
+   or underflow. NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and where inertia or omega is
+   not positive or band is negative. */
 VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d)
 {
     vm_two up, down;
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
     up = vmi_two_plus(vmi_two_product(d->inertia, d->omega), vmi_two_times(vmi_drum_e(d), vmi_two(phi, 0)));
     down = vmi_two_plus(vmi_two(d->inertia, 0), vmi_two_times(vmi_drum_j(d), vmi_two(phi, 0)));
-    return up.hi >= 0 ? vmi_two_over(up, down).hi : VM_NAN;
+    if (!(up.hi >= 0)) return VM_NAN;
+    return vmi_two_over(up, down).hi;
 }
 
-/* (210), (211) of y = {x, y, dx/dphi, dy/dphi}, phi the independent variable, with phi'(phi) of the rigid shaft
-   (196); VM_BAD_ARGUMENT where the drum does not get to phi */
+/* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum; the independent variable is phi, and the angular
+   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer and where the drum does not
+   get to phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
     const vm_real rate = vm_drum_rate(phi, d), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
-    vm_real M, J, steiner, slope, drag;
-    int status = vmi_drum_inertia(phi, 0, d, &M, &J, &steiner);
+    const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
+    vm_real acceleration, drag, force_y;
+    vmi_drum_mass m;
+    int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_BAD_ARGUMENT;
-    slope = (e - j * rate) / J; /* d phi'/d phi (195), phi'' = slope rate */
-    drag = d->band / M + slope / rate;
-    dydt[0] = y[2];
-    dydt[1] = y[3];
-    dydt[2] = -drag * y[2] - d->stiffness * y[0] / (M * rate * rate);
-    dydt[3] = -drag * y[3] + (d->band * d->speed * rate - d->stiffness * y[1]) / (M * rate * rate);
+    acceleration = (e - j * rate) / m.J; /* d phi'/d phi (195): phi'' = acceleration phi' */
+    drag = d->band / m.M + acceleration / rate;
+    dydt[VM_DRUM_DEFLECTION] = slope_x;
+    dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
+    force_y = d->band * d->speed * rate - d->stiffness * y[VM_DRUM_DEFLECTION + 1];
+    dydt[VM_DRUM_SLOPE] = -drag * slope_x - d->stiffness * y[VM_DRUM_DEFLECTION] / (m.M * rate * rate);
+    dydt[VM_DRUM_SLOPE + 1] = -drag * slope_y + force_y / (m.M * rate * rate);
     return VM_OK;
 }
 
-/* a b/c */
-VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
-{
-    return vmi_two_over(vmi_two_times(a, vmi_two(b, 0)), c);
-}
-
-/* Documented with vm_drum_rate. */
+/* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| where e < 0.
+   The drum never reaches it: it is the limit for t to infinity. Infinity where e >= 0, NaN as for vm_drum_rate. */
 VM_API vm_real vm_drum_stop(const vm_drum *d)
 {
     vm_two e;
@@ -5544,89 +6116,99 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
     return vmi_two_over(vmi_two_product(d->inertia, d->omega), vmi_minus(e)).hi;
 }
 
-/* Documented with vm_drum_rate. */
+/* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
+   With x = e phi/(J0 Omega_b), without branches: t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2].
+   Accuracy and NaN as for vm_drum_rate; infinity at the stop. */
 VM_API vm_real vm_drum_time(vm_real phi, const vm_drum *d)
 {
-    vm_two x, y, s, part, sum;
+    vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
     x = vmi_drum_share(vmi_drum_e(d), phi, vmi_two_product(d->inertia, d->omega));
     s = vmi_drum_share(vmi_drum_j(d), phi, vmi_two(d->inertia, 0));
     sum = vmi_two_plus(vmi_two(1, 0), x);
-    if (!(sum.hi > 0)) return sum.hi == 0 ? VM_INFINITY : VM_NAN;
+    if (sum.hi == 0) return VM_INFINITY;
+    if (!(sum.hi > 0)) return VM_NAN;
     y = vmi_log1p(x);
-    part = VM_FABS(x.hi) > VM_EPSILON / 4 ? vmi_two_over(y, x) : vmi_two(1, 0);
+    if (VM_FABS(x.hi) > VM_EPSILON / 4) part = vmi_two_over(y, x);
     sum = vmi_two_plus(part, vmi_two_times(s, vmi_log1p_rest(x, y)));
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x) the equation of vm_drum_time reads
-     p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
-   Its left side increases with p, with the slope 1 + b f, and is convex, so that Newton's method converges from
-   anywhere. It starts where (x - y)/x^2 f^2 is p^2/2, which is the solution for e = 0; for a > 0 that is too
-   much, and so is x = y + a^2/b; for a < 0 it is too little, and so is |a|/(|a| + b). */
+/* A start p for Newton's method in vm_drum_angle. For e = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has
+   the solution p = 2/(1 + sqrt(1 + 2 b)). For a > 0 this p is too large, and so is the one that belongs to x = y +
+   a^2/b:
+   the smaller is taken. For a < 0 it is too small, and so is |a|/(|a| + b): the larger is taken. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
-    if (a < 0) return p > a / (a - b) ? p : a / (a - b);
-    if (a * p > 1 && b > 0) {
-        const vm_real bound = (vmi_log(a).hi + vmi_log(1 / a + a / b + p).hi) / a;
-        return bound < p ? bound : p;
-    }
+    if (a < 0) return vmi_larger(p, a / (a - b));
+    if (a * p > 1 && b > 0) return vmi_smaller((vmi_log(a).hi + vmi_log(1 / a + a / b + p).hi) / a, p);
     return p;
 }
 
-/* Documented with vm_drum_rate. */
+/* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
+   The inverse of vm_drum_time, by Newton's method in two words; no branch of Lambert's W is needed. Accuracy and NaN
+   as for vm_drum_rate. Time: some 4 steps, each of an exponential and divisions in two words.
+   With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x) the equation of vm_drum_time reads
+     p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
+   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from anywhere. */
 VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
 {
     const vm_real precise = VM_EPSILON / 8; /* relative error of phi that the last step leaves */
-    const int most_steps = 40; /* 8 were the most of 400 000 drums, |a| from 1e-20 to 1e20, b alike */
+    const int most_steps = 40; /* 8 were the most for 400 000 drums with |a| and b from 1e-20 to 1e20 */
     vm_two angle, a, b, p, x, y, f, rest;
-    vm_real step, left;
+    vm_real step, left = 1;
     int i;
     if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
     angle = vmi_two_product(d->omega, t);
     a = vmi_drum_share(vmi_drum_e(d), t, vmi_two(d->inertia, 0));
     b = vmi_two_over(vmi_two_times(vmi_drum_j(d), angle), vmi_two(d->inertia, 0));
-    f = p = vmi_two(vmi_drum_start(a.hi, b.hi), 0);
-    for (i = 0, left = 1; i < most_steps && left > precise; i++) {
+    p = vmi_two(vmi_drum_start(a.hi, b.hi), 0);
+    f = p;
+    for (i = 0; i < most_steps && left > precise; i++) {
         y = vmi_two_times(a, p);
         x = vmi_expm1(y);
-        f = VM_FABS(y.hi) > VM_EPSILON / 4 ? vmi_two_times(p, vmi_two_over(x, y)) : p;
+        f = p;
+        if (VM_FABS(y.hi) > VM_EPSILON / 4) f = vmi_two_times(p, vmi_two_over(x, y));
         rest = vmi_two_times(vmi_two_times(vmi_two_times(b, f), f), vmi_log1p_rest(x, y));
         rest = vmi_two_plus(vmi_two_plus(vmi_two(1, 0), vmi_minus(p)), vmi_minus(rest));
         step = rest.hi / (1 + b.hi * f.hi);
-        left = step / f.hi * (step / f.hi) * (1 + x.hi) * (x.hi > 0 ? 1 + x.hi : 1);
+        left = step / f.hi * (step / f.hi) * (1 + x.hi) * vmi_larger(1 + x.hi, 1);
         p = vmi_two_plus(p, vmi_two(step, 0));
         f = vmi_two_plus(f, vmi_two(step * (1 + x.hi), 0));
     }
     return vmi_two_times(angle, f).hi;
 }
 
-/* phi(t) as published, (198)-(206) corrected: r - k1 ln r = f1, r = -k1 W(x), x = -exp(-f1/k1)/k1, by W_-1 for 0 < k1
-   < 1 and W_0 for other k1. For comparison: it loses all digits next to e = 0, where r comes to the branch point; at
-   e = 0 and k1 = 0 it is NaN. Next to k1 = 0 x is no number any more (1e-869 for k1 = 1e-3): ln |x| is used. */
+/* Angle of the drum on a rigid shaft by Lambert's W, as published, (198)-(206) corrected, rad.
+   r - k1 ln r = f1 is solved by r = -k1 W(x), x = -exp(-f1/k1)/k1, with W_-1 for 0 < k1 < 1 and W_0 for other k1. It
+   is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
+   branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
+   used. NaN for e = 0 and k1 = 0, and as for vm_drum_rate. */
 VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
 {
-    vm_real j, e, k1, f1, l, w;
+    vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
     if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
     j = vmi_drum_j(d).hi;
     e = vmi_drum_e(d).hi;
     k1 = 1 - e / (j * d->omega);
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
-    l = -vmi_log(VM_FABS(k1)).hi - f1 / k1; /* of the argument's size */
-    if (l > -1 && k1 > 0) l = -1;           /* by rounding */
-    /* e tells the branch: k1 may round to 1 */
-    w = k1 < 0 ? vm_wright_omega(l) : e > 0 ? vm_lambert_wm1_neg_exp(l) : vm_lambert_w0_neg_exp(l);
+    l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
+    if (l > -1 && k1 > 0) l = -1; /* rounding has put it beyond the branch point */
+    if (k1 < 0) w = vm_wright_omega(l);
+    else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* the sign of e tells the branch, because k1 may round to 1 */
+    else w = vm_lambert_w0_neg_exp(l);
     return (-k1 * w - 1) * d->inertia * d->omega / e;
 }
 
-/* VM_SINGULAR where c or Omega_b is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA */
-/* -- The elastic shaft -- */
+/* Coefficients of the elastic shaft in the first approximation, (213), (214).
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_SINGULAR where stiffness or omega is not positive.
+   */
 VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
 {
     vm_drum_shaft r;
-    vm_real j, drive, mass;
+    vm_real j, drive, mass; /* j/J0, e/(J0 Omega_b), mu/M0 */
     if (!d || !s) return VM_BAD_ARGUMENT;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
@@ -5645,218 +6227,277 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
     return VM_OK;
 }
 
-/* (224), (225) corrected: a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha), plus
-   particular/(1 - A phi): particular = 0 for x, s->shift for y. At phi = 0, to which a (m) and alpha (rad)
-   belong, it is a cos alpha + particular. NaN where 1 - A phi <= 0 and for a null pointer. */
-/* The phase (2k/3A)(1 - m^3), m^2 = 1 - A phi, is 2k/3 phi (1 + m + m^2)/(1 + m), which A = 0 does not trouble */
+/* Deflection x or y of the elastic shaft at the angle phi, m, first approximation, (224), (225) corrected:
+     a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
+   particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
+   amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
+   2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. NaN where 1 - A phi <= 0 and for a null pointer. */
 VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha, vm_real particular)
 {
-    const vm_real square = s ? 1 - s->A * phi : VM_NAN;
-    vm_real m, sine, cosine;
+    vm_real square, m, sine, cosine;
+    if (!s) return VM_NAN;
+    square = 1 - s->A * phi;
     if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a) || !VM_IS_FINITE(particular)) return VM_NAN;
     m = VM_SQRT(square);
     vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &sine, &cosine);
     return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
 }
 
-/* (226): is A < 1/(2 pi), so that the frequency stays real for the first layer? 0 for a null pointer. */
+/* Whether the shaft's frequency stays real for the whole first layer (226): 1 if A < 1/(2 pi), else 0.
+   0 for a null pointer, too. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif
-/* mechanics/lagrange.h - Lagrange's equations with variable mass */
+/* mechanics/lagrange.h - Lagrange's equations with variable mass
+
+   Integrates any system of n generalized coordinates whose kinetic energy you can write down, with masses that depend
+   on time and position (247). You give the energy, the masses and the generalized forces; mass matrix and derivatives
+   are found from the energy. The states are the coordinates q and the momenta pi = dT/dq', so that neither rates of
+   momenta nor rates of masses are needed:
+     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
+   (247) corrected, with T of the velocities of the material and r2 the place where a stream crosses:
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
+   A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
+
+       static vm_real energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+       {
+           return masses[0] * rates[0] * rates[0] / 2; // and t, q, ctx as they are needed
+       }
+       ...
+       vm_real y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
+       vm_lagrange_system system = {1, 1, masses, energy, forces, NULL, NULL, work};
+       status = vm_lagrange_start(&system, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &system, 2, ...)
+
+   Q holds what the streams bring, too. A pendulum of length l that leaks at its bob has Q = -m g l sin q + m' l^2 q'
+   if the leaking mass moves on with the bob and takes its momentum along; without the last term the mass would leave
+   at rest.
+   Accuracy: A and b come from T by differences over unit rates, which are exact except for roundings of T at unit
+   rates and at rest. dT/dq comes from central differences of order 6, within 2e-13 of the largest T (float 1e-5) if T
+   varies in q over the given scales. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
-/* (247) corrected: with T(t, q, q', masses) of the material velocities, r2 where a stream crosses,
-     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i]
-   A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
-   are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
-     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
-   Q has what streams bring: a pendulum l long that leaks at its bob has -m g l sin q + m' l^2 q', where a leak that
-   moves on with the bob takes its momentum along; without the last term it would leave at rest.
-   A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
-   central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
+/* A mechanical system: the ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
-    int n;        /* coordinates */
-    int n_masses; /* masses, inertias, whatever is frozen */
-    void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx); /* null where n_masses is 0 */
+    int n;        /* number of coordinates, > 0 */
+    int n_masses; /* number of masses, inertias and other quantities that are frozen in dT/dq, >= 0 */
+    /* sets the n_masses masses at t and q; NULL where n_masses is 0 */
+    void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
+    /* the kinetic energy T, J: a polynomial of degree 2 in the n rates q' */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* null, or adds the generalized forces to Q, vm_lagrange_add_force does; nonzero stops the run */
+    /* NULL, or adds the n generalized forces to Q (vm_lagrange_add_force does); returns 0, or a number that ends the
+       run */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;
-    const vm_real *scales; /* of each q; null: 1 */
-    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers */
+    void *ctx;             /* for the three functions; not used here */
+    const vm_real *scales; /* of each coordinate: over which change T varies noticeably; NULL: 1 for all */
+    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
 } vm_lagrange_system;
 
+/* Length of vm_lagrange_system.work */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
-/* Parts of work: A, b and then a right-hand side, rates, a trial point, masses */
+/* The parts of a system's work */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A, *b, *rates, *trial, *masses;
+    vm_real *A;      /* n n numbers */
+    vm_real *b;      /* n numbers */
+    vm_real *rates;  /* n numbers: pi - b, then the rates q' */
+    vm_real *trial;  /* n numbers: rates or coordinates at which T is tried */
+    vm_real *masses; /* n_masses numbers */
 } vmi_lagrange_parts;
 
-VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *l)
+VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
 {
     vmi_lagrange_parts w;
-    w.A = l->work;
-    w.b = w.A + (ptrdiff_t)l->n * l->n;
-    w.rates = w.b + l->n;
-    w.trial = w.rates + l->n;
-    w.masses = w.trial + l->n;
+    w.A = system->work;
+    w.b = w.A + (ptrdiff_t)system->n * system->n;
+    w.rates = w.b + system->n;
+    w.trial = w.rates + system->n;
+    w.masses = w.trial + system->n;
     return w;
 }
 
-/* T at rates x e_i + z e_j */
-VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *l, vm_real t, const vm_real *q, int i, vm_real x, int j,
-                                 vm_real z)
+/* T at the rates x e_i + z e_j; an index -1 means that the term is left out */
+VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
+                                   int j, vm_real z)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
-    for (k = 0; k < l->n; k++) w.trial[k] = (k == i ? x : 0) + (k == j ? z : 0);
-    return l->energy(t, q, w.trial, w.masses, l->ctx);
+    for (k = 0; k < system->n; k++) w.trial[k] = 0;
+    if (i >= 0) w.trial[i] = x;
+    if (j >= 0) w.trial[j] += z;
+    return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* A and b from T; steps of the size of 1/sqrt(A_ii) keep the roundings of unlike coordinates apart */
-VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *l, vm_real t, const vm_real *q)
+/* Finds A and b from T. Off the diagonal the steps have the size 1/sqrt(A_ii), so that a coordinate with a large
+   energy does not cover the other's digits. */
+VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    const int n = l->n;
-    const vm_real T0 = vmi_lagrange_energy(l, t, q, -1, 0, -1, 0);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    const int n = system->n;
+    const vm_real T0 = vmi_lagrange_energy(system, t, q, -1, 0, -1, 0);
     int i, j;
     for (i = 0; i < n; i++) {
-        const vm_real plus = vmi_lagrange_energy(l, t, q, i, 1, -1, 0);
-        const vm_real minus = vmi_lagrange_energy(l, t, q, i, -1, -1, 0);
+        const vm_real plus = vmi_lagrange_energy(system, t, q, i, 1, -1, 0);
+        const vm_real minus = vmi_lagrange_energy(system, t, q, i, -1, -1, 0);
         w.A[i * n + i] = (plus - T0) + (minus - T0);
         w.b[i] = (plus - minus) / 2;
     }
     for (i = 0; i < n; i++)
         for (j = 0; j < i; j++) {
             const vm_real x = 1 / VM_SQRT(w.A[i * n + i]), z = 1 / VM_SQRT(w.A[j * n + j]);
-            const vm_real same = vmi_lagrange_energy(l, t, q, i, x, j, z) + vmi_lagrange_energy(l, t, q, i, -x, j, -z);
-            const vm_real apart = vmi_lagrange_energy(l, t, q, i, x, j, -z) + vmi_lagrange_energy(l, t, q, i, -x, j, z);
-            w.A[i * n + j] = w.A[j * n + i] = (same - apart) / (4 * x * z);
+            const vm_real same = vmi_lagrange_energy(system, t, q, i, x, j, z) +
+                                 vmi_lagrange_energy(system, t, q, i, -x, j, -z);
+            const vm_real opposite = vmi_lagrange_energy(system, t, q, i, x, j, -z) +
+                                     vmi_lagrange_energy(system, t, q, i, -x, j, z);
+            w.A[i * n + j] = w.A[j * n + i] = (same - opposite) / (4 * x * z);
         }
 }
 
-VM_API void vmi_lagrange_freeze(const vm_lagrange_system *l, vm_real t, const vm_real *q)
+/* Puts the masses at (t, q) into the work, where they stay while T is differentiated */
+VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
-    if (l->masses) l->masses(t, q, vmi_lagrange_work(l).masses, l->ctx);
+    if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* q' into the work */
-VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *l, vm_real t, const vm_real *y)
+/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR */
+VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
-    vmi_lagrange_freeze(l, t, y);
-    vmi_lagrange_quadratic(l, t, y);
-    for (k = 0; k < l->n; k++) w.rates[k] = y[l->n + k] - w.b[k];
-    return vmi_solve_mass(l->n, w.A, w.rates, w.trial);
+    vmi_lagrange_freeze(system, t, y);
+    vmi_lagrange_quadratic(system, t, y);
+    for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
+    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
 }
 
-/* h^6/140 of the seventh derivative against eps/h: h = 2^-7 for eps = 2^-52, 2^-3 for 2^-23 */
-VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+/* dT/dq_i with the masses in the work, by a central difference of order 6. Its error is h^6/140 of the seventh
+   derivative plus a rounding error of eps/h; both are small for h = 2^-7 where eps = 2^-52, and for 2^-3 where eps =
+   2^-23. */
+VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
+                                       const vm_real *rates, int i)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    const vm_real h = (VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125)) * (l->scales ? l->scales[i] : 1);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
-    vm_real sum = 0;
+    vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125), sum = 0;
     int k;
-    for (k = 0; k < l->n; k++) w.trial[k] = q[k];
+    if (system->scales) h *= system->scales[i];
+    for (k = 0; k < system->n; k++) w.trial[k] = q[k];
     for (k = 3; k > 0; k--) {
         vm_real difference;
         w.trial[i] = q[i] + (vm_real)k * h;
-        difference = l->energy(t, w.trial, rates, w.masses, l->ctx);
+        difference = system->energy(t, w.trial, rates, w.masses, system->ctx);
         w.trial[i] = q[i] - (vm_real)k * h;
-        difference -= l->energy(t, w.trial, rates, w.masses, l->ctx);
+        difference -= system->energy(t, w.trial, rates, w.masses, system->ctx);
         sum += weights[k - 1] * difference;
     }
     return sum / h;
 }
 
-VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *l)
+/* Whether all that vm_lagrange_system asks for is there */
+VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 {
-    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
+    return system && system->n > 0 && system->n_masses >= 0 && system->energy && system->work &&
+           (system->n_masses == 0 || system->masses);
 }
 
-/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange_system. Where A is singular, as in vm_lagrange_separate, or masses have
-   become negative, VM_SINGULAR stops it: stop before, by an event */
+/* Right-hand side of Lagrange's equations with variable mass (247).
+   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns VM_BAD_ARGUMENT,
+   VM_SINGULAR, where the mass matrix is not positive definite (as for vm_lagrange_separate; a mass has become
+   negative, for example), and what system->forces returns; each of them ends the run. An event should stop it before.
+   Time:
+   2 n^2 + 6 n + 1 calls of system->energy. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
-    const vm_lagrange_system *l = (const vm_lagrange_system *)lagrange;
-    if (!y || !dydt || !vmi_lagrange_is_valid(l)) return VM_BAD_ARGUMENT;
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    int k, status = vmi_lagrange_solve_rates(l, t, y);
+    const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
+    vmi_lagrange_parts w;
+    int k, n, status;
+    if (!y || !dydt || !vmi_lagrange_is_valid(system)) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    status = vmi_lagrange_solve_rates(system, t, y);
     if (status) return status;
-    for (k = 0; k < l->n; k++) {
+    for (k = 0; k < n; k++) {
         dydt[k] = w.rates[k];
-        dydt[l->n + k] = 0;
+        dydt[n + k] = 0;
     }
-    if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
-    for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_lagrange_derivative(l, t, y, w.rates, k);
+    if (system->forces) status = system->forces(t, y, w.rates, w.masses, dydt + n, system->ctx);
+    for (k = 0; k < n; k++) dydt[n + k] += vmi_lagrange_derivative(system, t, y, w.rates, k);
     return status;
 }
 
-/* y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE */
-VM_API int vm_lagrange_start(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
+/* Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'.
+   y is an array of 2 n numbers. VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
-    int i, j;
-    if (!vmi_lagrange_is_valid(l) || !q || !rates || !y) return VM_BAD_ARGUMENT;
-    w = vmi_lagrange_work(l);
-    vmi_lagrange_freeze(l, t, q);
-    vmi_lagrange_quadratic(l, t, q);
-    for (i = 0; i < l->n; i++)
-        for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
-    if (!vmi_all_finite(l->n, w.b) || !vmi_all_finite(l->n, q)) return VM_NOT_FINITE;
-    for (i = 0; i < l->n; i++) {
+    int i, j, n;
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || !y) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++)
+        for (j = 0; j < n; j++) w.b[i] += w.A[i * n + j] * rates[j];
+    if (!vmi_all_finite(n, w.b) || !vmi_all_finite(n, q)) return VM_NOT_FINITE;
+    for (i = 0; i < n; i++) {
         y[i] = q[i];
-        y[l->n + i] = w.b[i];
+        y[n + i] = w.b[i];
     }
     return VM_OK;
 }
 
-/* Documented with vm_lagrange_start. */
-VM_API int vm_lagrange_rates(vm_lagrange_system *l, vm_real t, const vm_real *y, vm_real *rates)
+/* Rates q' of a system at time t, from its state y = q, pi.
+   y has 2 n numbers, rates n. VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE. */
+VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
-    if (!vmi_lagrange_is_valid(l) || !y || !rates) return VM_BAD_ARGUMENT;
-    status = vmi_lagrange_solve_rates(l, t, y);
-    return status ? status : vmi_copy_if_finite(l->n, vmi_lagrange_work(l).rates, rates);
+    if (!vmi_lagrange_is_valid(system) || !y || !rates) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_solve_rates(system, t, y);
+    if (status) return status;
+    return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .. n - 1 */
-VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+/* Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i.
+   The masses are those at (t, q).    q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null
+   pointer. */
+VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
+                                     int i)
 {
-    if (!vmi_lagrange_is_valid(l) || !q || !rates || i < 0 || i >= l->n) return VM_NAN;
-    vmi_lagrange_freeze(l, t, q);
-    return vmi_lagrange_derivative(l, t, q, rates, i);
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
+    vmi_lagrange_freeze(system, t, q);
+    return vmi_lagrange_derivative(system, t, q, rates, i);
 }
 
 #endif
-/* mechanics/euler_angles.h - Euler's angles */
+/* mechanics/euler_angles.h - Euler's angles
+
+   The attitude of a body by the angles psi, theta, phi of the sequence 3-1-3: turn by psi about z, by theta about the
+   line of nodes, by phi about the body's z axis. Here are the quaternion of three angles, the axes about which they
+   turn, which Lagrange's equations need as domega/dq'_i, and the rates of the angles from an angular velocity.
+
+       vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
+
+   Angles in rad. Errors are within 4 eps for angles up to 0.1/eps (4e14, float 8e5). Beyond 2^(p-1) quarter turns, p
+   the number of digits of vm_real, an angle carries no phase. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-/* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
-   inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
-   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps for angles up to
-   0.1/eps (4e14, float 8e5); from 2^(p-1) quarters on they hold no phase. */
+/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
-    vm_quat turn, tilt, spin;
-    turn.x = turn.y = tilt.y = tilt.z = spin.x = spin.y = 0;
+    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
     vmi_sincos(psi / 2, &turn.z, &turn.w);
     vmi_sincos(theta / 2, &tilt.x, &tilt.w);
     vmi_sincos(phi / 2, &spin.z, &spin.w);
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Documented with vm_euler_313. */
+/* Axes about which Euler's angles turn, in inertial axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
+   axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
+    vm_real s, c, sine, cosine; /* of psi, of theta */
     if (!axis) return;
-    vm_real s, c, sine, cosine;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(0, 0, 1);
@@ -5864,11 +6505,12 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Documented with vm_euler_313. */
+/* Axes about which Euler's angles turn, in body axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
+   Nothing is done for a null pointer. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
+    vm_real s, c, sine, cosine; /* of phi, of theta */
     if (!axis) return;
-    vm_real s, c, sine, cosine;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(sine * s, sine * c, cosine);
@@ -5876,10 +6518,11 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Documented with vm_euler_313. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_SINGULAR where sin(theta) = 0. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3];
+    vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
