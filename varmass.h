@@ -5809,7 +5809,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     int status;
     f[3] = 0;
     status = law->derivatives(law, t, side, step, f);
-    if (status) return status == VM_DOMAIN && if_not_positive ? if_not_positive : status;
+    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
+    if (status) return status;
     if (!vmi_law_is_finite(f)) return VM_NOT_FINITE;
     if (if_not_positive && !(f[0] > 0)) return if_not_positive;
     return VM_OK;
@@ -5860,10 +5861,9 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative.
-   Within some 8 ulp. VM_BAD_MASS where f <= 0 at t,
-   VM_BAD_ARGUMENT for null pointers, a law that no constructor made, t outside a table, or where the function fails;
-   VM_NOT_FINITE for t or a result that is infinite or NaN. Then f and rate
-   are untouched. */
+   Within some 8 ulp. VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for t or
+   a result that is infinite or NaN, VM_BAD_MASS where f <= 0 at t, VM_DOMAIN for t outside a table or where the
+   function fails. Then f and rate are untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     return vmi_law_at(law, VM_BAD_MASS, t, f, rate);
@@ -6002,13 +6002,13 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_DOMAIN where 1 + f1 t is not positive */
+/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
     (void)side;
     (void)step;
-    if (!(base > 0)) return VM_DOMAIN;
+    if (!(base > 0)) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
     f[1] = law->f2 * relative_rate * f[0];
     f[2] = (law->f2 - 1) * relative_rate * f[1];
@@ -6085,8 +6085,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     vm_real length, u, chord, slope0, slope1, b, c;
     int i;
     (void)step;
-    if (law->n < 2 || !law->time || !law->value || !(t >= law->time[0] && t <= law->time[law->n - 1]))
-        return VM_BAD_ARGUMENT;
+    if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
+    if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
     i = vmi_law_interval(law, t, side);
     length = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
@@ -6107,11 +6107,11 @@ VM_API int vmi_law_table_check(const vm_law *law, int if_not_positive, vm_real t
 {
     int i;
     (void)t;
-    for (i = 0; i < law->n; i++) {
-        if (!VM_IS_FINITE(law->value[i]) || !VM_IS_FINITE(law->time[i])) return VM_NOT_FINITE;
+    if (!vmi_all_finite(law->n, law->value) || !vmi_all_finite(law->n, law->time)) return VM_NOT_FINITE;
+    for (i = 0; i < law->n; i++)
         if (if_not_positive && !(law->value[i] > 0)) return if_not_positive;
-        if (i > 0 && !(law->time[i] > law->time[i - 1])) return VM_BAD_ARGUMENT;
-    }
+    for (i = 1; i < law->n; i++)
+        if (!(law->time[i] > law->time[i - 1])) return VM_DOMAIN;
     return VM_OK;
 }
 
@@ -6150,10 +6150,11 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     int i;
     (void)side;
     f[2] = 0;
-    if (!law->function || law->function(t, &f[0], &f[1], law->ctx)) return VM_BAD_ARGUMENT;
+    if (!law->function) return VM_BAD_ARGUMENT;
+    if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
     if (step == 0) return VM_OK;
     for (i = 0; i < 2; i++)
-        if (law->function(t + (vm_real)(i + 1) * step, &unused, &rate[i], law->ctx)) return VM_BAD_ARGUMENT;
+        if (law->function(t + (vm_real)(i + 1) * step, &unused, &rate[i], law->ctx)) return VM_DOMAIN;
     f[2] = (4 * (rate[0] - f[1]) - (rate[1] - f[1])) / (2 * step);
     return VM_OK;
 }
@@ -6164,8 +6165,8 @@ VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
     const vm_real most_changes = VM_C(1048576.);
     (void)if_not_positive;
     if (!VM_IS_FINITE(law->change_time)) return VM_NOT_FINITE;
-    if (law->change_time < 0) return VM_BAD_ARGUMENT;
-    if (law->change_time > 0 && VM_FABS(t) > law->change_time * most_changes) return VM_BAD_ARGUMENT;
+    if (law->change_time < 0) return VM_DOMAIN;
+    if (law->change_time > 0 && VM_FABS(t) > law->change_time * most_changes) return VM_DOMAIN;
     return VM_OK;
 }
 
@@ -6174,7 +6175,7 @@ VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
    time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
    is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
    time, s: then no panel and no step of an integrator is longer. It may not be negative or less than |t|/2^20
-   (VM_BAD_ARGUMENT). */
+   (VM_DOMAIN). */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -6405,7 +6406,7 @@ VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_
     const vm_real step = with_h && p->Om > 0 ? (vm_real)side / (32 * p->Om) : 0;
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], ln_m, ln_k; /* derivatives of m, k; of ln m, ln k by time */
     int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, step, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_MASS, t, side, step, k);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, step, k);
     if (status) return status;
     ln_m = m[1] / m[0];
     ln_k = k[1] / k[0];
@@ -6510,13 +6511,13 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
 {
     vm_real unused;
     int status;
-    if (!(o->alpha >= 0) || !VM_IS_FINITE(o->alpha)) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping))
-        return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
     status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
-    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_MASS, 0);
+    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
     if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
-    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_MASS, 0, stiffness, &unused);
+    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
+    if (!status && o->alpha < 0) return VM_DOMAIN;
     return status;
 }
 
@@ -6543,9 +6544,9 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 
 /* Plan for many values of one problem's motion.
    For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
-   must outlive the plan. Errors leave the plan untouched: VM_BAD_ARGUMENT for null pointers, alpha < 0, a law that
-   no constructor made or a table out of order, VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not
-   positive at t = 0 or in a table. */
+   must outlive the plan. Errors leave the plan untouched: VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -6735,10 +6736,10 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
 
 /* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign.
    Closed forms, within some 8 ulp, also where they tend to 0/0; for tables and functions Gauss' rule, to 1e-13 (float
-   1e-5) if f changes no faster than vm_law_user says. VM_BAD_MASS where f <= 0 anywhere between 0 and t,
-   VM_BAD_ARGUMENT for null pointers, a law that no constructor made, t outside a table, a table out of order, where
-   the function fails, or where change_time is negative or less than |t|/2^20; VM_NOT_FINITE for numbers that are
-   infinite or NaN. Then *integral is untouched. */
+   1e-5) if f changes no faster than vm_law_user says. VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0 anywhere between 0
+   and t, VM_DOMAIN for t outside a table, a table out of order, where the function fails, or where change_time is
+   negative or less than |t|/2^20. Then *integral is untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;
@@ -6821,7 +6822,7 @@ VM_API int vmi_osc_panel_laws(const vmi_osc_walk *w, vm_real start, vm_real leng
     panel->edge = 0;
     status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, start, length, panel->inverse, &panel->edge);
     if (status) return status;
-    return vmi_panel_edge(&o->stiffness, VM_BAD_MASS, 0, start, length, panel->ratio, &panel->edge);
+    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
 /* The panel of a length (with its sign) from start on */
@@ -7237,8 +7238,9 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
    VM_ROUTE_TRIG, (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339); the argument of cn for
    VM_ROUTE_JACOBI, (380)-(382) with theta' in the second of (382). The means come from Gauss' rule on each quarter
    of the period, so that F may jump where x or x' is 0: to 1e-10 for cubic F and alpha <= 30 (float: to rounding
-   errors). Cost: 160 calls of F. VM_BAD_ARGUMENT for null pointers, another route, A <= 0 or t outside a table,
-   VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not positive at t; then the results are untouched. */
+   errors). Cost: 160 calls of F. VM_BAD_ARGUMENT for null pointers or another route, VM_NOT_FINITE, VM_BAD_MASS and
+   VM_BAD_STIFFNESS for a law that is not positive at t, VM_DOMAIN for A <= 0, t outside a table, or where the function
+   of a law fails; then the results are untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -7249,9 +7251,9 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
     if (!p || !A_rate || !theta_rate || !psi_rate) return VM_BAD_ARGUMENT;
     if (route < VM_ROUTE_TRIG || route > VM_ROUTE_ATEB) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(A)) return VM_NOT_FINITE;
-    if (!(A > 0)) return VM_BAD_ARGUMENT;
     status = vmi_osc_rates_at(p, t, 1, 0, &now);
     if (status) return status;
+    if (!(A > 0)) return VM_DOMAIN;
     w = vmi_osc_wave_of(p, route);
     Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w.alpha);
     vmi_osc_averaged_rates(p, &w, &now, t, A, Om, &rate, &theta);
@@ -7981,11 +7983,11 @@ VM_API int vmi_osc_check_call(const vm_osc_plan *p, vm_real t, vm_real *toleranc
     int status;
     if (!p || !motion) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
-    if (*tolerance < 0) return VM_BAD_ARGUMENT;
     if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
     status = vmi_law_check(&p->problem.mass, VM_BAD_MASS, t);
-    if (status) return status;
-    return vmi_law_check(&p->problem.stiffness, VM_BAD_MASS, t);
+    if (!status) status = vmi_law_check(&p->problem.stiffness, VM_BAD_STIFFNESS, t);
+    if (!status && *tolerance < 0) return VM_DOMAIN;
+    return status;
 }
 
 /* The motion of a body at rest at x = 0: none, unless a force starts one, of which no route knows */
@@ -8005,11 +8007,11 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
    route: VM_ROUTE_.... motion->error estimates the larger of |error of x|/A and |error of v|/vmax. tolerance is of
    the same number, for routes that integrate: 0 means 1e-6 (float 1e-3). See above for what a route costs.
    VM_TOLERANCE_MISSED: x and v are there, but the error of integration is larger than the tolerance. Errors leave
-   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route, a negative tolerance, t outside a table, a
-   table out of order), VM_NOT_FINITE, VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t),
-   VM_NO_LAW (second-order law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or
-   would need 2^13 steps a period, four times what its longest step asks for, or 2^23 of the present periods: so
-   every call ends). */
+   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route), VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS
+   (a law that is not positive between 0 and t), VM_DOMAIN (a negative tolerance, t outside a table, a table out of
+   order, the function of a law fails, a change_time that is negative or too short), VM_NO_LAW (second-order law
+   with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or would need 2^13 steps a
+   period, four times what its longest step asks for, or 2^23 of the present periods: so every call ends). */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
