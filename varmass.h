@@ -282,58 +282,57 @@
        vm_osc_by_route                Motion x(t), x'(t) at time t (s, either sign) by a given route
        vm_osc_within                  Motion x(t), x'(t) at time t (s, either sign) within a tolerance
 
-     oscillators/slow: what oscillators with slowly varying mass share
-       vm_osc_amplitude_law           Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and damping = integral of b/m dt
-       vm_osc_velocity_law            Documented with vm_osc_amplitude_law
-       vm_slow_mass_linear            
+     oscillators/slow: laws that oscillators with slowly varying mass share
+       vm_osc_amplitude_law           Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly
+       vm_osc_velocity_law            Largest velocity over its first value, of an oscillator whose mass varies slowly
 
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
-       vm_vdp_init                    
-       vm_vdp_amplitude               Amplitude at t where it was first_A at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0
-       vm_vdp_limit_cycle             The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is none
-       vm_vdp_rhs                     Equations for rk45 or rk87, ctx a vm_vdp
-       vm_vdp_averaged_rhs            Documented with vm_vdp_rhs
+       vm_vdp_init                    Prepare a Van der Pol oscillator
+       vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass
+       vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
+       vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
+       vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
-       vm_jeffcott_power              
-       vm_jeffcott_polar              rho and phi in (-pi, pi] (448)
-       vm_jeffcott_momentum           Angular momentum Im(conj z m z') - g |z|^2, kg m^2/s
-       vm_jeffcott_rhs                Equations of motion (449), (450) for rk45 or rk87, ctx a vm_jeffcott, y = (x, y, x', y')
-       vm_jeffcott_to_averaged        Small nonlinearity
-       vm_jeffcott_from_averaged      Documented with vm_jeffcott_to_averaged
-       vm_jeffcott_exact_rhs          Documented with vm_jeffcott_to_averaged
-       vm_jeffcott_averaged_rhs       Documented with vm_jeffcott_to_averaged
-       vm_jeffcott_frequency          Strong nonlinearity
-       vm_jeffcott_forward_whirl_rhs  Documented with vm_jeffcott_frequency
-       vm_jeffcott_backward_whirl_rhs Documented with vm_jeffcott_frequency
-       vm_jeffcott_amplitude          The same without F_z
+       vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
+       vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
+       vm_jeffcott_momentum           Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force
+       vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
+       vm_jeffcott_to_averaged        Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461)
+       vm_jeffcott_from_averaged      Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t
+       vm_jeffcott_exact_rhs          Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87
+       vm_jeffcott_averaged_rhs       Averaged equations of forward and backward whirl, for rk45 or rk87
+       vm_jeffcott_frequency          Frequency of circular whirl of radius A, rad/s
+       vm_jeffcott_forward_whirl_rhs  Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87
+       vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87
+       vm_jeffcott_amplitude          Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass
 
      oscillators/pair: two bodies with a nonlinear connection
-       vm_pair_rhs                    
-       vm_pair_to_averaged            q = x + y drifts, p = y - x vibrates (520)-(522)
-       vm_pair_from_averaged          Documented with vm_pair_to_averaged
-       vm_pair_averaged_rhs           Documented with vm_pair_to_averaged
-       vm_pair_at                     y at t where it was y0 at t = 0, for the mass m.mass + m.rate t, closed
+       vm_pair_rhs                    Equations of motion (517), (518) of two bodies, for rk45 or rk87
+       vm_pair_to_averaged            Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522)
+       vm_pair_from_averaged          Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t
+       vm_pair_averaged_rhs           Averaged equations of the two modes, for rk45 or rk87, with any slow mass
+       vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
 
-     oscillators/forced: harmonic excitation
-       vm_forced_init                 
-       vm_forced_rhs                  Equations for rk45 or rk87, ctx a vm_forced
-       vm_forced_exact_rhs            Documented with vm_forced_rhs
-       vm_forced_averaged_rhs         Documented with vm_forced_rhs
-       vm_forced_to_averaged          (x, x', theta) to the mean (A, delta, theta), and back, at time t
-       vm_forced_from_averaged        Documented with vm_forced_to_averaged
+     oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
+       vm_forced_init                 Prepare an excited oscillator
+       vm_forced_rhs                  Equation of motion of an excited oscillator, for rk45 or rk87
+       vm_forced_exact_rhs            Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87
+       vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87
+       vm_forced_to_averaged          Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t
+       vm_forced_from_averaged        Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t
 
      oscillators/resonance: steady vibrations, resonance curves, passage through resonance
-       vm_forced_steady_states        
-       vm_forced_curve                The amplitude-frequency curve, traced by its amplitude
-       vm_forced_peak                 The amplitude where the curve meets the backbone, its largest; infinite without damping
-       vm_forced_passage              delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative drift of w - nu; and for gamma = 0 the same jump
+       vm_forced_steady_states        Steady vibrations of an excited oscillator with all parameters as they are at time t
+       vm_forced_curve                Steady vibrations of a given amplitude A, m, at any frequency nu > 0
+       vm_forced_peak                 Largest amplitude of the amplitude-frequency curve, m
+       vm_forced_passage              Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t
 
-     oscillators/diagnostics: turning points, zero crossings, envelopes
-       vm_find_samples                The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period, negative where t1 < t0) and located to an eps of t; the first room of them are written
-       vm_find_samples_of_step        The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step
-       vm_envelope_error              Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings
-       vm_adiabaticity                q/Om, what averaging takes for small
+     oscillators/diagnostics: turning points and zero crossings of any trajectory, envelopes, adiabaticity
+       vm_find_samples                Turning points or zero crossings of a trajectory in (t0, t1]
+       vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step
+       vm_envelope_error              Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples
+       vm_adiabaticity                Adiabaticity q/Om of an oscillator at time t and amplitude A
 
      scenes/motions: the bodies of a scene, and how each of them moves
        vm_scene_body_line             A body on a line
@@ -9239,244 +9238,363 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
 }
 
 #endif
-/* oscillators/slow.h - what oscillators with slowly varying mass share */
+/* oscillators/slow.h - laws that oscillators with slowly varying mass share
+
+   The amplitude and the largest velocity of an oscillator m x'' + k x|x|^(alpha-1) = -(r m' + b) x' whose mass m(t)
+   varies slowly, that is little within a period, in closed form: (325), (326), (344), (364), (367), (389), (395).
+   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on it.
+
+       vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
+
+   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, r = reactive, q the rate at which mass,
+   damping and stiffness change the vibration (vmi_slow_q). Averaging needs q much smaller than Om.
+   Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
 
-/* A mass, and in this chapter's last sections all that depends on it, at time t: kg, and its rate in kg/s. Slow: it
-   changes little in a period. vm_slow_mass_linear is one, whose ctx is a vm_linear_mass. */
-typedef vm_real (*vm_slow_mass)(vm_real t, vm_real *rate, void *ctx);
-
-typedef struct VM_TAG(vm_linear_mass) {
-    vm_real mass, rate; /* mass + rate t */
-} vm_linear_mass;
-
-VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Whether the arguments of vm_osc_amplitude_law and vm_osc_velocity_law are in their domain */
+VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(damping) &&
+    return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(decay) &&
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
-   damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
-   reactive force; r = 0 where it has the body's, as what leaks out. To first order in m' and b:
-     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 damping/(alpha+3))      [(325), (344), (367), (389) corrected]
-   All three averaging methods give it, once (335)'s sign is mended. */
-VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
+   (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)), (325), (344), (367), (389) corrected. All three averaging methods
+   give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
+   reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full reactive force, 0 where it has
+   the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the damping; the rounding error is
+   some eps. NaN outside the domain and for infinite arguments. Time: a power and an exponential. */
+VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
+    if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Documented with vm_osc_amplitude_law. */
-/* xdot_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected */
-VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Largest velocity over its first value, of an oscillator whose mass varies slowly.
+   It follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected.
+   Arguments, accuracy and errors are those of vm_osc_amplitude_law. */
+VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    vm_real share = (alpha + 1) / (alpha + 3);
-    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
+    const vm_real share = (alpha + 1) / (alpha + 3); /* exponent of the velocity over twice that of the amplitude */
+    if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
-{
-    if (!rate || !linear_mass) return VM_NAN;
-    const vm_linear_mass *m = (const vm_linear_mass *)linear_mass;
-    *rate = m->rate;
-    return m->mass + m->rate * t;
-}
+/* A linear mass m0 + rate t between 0 and t */
+typedef struct VM_TAG(vmi_linear_mass) {
+    vm_real m0, m, rate; /* at 0 and at t, kg; kg/s */
+    vm_real ln_ratio;    /* ln(m/m0) */
+    vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
+} vmi_linear_mass;
 
-/* The mass at t; VM_BAD_ARGUMENT where there is no law, VM_BAD_MASS, VM_NOT_FINITE */
-VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
+/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that is
+   not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
-    if (!law) return VM_BAD_ARGUMENT;
-    *mass = law(t, rate, ctx);
-    if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
-    return *mass > 0 ? VM_OK : VM_BAD_MASS;
-}
-
-/* ln(m/m0) and the integral of dt/m for the linear mass, smooth through m' = 0; 0 where a mass is not positive */
-VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
-{
-    const vm_real growth = m.rate * t / m.mass;
-    vm_real mean;
-    if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth)) return 0;
+    vm_real growth, mean, base, rate;
+    int status = vmi_law_at(law, VM_BAD_MASS, 0, &linear->m0, &linear->rate);
+    if (!status) status = vmi_law_at(law, VM_BAD_MASS, t, &linear->m, &rate);
+    if (status) return status;
+    if (!vmi_law_exponential_form(law, &base, &rate) || base != rate) return VM_NO_LAW;
+    growth = linear->rate * t / linear->m0;
+    if (!VM_IS_FINITE(growth)) return VM_NOT_FINITE;
+    if (!(growth > -1)) return VM_BAD_MASS;
     mean = vmi_log_ratio(growth); /* of m0/m */
-    *ln_ratio = growth * mean;
-    *integral = t / m.mass * mean;
-    return 1;
+    linear->ln_ratio = growth * mean;
+    linear->integral = t / linear->m0 * mean;
+    return VM_OK;
 }
 
-/* Om, the rate of the Ateb phase; 0 at rest, where it may be infinite */
+/* (2r - 1) m' + 2 b, kg/s: what the reactive force and the damping b together take from the vibration. Where mass
+   joins at rest (r = 1) it is m' + 2 b, where it joins with the body's velocity (r = 0) -m' + 2 b. */
+VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real damping)
+{
+    return (2 * reactive - 1) * mass_rate + 2 * damping;
+}
+
+/* q = ((2r - 1) m' + 2 b)/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration. The mean
+   amplitude follows A' = -q A/(alpha + 3). */
+VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
+
+/* Om, the rate of the Ateb phase at amplitude A; 0 at rest, where the formula may give infinity */
 VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
 {
-    return A == 0 && alpha < 1 ? 0 : vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
+    if (A == 0 && alpha < 1) return 0;
+    return vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
 }
 
-/* x = A ca(psi), x' = -vmax(A) sa(psi), and back */
+/* x = A ca(psi) and x' = -vmax(A) sa(psi) */
 VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_real alpha, vm_real *x, vm_real *v)
 {
     vmi_osc_at_phase(A, psi, VM_SQRT(k / mass), alpha, x, v);
 }
 
+/* A and psi from x and x' = v, the inverse of vmi_slow_motion */
 VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
 {
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
 }
 
 #endif
-/* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass */
+/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+
+   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), x); // N s/m; the force is feed times the velocity
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
+#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
+#define VARMASS_OSCILLATORS_FORCE_TERMS_H
+
+/* Van der Pol's term (404): the force over the velocity at position x, feed - c x^2, N s/m. feed > 0 (N s/m) feeds the
+   vibration, c > 0 (N s/m^3) limits it. */
+VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
+
+/* The gyroscopic force over the velocity, 2 gyro, kg/s: the force is this times the velocity, turned by +90 degrees.
+   gyro is g of the remark after (516), kg/s. */
+VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
+
+#endif
+/* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
+
+   The equation is (404), with the mass m(t) and a spring of any exponent alpha:
+       m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
+   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. Here are the equation of
+   motion, the averaged equations (410), the amplitude in closed form for a linear mass, and that of the limit cycle:
+   (403) to (440), corrected.
+
+       vm_vdp v;
+       memset(&v, 0, sizeof v);
+       v.alpha = v.k = v.reactive = 1;
+       v.feed = v.c = VM_C(0.1);
+       v.mass = vm_law_linear(1, VM_C(0.02)); // 1 kg, and 0.02 kg/s joins at rest
+       int status = vm_vdp_init(&v);
+       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // at t = 100 s, where it was 0.3 m at t = 0
+
+   Tests: tests/test_van_der_pol.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_H
 
-/* m x'' + k x|x|^(alpha-1) = (b - c x^2) x' - r m' x' (404). Here b > 0 feeds the vibration; b and c are the eps b
-   and eps c of [1], of either sign. vm_vdp_init checks alpha, k, b, c, reactive and method and fills a1, a2, a3,
-   which the other functions need; the mass is for the equations of motion only. */
-typedef struct VM_TAG(vm_vdp) {
-    vm_real alpha, k, b, c; /* alpha >= 0; k > 0 N/m^alpha; kg/s; kg/(s m^2) */
-    vm_real reactive;       /* r: 1 where what joins or leaves is at rest, 0 where it has the body's velocity */
-    int method;             /* of averaging */
-    vm_slow_mass mass;
-    void *mass_ctx;
-    vm_real a1, a2, a3;
-} vm_vdp;
-
+/* Methods of averaging: what the mean values are taken of */
 enum {
-    VM_VDP_ATEB = 0,         /* about the exact generating solution: a1 = 1, exact to first order */
-    VM_VDP_JACOBI = 1,       /* (411)-(413), exact means; the steady amplitude is right to 0.5 % for alpha <= 5 */
-    VM_VDP_TRIGONOMETRIC = 2 /* a3/a1 = 1/(2 (alpha + 3)): the steady amplitude does not depend on alpha */
+    VM_VDP_ATEB = 0,         /* the exact motion without damping, by Ateb functions: exact to first order */
+    VM_VDP_JACOBI = 1,       /* cn (411)-(413): the limit cycle's amplitude is right to 0.5 % for alpha <= 5 */
+    VM_VDP_TRIGONOMETRIC = 2 /* the cosine: the limit cycle's amplitude does not depend on alpha */
 };
 
+/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c of
+   the dissertation; both may have either sign. */
+typedef struct VM_TAG(vm_vdp) {
+    vm_real alpha;      /* exponent of the spring, >= 0 */
+    vm_real k;          /* stiffness, N/m^alpha, > 0 */
+    vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
+    vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
+    vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    int method;         /* of averaging, VM_VDP_... */
+    vm_law mass;        /* kg, > 0, slow; vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_real a1, a2, a3; /* mean values, pure numbers; vm_vdp_init writes them */
+} vm_vdp;
+
+/* The mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
+{
+    const vm_real m = vm_osc_jacobi_parameter(v->alpha);
+    vm_real C2, C4, C6;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
+    v->a1 = (v->alpha + 3) / 2 * v->a2;
+    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+}
+
+/* Prepare a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, writes a1, a2, a3.
+   The functions below need it; the mass may be set and changed later. Mean values are within 20 eps. VM_BAD_ARGUMENT
+   for a null pointer or an unknown method, VM_NOT_FINITE, VM_BAD_STIFFNESS where k <= 0, VM_DOMAIN where alpha < 0;
+   then v is left as it was. (411)-(413). */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
-    vm_real C2, C4, C6, m;
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->b) || !VM_IS_FINITE(v->c) ||
+    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->feed) || !VM_IS_FINITE(v->c) ||
         !VM_IS_FINITE(v->reactive))
         return VM_NOT_FINITE;
-    if (!(v->alpha >= 0) || !(v->k > 0)) return VM_DOMAIN;
+    if (!(v->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(v->alpha >= 0)) return VM_DOMAIN;
     v->a1 = 1;
     v->a2 = 2 / (v->alpha + 3);
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
-    if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
-    if (v->method != VM_VDP_JACOBI) return VM_OK;
-    m = vm_osc_jacobi_parameter(v->alpha);
-    jacobi_cn_means(m, &C2, &C4, &C6);
-    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
-    v->a1 = (v->alpha + 3) / 2 * v->a2; /* (411), since (1 - m) + m C4 = 2 a2 */
-    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    else if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
+    else vmi_vdp_jacobi_means(v);
     return VM_OK;
 }
 
-/* 2b - (2r-1) m', what feeds the vibration */
+/* 2 feed - (2r - 1) m', N s/m: what feeds a small vibration on average */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
-    return 2 * v->b - (2 * v->reactive - 1) * mass_rate;
+    return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* Amplitude at t where it was first_A at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
-   (427), (429), (431)-(435), (437) in one, as corrected, smooth through q = 0. Right to 1e-14 but for what is
-   averaged. c < 0 may carry it to infinity in a finite time: NaN from there on. */
-/* 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
-   constant, so that the integral is phi(F) int dt/m. Written with e^-|F| and the larger of the two terms taken out.
-   */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m)
+/* The averaged Van der Pol term and reactive force: a1 m A'/A at amplitude A, N s/m (410). Its zero is the amplitude
+   of the limit cycle; the closed form of vm_vdp_amplitude solves A' = A (p - s A^2)/(a1 m), of which it is the
+   bracket. */
+VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
+{
+    return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
+}
+
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
+   t = 0, of either sign. One formula for (422), (424), (427), (429), (431)-(435), (437), as corrected, without a
+   singularity where terms cancel. The error is that of averaging (see `method`) and some 12 eps. NaN for a null
+   pointer, an oscillator that is not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a
+   law of mass that is neither linear nor constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the
+   time on when the amplitude becomes infinite. Method: the solution of (416) is 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1
+   times the integral of e^F dt/m), where F = drive a2/a1 times the integral of dt/m. For a linear mass F is
+   proportional to that integral, hence the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. It is
+   evaluated with e^-|F| and with the larger of the two terms divided out, so that nothing overflows. */
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
-    vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
-    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
-    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
+    vmi_linear_mass m;
+    vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
+    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
+        (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
-    damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
-    root = VM_SQRT(VM_FABS(damping));
-    s = VM_FABS(first_A) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
-    if (s > 1) {
-        denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping);
-        first_A = VM_COPYSIGN(1 / root, first_A);
+    limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
+    root = VM_SQRT(VM_FABS(limit));
+    size = VM_FABS(first_A) * root; /* its square, with the sign of limit, stands beside free_term */
+    if (F > 0) {
+        numerator = 1;
+        free_term = e;
     } else {
-        denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
+        numerator = e;
+        free_term = 1;
     }
-    return denominator < 0 ? VM_NAN : first_A * VM_SQRT((F > 0 ? 1 : e) / denominator);
+    if (size > 1) {
+        scale = VM_COPYSIGN(1 / root, first_A);
+        denominator = free_term / size / size + VM_COPYSIGN(1, limit);
+    } else {
+        scale = first_A;
+        denominator = free_term + VM_COPYSIGN(size * size, limit);
+    }
+    if (denominator < 0) return VM_NAN;
+    return scale * VM_SQRT(numerator / denominator);
 }
 
-/* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
-   none. stable, where not null: whether the amplitudes around tend to the one returned. */
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438).
+   0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. Within
+   some 12 eps for the mean values of the method. NaN for a null pointer, an oscillator that is not prepared, or an
+   infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
+    const int limited = v->c > 0, rest_is_stable = drive < 0 || (drive == 0 && limited);
     if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
-    if (stable_or_NULL) *stable_or_NULL = exists ? v->c > 0 : drive < 0 || (drive == 0 && v->c > 0);
-    return exists ? VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3))) : 0;
+    if (stable_or_NULL) *stable_or_NULL = exists ? limited : rest_is_stable;
+    if (!exists) return 0;
+    return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
 }
 
-/* Equations for rk45 or rk87, ctx a vm_vdp: of motion, y = (x, x') (404); averaged, y = (A, psi), any mass (410),
-   where x = A ca(psi). They return a status of this header, which stops the run, where the mass is not positive. */
+/* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
+   y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
+   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, feed;
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
+    feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
-    dydt[1] = ((v->b - v->c * y[0] * y[0] - v->reactive * rate) * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) /
-              mass;
+    dydt[1] = (feed * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
     return VM_OK;
 }
 
-/* Documented with vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
+   amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
+   prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
+   (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
-    dydt[0] = y[0] / (v->a1 * mass) * (vmi_vdp_drive(v, rate) * v->a2 / 2 - v->c * y[0] * y[0] * v->a3);
+    dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
     return VM_OK;
 }
 
 #endif
-/* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass */
+/* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
+
+   A disc of mass m(t) in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
+   shaft's elastic force at the deflection rho = |z|, g the gyroscopic constant of the remark after (516):
+       m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
+   Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
+   nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
+
+       vm_power_force cubic = {1, 3}; // F_e = rho^3
+       vm_jeffcott rotor;
+       memset(&rotor, 0, sizeof rotor); // a zero field means that there is none
+       rotor.stiffness = vm_jeffcott_power;
+       rotor.stiffness_ctx = &cubic;
+       rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
+       rotor.reactive = 1;
+       vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of whirl, when the mass has doubled
+
+   Tests: tests/test_jeffcott.c. */
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_H
 #define VARMASS_OSCILLATORS_JEFFCOTT_H
 
-/* The disc's centre z = x + i y (451), with the shaft's stiffness F_e(rho)/rho, which [1] calls F_e', and the
-   gyroscopic constant g = Omega_p g of the remark after (516):
-     m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
-   A zero field means none; mass and stiffness must be there. */
-/* F_e(rho)/rho, N/m, and its derivative, for rho >= 0. vm_jeffcott_power is k rho^(alpha-1), ctx a vm_power_force. */
+/* Stiffness of the shaft: returns F_e(rho)/rho, N/m, which [1] calls F_e', at the deflection rho >= 0, m, and writes
+   its derivative by rho, N/m^2, to *slope. ctx is the user's. vm_jeffcott_power is one. */
 typedef vm_real (*vm_jeffcott_stiffness)(vm_real rho, vm_real *slope, void *ctx);
+
+/* External force F_z, N, as F_x + i F_y, at time t, position z and velocity v of the disc. ctx is the user's. */
 typedef vm_complex (*vm_jeffcott_force)(vm_real t, vm_complex z, vm_complex v, void *ctx);
 
+/* The elastic force k rho^alpha: k in N/m^alpha; a pure number alpha */
 typedef struct VM_TAG(vm_power_force) {
     vm_real k, alpha;
 } vm_power_force;
 
+/* A rotor. mass and stiffness must be there; any other field may be zero. */
 typedef struct VM_TAG(vm_jeffcott) {
-    vm_slow_mass mass;
-    void *mass_ctx;
-    vm_jeffcott_stiffness stiffness;
-    void *stiffness_ctx;
-    vm_jeffcott_force force; /* F_z, N; small where averaged */
-    void *force_ctx;
-    vm_real gyro;     /* kg/s */
-    vm_real reactive; /* r */
-    vm_complex u;     /* absolute velocity of what joins or leaves, m/s */
-    int samples;      /* of a period in an average; default 32, enough for polynomials of degree 15 */
+    vm_law mass;                     /* kg, > 0 */
+    vm_jeffcott_stiffness stiffness; /* of the shaft */
+    void *stiffness_ctx;     /* handed to stiffness */
+    vm_jeffcott_force force; /* F_z; null for none; small where equations are averaged */
+    void *force_ctx;         /* handed to force */
+    vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
+    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
+    vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
+    int nodes;               /* phases in the mean over a period; 0 means 32, exact for polynomials of degree 15 */
 } vm_jeffcott;
 
+/* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
+enum {
+    VMI_WHIRL_P = 0,   /* and 1: forward whirl P */
+    VMI_WHIRL_N = 2,   /* and 3: backward whirl N */
+    VMI_WHIRL_PHI = 4, /* fast phase */
+    VMI_WHIRL_SIZE = 5
+};
+
+/* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
+   power_force points to a vm_power_force. Returns N/m, writes the derivative, N/m^2. Within some eps. NaN for null
+   pointers and rho < 0. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
-    *slope = p->alpha == 1 ? 0 : p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
+    *slope = 0;
+    if (p->alpha != 1) *slope = p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
-/* rho and phi in (-pi, pi] (448) */
+/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi].
+   Within 4 eps. Null pointers: nothing is done. */
 VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;
@@ -9484,28 +9602,40 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum Im(conj z m z') - g |z|^2, kg m^2/s: constant where r = 1, u = 0, F_z = 0 */
+/* Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force.
+   It is Im(conj z m z') - g |z|^2, which stays constant where r = 1, u = 0 and F_z = 0. v is z'. NaN for a null
+   pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
-/* F_e(rho)/rho, NaN where there is none */
+/* F_e(rho)/rho and its derivative; NaN where the rotor has no stiffness */
 VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real *slope)
 {
     *slope = VM_NAN;
-    return r->stiffness ? r->stiffness(rho, slope, r->stiffness_ctx) : VM_NAN;
+    if (!r->stiffness) return VM_NAN;
+    return r->stiffness(rho, slope, r->stiffness_ctx);
 }
 
-/* F_z + r m' u */
+/* F_z + r m' u: the loads that do not depend on the disc's velocity through g or r */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
-    return r->force ? vmi_c_add(r->force(t, z, v, r->force_ctx), thrust) : thrust;
+    if (!r->force) return thrust;
+    return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* Equations of motion (449), (450) for rk45 or rk87, ctx a vm_jeffcott, y = (x, y, x', y') */
+/* F_z + r m' u + 2 i g z' */
+VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
+{
+    return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
+}
+
+/* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
+   y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
+   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -9513,11 +9643,11 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
-    if (status) return status;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
     if (!r->stiffness) return VM_BAD_ARGUMENT;
+    if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
-    force = vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    force = vmi_jeffcott_loads(r, t, rate, z, v);
     dydt[0] = v.re;
     dydt[1] = v.im;
     dydt[2] = (force.re - r->reactive * rate * v.re - stiffness * z.re) / mass;
@@ -9525,57 +9655,68 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     return VM_OK;
 }
 
+/* -- Weak nonlinearity: forward and backward whirl together -- */
+
+/* A rotor at one time: mass, kg, its rate, kg/s, and the frequency of small vibrations sqrt(F_e'(0)/m), rad/s */
 typedef struct VM_TAG(vmi_jeffcott_state) {
-    vm_real mass, rate, omega; /* omega of the small vibration */
+    vm_real mass, rate, omega;
 } vmi_jeffcott_state;
 
+/* The rotor at time t. VM_BAD_STIFFNESS where small vibrations have no frequency, as for F_e = rho^3; VM_BAD_ARGUMENT
+   where there is no stiffness, VM_BAD_MASS, VM_NOT_FINITE. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
-    vm_real slope;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
+    vm_real stiffness, slope;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &now->mass, &now->rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
-    now->omega = VM_SQRT(vmi_jeffcott_stiffness(r, 0, &slope) / now->mass);
-    return now->omega > 0 && VM_IS_FINITE(now->omega) ? VM_OK : VM_DOMAIN;
+    stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
+    if (stiffness <= 0) return VM_BAD_STIFFNESS;
+    now->omega = VM_SQRT(stiffness / now->mass);
+    if (!VM_IS_FINITE(now->omega)) return VM_NOT_FINITE;
+    if (!(now->omega > 0)) return VM_DOMAIN; /* underflow */
+    return VM_OK;
 }
 
-/* Small nonlinearity: two circular motions (460), (461) of the frequency omega = sqrt(F_e'(0)/m),
+/* Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461).
+   Both are circular motions of the frequency omega = sqrt(F_e'(0)/m),
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
-     P = A1 e^(i theta1),  N = A2 e^(-i theta2),
-   y = (Re P, Im P, Re N, Im N, phi), phi' = omega, from and to y = (x, y, x', y') at time t. The equations
-   (470)-(473) exactly, and averaged over phi while P and N stay: forward and backward motion are in 1:1 resonance,
-   so that the average over psi1 and psi2 apart, (474)-(477), is wrong unless f turns with z. In P and N nothing is
-   singular where A1 or A2 is 0. All that differs from m z'' + F_e'(0) z = 0 is perturbation: F_z, u, g, F_e'(rho) -
-   F_e'(0). */
+     P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
+   phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
+   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where
+   A1 or A2 is 0. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. y may be motion. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
-    vm_real found[5];
+    vm_real found[VMI_WHIRL_SIZE];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    found[0] = P.re;
-    found[1] = P.im;
-    found[2] = N.re;
-    found[3] = N.im;
-    found[4] = phi;
-    return vmi_copy_if_finite(5, found, y);
+    found[VMI_WHIRL_P] = P.re;
+    found[VMI_WHIRL_P + 1] = P.im;
+    found[VMI_WHIRL_N] = N.re;
+    found[VMI_WHIRL_N + 1] = N.im;
+    found[VMI_WHIRL_PHI] = phi;
+    return vmi_copy_if_finite(VMI_WHIRL_SIZE, found, y);
 }
 
-/* z and z' where phi is the angle of turn */
+/* z and z' from the whirls in y, where turn = e^(i phi) */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
-    const vm_complex P = vmi_c_times(vmi_complex(y[0], y[1]), turn);
-    const vm_complex N = vmi_c_times(vmi_complex(y[2], y[3]), vmi_c_conjugate(turn));
+    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_WHIRL_P], y[VMI_WHIRL_P + 1]), turn);
+    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_WHIRL_N], y[VMI_WHIRL_N + 1]), vmi_c_conjugate(turn));
     *z = vmi_c_add(P, N);
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Documented with vm_jeffcott_to_averaged. */
+/* Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t.
+   The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -9584,7 +9725,7 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vm_real joined[4];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
-    vmi_jeffcott_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
+    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_WHIRL_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
     joined[1] = z.im;
     joined[2] = v.re;
@@ -9594,75 +9735,93 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
 
 /* P' and N' (470)-(473) at the fast phase phi:
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
-     m f = F + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
-   F with r m' u; the half that is missing from r comes from omega'. */
-VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y, vm_real phi,
-                            vm_complex *dP, vm_complex *dN)
+     m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
+   r - 1/2 stands in place of r because the change of omega contributes m' z'/2. */
+VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
+                               vm_real phi, vm_complex *dP, vm_complex *dN)
 {
     const vm_complex turn = vmi_c_turn(phi);
-    const vm_real push = 1 / (2 * now->omega * now->mass);
+    const vm_real push = 1 / (2 * now->omega * now->mass), drag = vmi_slow_drag(r->reactive, now->rate, 0) / 2;
     vm_real slope, extra;
     vm_complex z, v, f;
     vmi_jeffcott_motion(y, turn, now->omega, &z, &v);
     extra = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope) - now->mass * now->omega * now->omega;
-    f = vmi_c_add(vmi_jeffcott_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
-    f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * now->rate, v)));
+    f = vmi_jeffcott_loads(r, t, now->rate, z, v);
+    f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale(drag, v)));
     *dP = vmi_c_times_i(-push, vmi_c_times(f, vmi_c_conjugate(turn)));
     *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
-VM_API int vmi_jeffcott_samples(const vm_jeffcott *r) { return r->samples > 0 ? r->samples : 32; }
-
-/* The mean of so many samples in a period from y[4] on */
-VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int samples)
+/* How many phases of a period enter a mean value */
+VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
-    const vm_real share = 1 / (vm_real)samples;
+    const int usual = 32; /* the mean is exact for polynomials of degree 15 in z and z' */
+    if (r->nodes > 0) return r->nodes;
+    return usual;
+}
+
+/* The mean of P' and N' over `nodes` phases of a period, evenly spaced, the first of them the phase in y */
+VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int nodes)
+{
+    const vm_real share = 1 / (vm_real)nodes;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
     vmi_jeffcott_state now;
     const int status = vmi_jeffcott_now(r, t, &now);
     int j;
     if (status) return status;
-    for (j = 0; j < samples; j++) {
-        vmi_jeffcott_rates(r, t, &now, y, y[4] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+    for (j = 0; j < nodes; j++) {
+        vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
     }
-    dydt[0] = P.re * share;
-    dydt[1] = P.im * share;
-    dydt[2] = N.re * share;
-    dydt[3] = N.im * share;
-    dydt[4] = now.omega;
+    dydt[VMI_WHIRL_P] = P.re * share;
+    dydt[VMI_WHIRL_P + 1] = P.im * share;
+    dydt[VMI_WHIRL_N] = N.re * share;
+    dydt[VMI_WHIRL_N + 1] = N.im * share;
+    dydt[VMI_WHIRL_PHI] = now.omega;
     return VM_OK;
 }
 
-/* Documented with vm_jeffcott_to_averaged. */
+/* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87.
+   y = (Re P, Im P, Re N, Im N, phi), see vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. They hold for any
+   force, but are of use where F_z, u, g and F_e'(rho) - F_e'(0) are small. VM_BAD_ARGUMENT for null pointers or where
+   there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Documented with vm_jeffcott_to_averaged. */
+/* Averaged equations of forward and backward whirl, for rk45 or rk87.
+   vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
+   separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
+   resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
+   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_jeffcott *r = (const vm_jeffcott *)rotor;
-    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_samples(r));
+    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_nodes(r));
 }
 
-/* W = (g +- S)/m, S^2 = g^2 + m F_e', without the difference of near numbers */
+/* -- Strong nonlinearity: nearly circular whirl -- */
+
+/* W = (g +- S)/m with S^2 = g^2 + m F_e', + for forward whirl; written so that no close numbers are subtracted */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
-    const vm_real forward = sense < 0 ? -1 : 1, g = forward * gyro, S = VM_SQRT(gyro * gyro + mass * stiffness);
-    return forward * (g > 0 ? (g + S) / mass : stiffness / (S - g));
+    const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
+    vm_real direction = 1, g, speed;
+    if (sense < 0) direction = -1;
+    g = direction * gyro;
+    if (g > 0) speed = (g + S) / mass;
+    else speed = stiffness / (S - g);
+    return direction * speed;
 }
 
-/* Strong nonlinearity: nearly circular motion z = A e^(i psi), z' = i W z, of the frequency W of m W^2 - 2 g W =
-   F_e'(A), forward (sense >= 0) or backward. Averaged equations (506), (507) with g, y = (A, psi). A errs by the
-   order of the loads over times of their inverse; the phase adds that up where F_e' is not constant: 0.005 were
-   measured for loads that turn with z, order 1 for others. Not for a linear F_e with loads that do not turn with z:
-   they send the motion off the circle. */
+/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A.
+   Forward whirl, W > 0, for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some
+   8 eps and the error of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the
+   domain. The remark after (516), corrected. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -9671,122 +9830,206 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* (504), (505) averaged. The torque gives (A^2 (m W - g))' = (1 - r) m' A^2 W + A <Im D>, the radial balance
-   psi' - W = -<Re D>/(2 A (m W - g)), D = (F_z + r m' u) e^(-i psi); m W - g = +-S, S^2 = g^2 + m F_e'. */
-VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
+/* D e^(-i psi), averaged over the angle psi of a circle of radius A at frequency W, with D = F_z + r m' u. The real
+   part is the mean radial load, the imaginary part the mean tangential load, N. */
+VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
+                                         vm_real W)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
-    const int samples = vmi_jeffcott_samples(r);
-    vm_real mass, rate, stiffness, slope, W, S, growth;
+    const int nodes = vmi_jeffcott_nodes(r);
     vm_complex sum = {0, 0};
     int j;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
+    for (j = 0; j < nodes; j++) {
+        const vm_complex turn = vmi_c_turn(psi + 2 * VM_PI * (vm_real)j / (vm_real)nodes);
+        const vm_complex z = vmi_c_scale(A, turn);
+        const vm_complex D = vmi_jeffcott_drive(r, t, rate, z, vmi_c_times_i(W, z));
+        sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
+    }
+    return vmi_c_scale(1 / (vm_real)nodes, sum);
+}
+
+/* (504), (505) averaged, y = (A, psi). With the mean load L, the tangential balance is (A^2 (m W - g))' = (1 - r) m'
+   A^2 W + A Im L, the radial balance is psi' - W = -Re L/(2 A (m W - g)); m W - g = +-S with S^2 = g^2 + m F_e'. */
+VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
+{
+    vm_real mass, rate, stiffness, slope, W, S, growth;
+    vm_complex load;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
     S = mass * W - r->gyro;
-    if (!(S * S > 0)) return VM_DOMAIN;
-    for (j = 0; j < samples; j++) {
-        const vm_complex turn = vmi_c_turn(y[1] + 2 * VM_PI * (vm_real)j / (vm_real)samples),
-                         z = vmi_c_scale(y[0], turn);
-        const vm_complex D = vmi_jeffcott_drive(r, t, rate, z, vmi_c_times_i(W, z));
-        sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
-    }
-    sum = vmi_c_scale(1 / (vm_real)samples, sum);
-    growth = ((1 - r->reactive) * rate * W + sum.im / y[0]) / S - rate * stiffness / (2 * S * S);
+    if (S != S && !VM_IS_FINITE(stiffness)) return VM_NOT_FINITE;
+    if (!(S * S > 0)) return VM_BAD_STIFFNESS;
+    load = vmi_jeffcott_mean_load(r, t, rate, y[0], y[1], W);
+    growth = ((1 - r->reactive) * rate * W + load.im / y[0]) / S - rate * stiffness / (2 * S * S);
     dydt[0] = y[0] * growth / (2 + mass * slope * y[0] / (2 * S * S));
-    dydt[1] = W - sum.re / (2 * y[0] * S);
+    dydt[1] = W - load.re / (2 * y[0] * S);
     return VM_OK;
 }
 
-/* Documented with vm_jeffcott_frequency. */
+/* Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87.
+   The motion is nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad;
+   rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
+   accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
+   order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
+   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Documented with vm_jeffcott_frequency. */
+/* Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87.
+   As vm_jeffcott_forward_whirl_rhs, with W < 0. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* ln of the invariant over its first value at the radius first_A e^x */
+/* The invariant A^4 (g^2 + m F_e'(A)) of circular whirl, for the search of the radius */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
-    vm_real first_A, mass, first; /* first: that of g^2 + m F_e' */
+    vm_real first_A; /* radius, m, of the mass at first */
+    vm_real mass;    /* kg, now */
+    vm_real first;   /* g^2 + m F_e' at first */
 } vmi_jeffcott_orbit;
 
+/* ln of the invariant over its first value, at the radius first_A e^x; NaN where F_e' is no number or too negative */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
     vm_real slope;
     const vm_real stiffness = vmi_jeffcott_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope);
     const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
-    return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
+    if (!(ratio > 0) || !VM_IS_FINITE(ratio)) return VM_NAN;
+    return 4 * x + vmi_log(ratio).hi;
 }
 
-/* The same without F_z: the radius when the mass has gone from mass0, where it was first_A, to mass, of
-     A^4 (g^2 + m F_e'(A)) = const, r = 1, which is A^2 (m W - g) = const;  A^4 F_e'(A) m^(2r-1) = const, g = 0 (509)
-   NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from
-   first_A. For powers it is first_A vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
+/* An interval of x = ln(A/first_A) at whose ends a and b the invariant's signs differ, with the values there */
+typedef struct VM_TAG(vmi_jeffcott_bracket) {
+    vm_real a, b, at_a, at_b;
+} vmi_jeffcott_bracket;
+
+/* From x = 0, where the invariant is b->at_a, walk to where its sign changes, with steps that double. A step to where
+   the invariant is NaN is halved, and steps double no more. 0 where the walk ends at such a place. */
+VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
+{
+    vm_real step = VM_C(0.0625); /* a radius that changes by 6 % */
+    int bounded = 0;
+    if (b->at_a > 0) step = -step;
+    b->a = 0;
+    for (;;) {
+        b->b = b->a + step;
+        b->at_b = vmi_jeffcott_invariant(b->b, o);
+        while (b->at_b != b->at_b) {
+            step /= 2;
+            bounded = 1;
+            if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(b->a))) return 0;
+            b->b = b->a + step;
+            b->at_b = vmi_jeffcott_invariant(b->b, o);
+        }
+        if (b->at_b == 0 || (b->at_b > 0) != (b->at_a > 0)) return 1;
+        b->a = b->b;
+        b->at_a = b->at_b;
+        if (!bounded) step *= 2;
+    }
+}
+
+/* Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass.
+   Without F_z and u. For r = 1 A^4 (g^2 + m F_e'(A)) stays constant, which is the square of A^2 (m W - g); for g = 0
+   A^4 F_e'(A) m^(2r-1) does (509). For F_e = k rho^alpha and g = 0 the radius is first_A vm_osc_amplitude_law(
+   mass/mass0, 0, r, alpha). Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters;
+   where no radius is found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or
+   masses that are not positive and finite. Time: some 10 to 20 evaluations of the stiffness. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
     vmi_jeffcott_orbit o;
-    vm_real slope, here, there, step = VM_C(0.0625), x = 0;
-    int bounded = 0;
+    vmi_jeffcott_bracket b;
+    vm_real slope, first_mass = mass0;
     if (!(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
-    if (r->gyro == 0) {
-        mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
-        mass0 = 1;
-    }
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    o.first = r->gyro * r->gyro + mass0 * vmi_jeffcott_stiffness(r, first_A, &slope);
-    here = vmi_jeffcott_invariant(0, &o);
-    if (here == 0 || here != here) return here == 0 ? first_A : VM_NAN;
-    for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
-        there = vmi_jeffcott_invariant(x + step, &o);
-        while (there != there) { /* F_e' is no number there */
-            step /= 2;
-            bounded = 1;
-            if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(x))) return VM_NAN;
-            there = vmi_jeffcott_invariant(x + step, &o);
-        }
-        if (there == 0 || (there > 0) != (here > 0)) break;
-        x += step;
-        here = there;
+    if (r->gyro == 0) { /* m^(2r-1) takes the place of m */
+        o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
+        first_mass = 1;
     }
-    return first_A * vmi_exp(vmi_find_zero(vmi_jeffcott_invariant, &o, x, x + step, here, there), 0);
+    o.first = r->gyro * r->gyro + first_mass * vmi_jeffcott_stiffness(r, first_A, &slope);
+    b.at_a = vmi_jeffcott_invariant(0, &o);
+    if (b.at_a == 0) return first_A;
+    if (b.at_a != b.at_a || !vmi_jeffcott_find_bracket(&o, &b)) return VM_NAN;
+    return first_A * vmi_exp(vmi_find_zero(vmi_jeffcott_invariant, &o, b.a, b.b, b.at_a, b.at_b), 0);
 }
 
 #endif
-/* oscillators/pair.h - two bodies with a nonlinear connection */
+/* oscillators/pair.h - two bodies with a nonlinear connection
+
+   Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
+       m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
+   The sum q = x + y drifts and the difference p = y - x vibrates (520)-(522). Here are the equations of motion, the
+   averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
+
+       vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
+       vm_pair p;
+       p.alpha = 3;
+       p.k = 1; // cubic spring of 1 N/m^3
+       p.reactive = 1;
+       p.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins at rest
+       int status = vm_pair_at(&p, 50, y, y); // the motion at t = 50 s
+
+   Tests: tests/test_pair.c. */
 #ifndef VARMASS_OSCILLATORS_PAIR_H
 #define VARMASS_OSCILLATORS_PAIR_H
 
-/* Equal masses m with k (x - y)|x - y|^(alpha-1) between them, and -r m' x', -r m' y' (517), (518). y = (x, y, x',
-   y'). */
+/* Two bodies of equal mass and the spring between them */
 typedef struct VM_TAG(vm_pair) {
-    vm_real alpha, k, reactive; /* alpha >= 0; k > 0 N/m^alpha; r */
-    vm_slow_mass mass;          /* not needed by vm_pair_at */
-    void *mass_ctx;
+    vm_real alpha;    /* exponent of the spring, >= 0 */
+    vm_real k;        /* stiffness, N/m^alpha, > 0 */
+    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_law mass;      /* of each body, kg, > 0, slow */
 } vm_pair;
 
+/* Slots of the modes: mean amplitude A of p = y - x, m; its Ateb phase psi; q = x + y, m; q', m/s */
+enum {
+    VMI_PAIR_A = 0,
+    VMI_PAIR_PSI = 1,
+    VMI_PAIR_SUM = 2,
+    VMI_PAIR_SUM_RATE = 3,
+    VMI_PAIR_MODES = 4
+};
+
+/* The mass and its rate at time t; whether they, the pair and the four numbers of a state are in their domain. A
+   right-hand side gives no state: a trial step of an integrator may overflow, and is then repeated. */
+VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
+{
+    const int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive)) return VM_NOT_FINITE;
+    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) return VM_NOT_FINITE;
+    if (status) return status;
+    if (!(p->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(p->alpha >= 0)) return VM_DOMAIN;
+    return VM_OK;
+}
+
+/* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
+   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
+   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
+   run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
-    const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, force;
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
+    force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     dydt[0] = y[2];
     dydt[1] = y[3];
     dydt[2] = (-force - p->reactive * rate * y[2]) / mass;
@@ -9794,196 +10037,236 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-VM_API int vmi_pair_check(const vm_pair *p, vm_real mass, vm_real rate)
-{
-    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive) || !VM_IS_FINITE(mass) ||
-        !VM_IS_FINITE(rate))
-        return VM_NOT_FINITE;
-    if (!(mass > 0)) return VM_BAD_MASS;
-    return p->alpha >= 0 && p->k > 0 ? VM_OK : VM_DOMAIN;
-}
-
-/* A over its mean at phase psi, (1 + q sa ca/(2 Om))^(2/(alpha+3)), q = (2r-1) m'/m, Om at the mean A */
+/* The amplitude over its mean A at phase psi: (1 + q sa ca/(2 Om))^(2/(alpha+3)) with q = (2r - 1) m'/m. Two springs
+   act on the difference p, hence 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
-    const vm_real q = (2 * p->reactive - 1) * rate / mass, Om = vmi_slow_rate(A, 2 * p->k, mass, p->alpha);
+    const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
+    const vm_real Om = vmi_slow_rate(A, 2 * p->k, mass, p->alpha);
     vm_real sa, ca;
     ateb_saca(psi, p->alpha, &sa, &ca);
     return vmi_pow_checked(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
 }
 
+/* The modes from the motion y. The mean amplitude A solves exact = A ripple(A); three iterations are enough where the
+   ripple is small. VM_DOMAIN where they do not solve it, since the ripple is as large as the motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
-    vm_real exact, A, found[4];
+    vm_real exact, A, psi, found[VMI_PAIR_MODES];
     int i;
-    if (!vmi_all_finite(4, y)) return VM_NOT_FINITE;
-    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &found[1]);
+    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &psi);
     A = exact;
-    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, found[1]);
-    if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, found[1]) - exact) <= exact / 8))
-        return VM_DOMAIN; /* the ripple is as large as the motion: its equation is not solved */
+    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, psi);
+    if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, psi) - exact) <= exact / 8)) return VM_DOMAIN;
     if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
-    found[0] = A;
-    found[2] = y[0] + y[1];
-    found[3] = y[2] + y[3];
-    return vmi_copy_if_finite(4, found, modes);
+    found[VMI_PAIR_A] = A;
+    found[VMI_PAIR_PSI] = psi;
+    found[VMI_PAIR_SUM] = y[0] + y[1];
+    found[VMI_PAIR_SUM_RATE] = y[2] + y[3];
+    return vmi_copy_if_finite(VMI_PAIR_MODES, found, modes);
 }
 
+/* The motion y from the modes, the inverse of vmi_pair_split */
 VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
 {
-    const vm_real q = modes[2], dq = modes[3];
-    vm_real A = modes[0], x, v, joined[4];
-    if (!vmi_all_finite(4, modes)) return VM_NOT_FINITE;
-    if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[1]);
+    const vm_real sum = modes[VMI_PAIR_SUM], sum_rate = modes[VMI_PAIR_SUM_RATE];
+    vm_real A = modes[VMI_PAIR_A], x, v, joined[4];
+    if (!vmi_all_finite(VMI_PAIR_MODES, modes)) return VM_NOT_FINITE; /* a closed form may overflow */
+    if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[VMI_PAIR_PSI]);
     if (!(A >= 0)) return VM_DOMAIN;
-    vmi_slow_motion(A, modes[1], 2 * p->k, mass, p->alpha, &x, &v);
-    joined[0] = (q - x) / 2;
-    joined[1] = (q + x) / 2;
-    joined[2] = (dq - v) / 2;
-    joined[3] = (dq + v) / 2;
+    vmi_slow_motion(A, modes[VMI_PAIR_PSI], 2 * p->k, mass, p->alpha, &x, &v);
+    joined[0] = (sum - x) / 2;
+    joined[1] = (sum + x) / 2;
+    joined[2] = (sum_rate - v) / 2;
+    joined[3] = (sum_rate + v) / 2;
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
-   first ripple, so that any initial velocities do. VM_DOMAIN where the ripple is as large as the motion,
-   |(2r - 1) m'/m| some 2 Omega, as it is where m -> 0. Averaged equations of the modes for any mass. */
+/* Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522).
+   q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
+   amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
+   pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
+   < 0 and where the ripple is as large as the motion: |(2r - 1) m'/m| is about 2 Om, as where m tends to 0. modes may
+   be y. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
-    if (!status) status = vmi_pair_check(p, mass, rate);
-    return status ? status : vmi_pair_split(p, mass, rate, y, modes);
+    const int status = vmi_pair_now(p, t, y, &mass, &rate);
+    if (status) return status;
+    return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Documented with vm_pair_to_averaged. */
+/* Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t.
+   The inverse of vm_pair_to_averaged, with the same errors. y may be modes. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
-    if (!status) status = vmi_pair_check(p, mass, rate);
-    return status ? status : vmi_pair_join(p, mass, rate, modes, y);
+    const int status = vmi_pair_now(p, t, modes, &mass, &rate);
+    if (status) return status;
+    return vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Documented with vm_pair_to_averaged. */
+/* Averaged equations of the two modes, for rk45 or rk87, with any slow mass.
+   modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om)
+   over times of m/m'. The statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
-    dmodes[0] = -(2 * p->reactive - 1) * rate / ((p->alpha + 3) * mass) * modes[0];
-    dmodes[1] = vmi_slow_rate(modes[0], 2 * p->k, mass, p->alpha);
-    dmodes[2] = modes[3];
-    dmodes[3] = -p->reactive * rate / mass * modes[3];
+    dmodes[VMI_PAIR_A] = -vmi_slow_drag(p->reactive, rate, 0) / ((p->alpha + 3) * mass) * modes[VMI_PAIR_A];
+    dmodes[VMI_PAIR_PSI] = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, mass, p->alpha);
+    dmodes[VMI_PAIR_SUM] = modes[VMI_PAIR_SUM_RATE];
+    dmodes[VMI_PAIR_SUM_RATE] = -p->reactive * rate / mass * modes[VMI_PAIR_SUM_RATE];
     return VM_OK;
 }
 
-/* y at t where it was y0 at t = 0, for the mass m.mass + m.rate t, closed: (528), (529) with p0 = y0 - x0. Error of
-   order m.rate over times of order 1/m.rate; VM_DOMAIN as above, at either end. y may be y0. */
-/* Powers of m/m0 integrate to int (m/m0)^e dt = m0 phi((1 + e) ln(m/m0)) int dt/m */
-VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y)
+/* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y0 - x0.
+   y0 = (x, y, x', y') at t = 0. The error is of the order of m'/(m Om) over times of m/m'. The statuses are those of
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
+   vm_pair_averaged_rhs instead). y may be y0. Method: the averaged equations hold powers of m/m0, and the integral of
+   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
-    const vm_real drift = (2 * p->reactive - 1) / (p->alpha + 3);
-    vm_real modes[4], ln_ratio, integral, rate0, exponent;
-    int status = vmi_pair_check(p, m.mass, m.rate);
-    if (!status) status = vmi_pair_split(p, m.mass, m.rate, y0, modes);
+    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is as (m/m0)^-fall */
+    vmi_linear_mass m;
+    vm_real modes[VMI_PAIR_MODES], rate0, exponent;
+    int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_linear_mass_of(&p->mass, t, &m);
+    if (!status) status = vmi_pair_split(p, m.m0, m.rate, y0, modes);
     if (status) return status;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
-    if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
-    rate0 = vmi_slow_rate(modes[0], 2 * p->k, m.mass, p->alpha);
-    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * drift;
-    modes[1] += rate0 * m.mass * integral * vmi_exp_ratio(exponent * ln_ratio);
-    modes[0] *= vmi_exp(-drift * ln_ratio, 0);
-    modes[2] += modes[3] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
-    modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
-    return vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
+    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.m0, p->alpha);
+    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
+    modes[VMI_PAIR_PSI] += rate0 * m.m0 * m.integral * vmi_exp_ratio(exponent * m.ln_ratio);
+    modes[VMI_PAIR_A] *= vmi_exp(-fall * m.ln_ratio, 0);
+    modes[VMI_PAIR_SUM] +=
+        modes[VMI_PAIR_SUM_RATE] * m.m0 * m.integral * vmi_exp_ratio((1 - p->reactive) * m.ln_ratio);
+    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m.ln_ratio, 0);
+    return vmi_pair_join(p, m.m, m.rate, modes, y);
 }
 
 #endif
-/* oscillators/forced.h - harmonic excitation */
+/* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
+
+   What chapter 8 of the dissertation leaves to the future. Mass m, stiffness k, the frequency nu and the amplitude F
+   of the force may vary slowly; b is the damping:
+       m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
+   Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
+   resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+
+       vm_forced f;
+       memset(&f, 0, sizeof f);
+       f.alpha = 3;
+       f.damping = VM_C(0.02);
+       f.mass = f.stiffness = f.frequency = vm_law_linear(1, 0);
+       f.force = vm_law_linear(VM_C(0.1), 0);
+       int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
+
+   Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) the natural frequency, phi = pi psi/Pi
+   the phase in radians, delta = phi - theta. Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
 
-/* m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + force cos theta, theta' = nu, where m, k, nu, force may drift slowly:
-   now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
-   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first, and again
-   when alpha is another. now, b and reactive may change without. */
-typedef struct VM_TAG(vm_forced_parameters) {
-    vm_real mass, mass_rate; /* kg, kg/s */
-    vm_real k, k_rate;       /* N/m^alpha, per s */
-    vm_real nu, nu_rate;     /* rad/s, rad/s^2 */
-    vm_real force;           /* N */
-} vm_forced_parameters;
+/* Number of harmonics of ca and sa: the orders 1, 3, 5, 7, 9 */
+enum { VMI_FORCED_HARMONICS = 5 };
 
+/* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again where
+   alpha has changed. The other fields may change without. Constructors make the laws, of a constant
+   vm_law_linear(value, 0). */
 typedef struct VM_TAG(vm_forced) {
-    vm_real alpha, b, reactive; /* alpha >= 0; kg/s; r */
-    vm_forced_parameters now;
-    void (*drift)(vm_real t, vm_forced_parameters *now, void *ctx);
-    void *drift_ctx;
-    vm_real pi, Om1, G; /* Pi_alpha, w = Om1 sqrt(k/m) A^((alpha-1)/2), the force's share; by vm_forced_init */
-    vm_real c[5], s[5]; /* ca = sum c[j] cos((2j+1) pi psi/Pi), sa = sum s[j] sin(...), j = 0 .. */
+    vm_real alpha;     /* exponent of the spring, >= 0 */
+    vm_real damping;   /* b, kg/s; > 0 takes energy out */
+    vm_real reactive;  /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_law mass;       /* m, kg, > 0 */
+    vm_law stiffness;  /* k, N/m^alpha, > 0 */
+    vm_law frequency;  /* nu, of the force, rad/s, > 0 */
+    vm_law force;      /* F, amplitude of the force, N, of either sign */
+    vm_real pi;        /* Pi_alpha; vm_forced_init writes this and what follows */
+    vm_real Om1;       /* w = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real G;         /* share of the force that acts on the mean motion */
+    vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS]; /* ca = sum of c[j] cos((2j+1) phi), sa of s[j] sin */
 } vm_forced;
 
-VM_API vm_forced_parameters vmi_forced_at(const vm_forced *f, vm_real t)
-{
-    vm_forced_parameters now = f->now;
-    if (f->drift) f->drift(t, &now, f->drift_ctx);
-    return now;
-}
+/* What may vary, at one time, with the rates per second */
+typedef struct VM_TAG(vmi_forced_parameters) {
+    vm_real mass, mass_rate; /* kg */
+    vm_real k, k_rate;       /* N/m^alpha */
+    vm_real nu, nu_rate;     /* rad/s */
+    vm_real force;           /* N */
+} vmi_forced_parameters;
 
-VM_API int vmi_forced_check(const vm_forced_parameters *n)
+/* The parameters at time t. Of several statuses the first in the order of base/status.h. */
+VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
-    if (!VM_IS_FINITE(n->mass) || !VM_IS_FINITE(n->mass_rate) || !VM_IS_FINITE(n->k) || !VM_IS_FINITE(n->k_rate) ||
-        !VM_IS_FINITE(n->nu) || !VM_IS_FINITE(n->nu_rate) || !VM_IS_FINITE(n->force))
+    vm_real force_rate;
+    const int mass = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
+    const int stiffness = vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate);
+    const int frequency = vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate);
+    const int force = vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate);
+    if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
+        force == VM_BAD_ARGUMENT)
+        return VM_BAD_ARGUMENT;
+    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE)
         return VM_NOT_FINITE;
-    if (!(n->mass > 0)) return VM_BAD_MASS;
-    return n->k > 0 && n->nu > 0 ? VM_OK : VM_DOMAIN;
+    if (mass) return mass;
+    if (stiffness) return stiffness;
+    if (frequency) return frequency;
+    return force;
 }
 
-/* c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du by the tanh-sinh rule, u = 1/(1 + e^(-pi sinh t)): ca is not
-   analytic at u = 1, and for large alpha bends sharply at u = 0 */
+/* The Fourier coefficients of ca and sa, within 8 eps. Those of ca are
+     c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
+   by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), since ca is not analytic at u = 1 and, for large alpha, bends
+   sharply at u = 0. cos((2j+1) x) follows from its two predecessors by the recurrence with 2 cos(2x). */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
-    const int steps = VM_MANT_DIG > 24 ? 16 : 8, n = 13 * steps / 4; /* |t| <= 3.25: the rest is below eps */
-    vm_real sum[5] = {0, 0, 0, 0, 0}, total = 0;
+    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* points in a unit of t */
+    const int n = 13 * steps / 4;                /* |t| <= 3.25: the rest of the integral is below eps */
+    vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;
     for (i = -n; i <= n; i++) {
         const vm_real t = (vm_real)i / (vm_real)steps, e = vmi_exp(t, 0), half_pi = VM_PI / 2;
         const vm_real g = vmi_exp(-half_pi * (e - 1 / e), 0), u = 1 / (1 + g);
         const vm_real weight = half_pi * (e + 1 / e) * u * (g * u);
-        vm_real sa, ca, sine, c, before, twice;
+        vm_real sa, ca, sine, cosine, before, twice;
         ateb_saca(f->pi / 2 * u, f->alpha, &sa, &ca);
-        vmi_sincos(half_pi * u, &sine, &c);
-        before = c;
-        twice = 2 * (c - sine) * (c + sine);
+        vmi_sincos(half_pi * u, &sine, &cosine);
+        before = cosine;
+        twice = 2 * (cosine - sine) * (cosine + sine);
         total += weight;
-        for (j = 0; j < 5; j++) {
-            const vm_real next = twice * c - before;
-            sum[j] += weight * ca * c;
-            before = c;
-            c = next;
+        for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
+            const vm_real next = twice * cosine - before;
+            sum[j] += weight * ca * cosine;
+            before = cosine;
+            cosine = next;
         }
     }
-    for (j = 0; j < 5; j++) {
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         f->c[j] = 2 * sum[j] / total;
         f->s[j] = (f->alpha + 1) * (vm_real)(2 * j + 1) * VM_PI / (2 * f->pi) * f->c[j];
     }
 }
 
+/* Prepare an excited oscillator: checks its fields at t = 0, writes pi, Om1, G, c and s. All other functions need it.
+   VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   VM_DOMAIN where alpha < 0 or the frequency is not positive; then f is left as it was. Time: some 105 Ateb functions
+   (float 53). */
 VM_API int vm_forced_init(vm_forced *f)
 {
-    vm_forced_parameters now;
+    vmi_forced_parameters now;
     int status;
     if (!f) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->b) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
-    now = vmi_forced_at(f, 0);
-    status = vmi_forced_check(&now);
+    status = vmi_forced_at(f, 0, &now);
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
     if (status) return status;
+    if (!(f->alpha >= 0)) return VM_DOMAIN;
     f->pi = ateb_pi(f->alpha);
     f->Om1 = VM_PI / f->pi * VM_SQRT((f->alpha + 1) / 2);
     vmi_forced_fourier(f);
@@ -9991,45 +10274,47 @@ VM_API int vm_forced_init(vm_forced *f)
     return VM_OK;
 }
 
-/* (ln mu kappa)', the rate at which the action would change */
-VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_parameters *n)
+/* q, the rate at which mass, damping and stiffness change the vibration */
+VM_API vm_real vmi_forced_q(const vm_forced *f, const vmi_forced_parameters *n)
 {
-    return ((2 * f->reactive - 1) * n->mass_rate + 2 * f->b) / n->mass + n->k_rate / n->k;
+    return vmi_slow_q(vmi_slow_drag(f->reactive, n->mass_rate, f->damping), n->mass, n->k, n->k_rate);
 }
 
-VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_parameters *n, vm_real A) /* w(A) */
+/* w(A), the frequency of the free vibration of amplitude A, rad/s */
+VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameters *n, vm_real A)
 {
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
-/* Equations for rk45 or rk87, ctx a vm_forced: of motion, y = (x, x', theta); the same in amplitude and Ateb phase,
-   exactly, y = (A, psi, theta), singular at A = 0; averaged near the main resonance nu = w(A), y = (A, delta,
-   theta), where delta is the phase before the force. The averaged ones err by the order of b, m' and force over
-   times of their inverses, off the resonance by more. */
+/* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
+   vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive; these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     vm_real sine, cosine;
-    const int status = vmi_forced_check(&n);
+    const int status = vmi_forced_at(f, t, &n);
     if (status) return status;
     vmi_sincos(y[2], &sine, &cosine);
     dydt[0] = y[1];
-    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->b) * y[1] -
+    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->damping) * y[1] -
                n.k * vmi_osc_elastic(y[0], f->alpha)) /
               n.mass;
     dydt[2] = n.nu;
     return VM_OK;
 }
 
-/* Documented with vm_forced_rhs. */
+/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
+   y = (A, psi, theta) with x = A ca(psi); singular at A = 0. Nothing is neglected. forced and errors are those of
+   vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vm_real q, Om, push, sa, ca, sine, cosine;
     if (status) return status;
     q = vmi_forced_q(f, &n);
@@ -10043,13 +10328,16 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Documented with vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87.
+   y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force; start and
+   end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over times of
+   their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vm_real w, push, sine, cosine;
     if (status) return status;
     w = vmi_forced_natural(f, &n, y[0]);
@@ -10061,29 +10349,35 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
     return VM_OK;
 }
 
-/* R, the first ripple of the exact amplitude about its mean A: psi the Ateb phase, phi = pi psi/Pi that in radians */
-VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_parameters *n, vm_real A, vm_real phi, vm_real theta)
+/* The first ripple of the exact amplitude about its mean A, m: exact = A + ripple to first order. It is
+     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1)),
+   n = 2j + 1, without the second term for n = 1, which does not vary at the resonance. */
+VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+                                 vm_real theta)
 {
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
     int j;
     ateb_saca(phi * (f->pi / VM_PI), f->alpha, &sa, &ca);
-    for (j = 0; j < 5; j++) {
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         const vm_real order = (vm_real)(2 * j + 1);
+        vm_real second = 0;
         vmi_sincos(order * phi + theta, &unused, &plus);
         vmi_sincos(order * phi - theta, &unused, &minus);
-        sum += f->s[j] / 2 * (plus / (order + 1) + (j ? minus / (order - 1) : 0));
+        if (j > 0) second = minus / (order - 1);
+        sum += f->s[j] / 2 * (plus / (order + 1) + second);
     }
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* (x, x', theta) to the mean (A, delta, theta), and back, at time t. The ripple of the amplitude is taken out and put
-   back: without that the error is of order 1 where alpha != 1. */
+/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t. The ripple of the amplitude
+   within a period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The
+   statuses are those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
@@ -10100,12 +10394,14 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     return VM_OK;
 }
 
-/* Documented with vm_forced_to_averaged. */
+/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t.
+   The inverse of vm_forced_to_averaged: the ripple is put back. The same errors, and VM_DOMAIN for A <= 0. motion may
+   be y. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
     if (status) return status;
@@ -10118,36 +10414,51 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
 }
 
 #endif
-/* oscillators/resonance.h - steady vibrations, resonance curves, passage through resonance */
+/* oscillators/resonance.h - steady vibrations, resonance curves, passage through resonance
+
+   For an oscillator under harmonic excitation (forced.h): all steady vibrations and their stability, the
+   amplitude-frequency curve, its peak, and whether a slow change of frequency, mass or stiffness lets the vibration
+   pass through the resonance or captures it. All follow from the averaged equations, so that they hold near the main
+   resonance w(A) = nu. Mass, stiffness, frequency, force and their rates are taken as they are at one time t.
+
+       vm_steady_state steady[3];
+       int n = vm_forced_steady_states(&f, 0, steady); // f: a vm_forced after vm_forced_init
+
+   Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_RESONANCE_H
 #define VARMASS_OSCILLATORS_RESONANCE_H
 
-/* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of
-   them, or a negative status. A is the mean amplitude; the waveform, with its ripple, is vm_forced_from_averaged's. For the
-   response at each frequency let now.nu run. Those far from w(A) = nu are labels only: the averaged equations hold
-   near the resonance. */
+/* A steady vibration: a solution A' = delta' = 0 of the averaged equations */
 typedef struct VM_TAG(vm_steady_state) {
-    vm_real nu, A, delta;
-    vm_real trace, det; /* of the averaged equations there: rates lambda^2 - trace lambda + det = 0 */
-    int stable;         /* det > 0 and trace < 0; det < 0 is a saddle */
+    vm_real nu;         /* frequency of the force, rad/s */
+    vm_real A;          /* mean amplitude, m; vm_forced_from_averaged gives the motion with its ripple */
+    vm_real delta;      /* phase before the force, rad, in (-pi, pi] */
+    vm_real trace, det; /* small deviations change at rates lambda with lambda^2 - trace lambda + det = 0 */
+    int stable;         /* 1 where det > 0 and trace < 0, else 0; det < 0 means a saddle */
 } vm_steady_state;
 
-/* Passage through the resonance, all rates as they are at time t. The backbone's amplitude A at nu; torque: the
-   drift of w - nu over the force's hold on it, below 1 the vibration may be captured and follow A, with the phase
-   delta, above 1 it passes; jump: half the range of the relative change of A in a quick passage, torque >> 1, over
-   all phases. For alpha = 1 A cannot be told from nu: it is the amplitude given. */
+/* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A, torque, delta, jump; /* delta NaN where torque > 1 */
+    vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
+    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration
+                               may be captured and follow A, above 1 it passes */
+    vm_real delta;          /* phase before the force, rad, of the captured vibration; NaN where drift_ratio > 1 */
+    vm_real amplitude_jump; /* of a quick passage, drift_ratio much larger than 1: half the range, over all phases, of
+                               the relative change of the amplitude */
 } vm_passage;
 
-/* The resonance with all quantities frozen, p = q/(alpha+3) */
-typedef struct VM_TAG(vmi_forced_frozen_state) {
-    vm_real w1, exponent, nu, p, push; /* w = w1 A^exponent; push = force G/m, signed */
-} vmi_forced_frozen_state;
+/* The resonance at one time */
+typedef struct VM_TAG(vmi_resonance) {
+    vm_real w1, exponent; /* w = w1 A^exponent, rad/s */
+    vm_real nu;           /* frequency of the force, rad/s */
+    vm_real p;            /* q/(alpha+3), 1/s: free vibrations follow A' = -p A */
+    vm_real push;         /* F G/m, with the sign of F */
+} vmi_resonance;
 
-VM_API vmi_forced_frozen_state vmi_forced_freeze(const vm_forced *f, const vm_forced_parameters *n)
+/* The resonance with the parameters n */
+VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
-    vmi_forced_frozen_state z;
+    vmi_resonance z;
     z.w1 = vmi_forced_natural(f, n, 1);
     z.exponent = (f->alpha - 1) / 2;
     z.nu = n->nu;
@@ -10156,16 +10467,17 @@ VM_API vmi_forced_frozen_state vmi_forced_freeze(const vm_forced *f, const vm_fo
     return z;
 }
 
-/* ln of A w sqrt((w - nu)^2 + p^2)/|push|, 0 at a steady amplitude A = e^x */
-VM_API vm_real vmi_forced_excess(vm_real x, void *frozen)
+/* ln of A w sqrt((w - nu)^2 + p^2)/|push| at A = e^x, which is 0 for a steady vibration */
+VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
-    const vmi_forced_frozen_state *z = (const vmi_forced_frozen_state *)frozen;
+    const vmi_resonance *z = (const vmi_resonance *)resonance;
     const vm_real w = z->w1 * vmi_exp(z->exponent * x, 0), detuning = vmi_c_modulus(vmi_complex(w - z->nu, z->p));
     if (!(detuning > 0)) return -VM_MAX;
     return (1 + z->exponent) * x + vmi_log(z->w1 / VM_FABS(z->push) * detuning).hi;
 }
 
-VM_API vm_steady_state vmi_forced_state(const vmi_forced_frozen_state *z, vm_real alpha, vm_real A)
+/* The steady vibration of amplitude A, with trace and determinant of the linearized averaged equations */
+VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha, vm_real A)
 {
     const vm_real w = z->w1 * vmi_pow_checked(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
     vm_steady_state s;
@@ -10178,183 +10490,220 @@ VM_API vm_steady_state vmi_forced_state(const vmi_forced_frozen_state *z, vm_rea
     return s;
 }
 
-/* The values of x = ln A between which the excess is monotonic: w of det = 0, which is 2 alpha w^2 - (3 alpha + 1)
-   nu w + (alpha + 1)(nu^2 + p^2) = 0; their number */
-VM_API int vmi_forced_turns(const vmi_forced_frozen_state *z, vm_real alpha, vm_real *x)
+/* The extrema of the excess for alpha != 1, ascending: writes x = ln A of at most two and returns their number. There
+   det = 0, so that w solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
+VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
-    const vm_real half = (3 * alpha + 1) * z->nu + (square > 0 ? VM_SQRT(square) : 0);
-    int n = 0;
-    if (!(square > 0)) return 0; /* so for alpha = 1 */
-    x[n++] = vmi_log(2 * (alpha + 1) * (z->nu * z->nu + z->p * z->p) / (half * z->w1)).hi / z->exponent;
-    if (alpha > 0) x[n++] = vmi_log(half / (4 * alpha * z->w1)).hi / z->exponent;
-    if (n == 2 && x[0] > x[1]) {
-        x[2] = x[0];
-        x[0] = x[1];
-        x[1] = x[2];
+    vm_real half, first;
+    if (!(square > 0)) return 0;
+    half = (3 * alpha + 1) * z->nu + VM_SQRT(square);
+    x[0] = vmi_log(2 * (alpha + 1) * (z->nu * z->nu + z->p * z->p) / (half * z->w1)).hi / z->exponent;
+    if (!(alpha > 0)) return 1;
+    x[1] = vmi_log(half / (4 * alpha * z->w1)).hi / z->exponent;
+    if (x[0] > x[1]) {
+        first = x[1];
+        x[1] = x[0];
+        x[0] = first;
     }
-    return n;
+    return 2;
 }
 
-/* The steady amplitudes of alpha != 1: one at most below, between and above the turns */
-VM_API int vmi_forced_roots(vmi_forced_frozen_state *z, vm_real alpha, vm_real *A)
+/* The steady amplitudes of alpha != 1, at most three, ascending, and their number. The excess is monotonic below,
+   between and above its extrema, so that each of these intervals of x = ln A holds one zero at most. */
+VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
-    const vm_real steep = VM_FABS(z->exponent) > 1 ? VM_FABS(z->exponent) : 1;
-    const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
-    vm_real ends[5], turns[3], left, right;
-    int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
+    const vm_real steep = vmi_larger(VM_FABS(z->exponent), 1);
+    const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* for |x| <= reach, A and w neither overflow nor underflow */
+    vm_real ends[4], turns[2], left, right;
+    int i, found = 0;
+    const int n = vmi_resonance_turns(z, alpha, turns);
     ends[0] = -reach;
     ends[n + 1] = reach;
-    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -reach ? -reach : turns[i] > reach ? reach : turns[i];
+    for (i = 0; i < n; i++) ends[i + 1] = vmi_clamp(turns[i], -reach, reach);
     for (i = 0; i <= n; i++) {
-        left = vmi_forced_excess(ends[i], z);
-        right = vmi_forced_excess(ends[i + 1], z);
+        left = vmi_resonance_excess(ends[i], z);
+        right = vmi_resonance_excess(ends[i + 1], z);
         if (!((left > 0) != (right > 0))) continue;
-        A[found++] = vmi_exp(vmi_find_zero(vmi_forced_excess, z, ends[i], ends[i + 1], left, right), 0);
+        A[found++] = vmi_exp(vmi_find_zero(vmi_resonance_excess, z, ends[i], ends[i + 1], left, right), 0);
     }
     return found;
 }
 
+/* Steady vibrations of an excited oscillator with all parameters as they are at time t.
+   Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0, or a
+   negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
+   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the resonance.
+   The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     int i, found = 0;
-    const int status = vmi_forced_check(&n);
+    const int status = vmi_forced_at(f, t, &n);
     vm_real A[3];
-    vmi_forced_frozen_state z;
+    vmi_resonance z;
     if (status) return status;
-    z = vmi_forced_freeze(f, &n);
+    z = vmi_resonance_of(f, &n);
     if (z.push == 0) return 0;
     if (f->alpha == 1) {
         A[0] = VM_FABS(z.push) / (z.w1 * vmi_c_modulus(vmi_complex(z.w1 - z.nu, z.p)));
         found = VM_IS_FINITE(A[0]);
-    } else found = vmi_forced_roots(&z, f->alpha, A);
-    for (i = 0; i < found; i++) steady[i] = vmi_forced_state(&z, f->alpha, A[i]);
+    } else {
+        found = vmi_resonance_roots(&z, f->alpha, A);
+    }
+    for (i = 0; i < found; i++) steady[i] = vmi_resonance_state(&z, f->alpha, A[i]);
     return found;
 }
 
-/* The amplitude-frequency curve, traced by its amplitude: the steady vibrations of amplitude A at any nu > 0, the
-   backbone w(A) in the middle between two. Their number, 0 where the force is too small for A, or a negative
-   status. */
+/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
+   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their number,
+   0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A is not
+   positive and finite. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
-    vmi_forced_frozen_state z;
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
+    vmi_resonance z;
     vm_real w, hold, width, p;
     int found = 0;
     if (status) return status;
     if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
-    z = vmi_forced_freeze(f, &n);
+    z = vmi_resonance_of(f, &n);
     w = vmi_forced_natural(f, &n, A);
     hold = VM_FABS(z.push) / (w * A);
     p = VM_FABS(z.p);
     if (!(hold >= p) || z.push == 0) return 0;
-    width = VM_SQRT(hold - p) * VM_SQRT(hold + p);
+    width = VM_SQRT(hold - p) * VM_SQRT(hold + p); /* |w - nu| */
     z.nu = w - width;
-    if (z.nu > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    if (z.nu > 0) curve[found++] = vmi_resonance_state(&z, f->alpha, A);
     z.nu = w + width;
-    if (width > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A); /* NaN: overflow */
+    if (width > 0) curve[found++] = vmi_resonance_state(&z, f->alpha, A);
     return found;
 }
 
-/* The amplitude where the curve meets the backbone, its largest; infinite without damping */
+/* Largest amplitude of the amplitude-frequency curve, m: where it meets the backbone w(A) = nu.
+   Infinite without damping. Within some eps. NaN for a null pointer and where the parameters at time t are not in
+   their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    vmi_forced_frozen_state z;
-    if (vmi_forced_check(&n)) return VM_NAN;
-    z = vmi_forced_freeze(f, &n);
+    vmi_forced_parameters n;
+    vmi_resonance z;
+    if (vmi_forced_at(f, t, &n)) return VM_NAN;
+    z = vmi_resonance_of(f, &n);
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative
-   drift of w - nu; and for gamma = 0 the same jump */
+/* Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t.
+   amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all amplitudes. On the backbone
+   delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with gamma = (alpha - 1)/2 and D the
+   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
+   vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and finite; then *passage is left
+   as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
-    vmi_forced_frozen_state z;
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
+    vmi_resonance z;
     vm_passage r;
-    vm_real D, sine;
+    vm_real D, sine = VM_INFINITY, cosine;
     if (status) return status;
-    z = vmi_forced_freeze(f, &n);
-    r.A = z.exponent == 0 ? amplitude : vmi_pow_checked(z.nu / z.w1, 1 / z.exponent);
+    z = vmi_resonance_of(f, &n);
+    r.A = amplitude;
+    if (z.exponent != 0) r.A = vmi_pow_checked(z.nu / z.w1, 1 / z.exponent);
     if (!(r.A > 0) || !VM_IS_FINITE(r.A) || z.push == 0) return VM_DOMAIN;
     D = n.mass_rate / (2 * n.mass) - n.k_rate / (2 * n.k) + n.nu_rate / n.nu + z.exponent * z.p;
-    sine = z.exponent == 0 ? VM_INFINITY : -z.nu * D * r.A / (z.exponent * z.push);
-    r.torque = VM_FABS(sine);
-    r.delta = r.torque <= 1
-                  ? ateb_phase(sine, VM_COPYSIGN(VM_SQRT((1 - sine) * (1 + sine)), z.exponent * z.push), 1)
-                  : VM_NAN;
-    r.jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
+    if (z.exponent != 0) sine = -z.nu * D * r.A / (z.exponent * z.push);
+    r.drift_ratio = VM_FABS(sine);
+    r.delta = VM_NAN;
+    if (r.drift_ratio <= 1) {
+        cosine = VM_COPYSIGN(VM_SQRT((1 - sine) * (1 + sine)), z.exponent * z.push);
+        r.delta = ateb_phase(sine, cosine, 1);
+    }
+    r.amplitude_jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
     *passage = r;
     return VM_OK;
 }
 
 #endif
-/* oscillators/diagnostics.h - turning points, zero crossings, envelopes */
+/* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
+
+   The motion may come from a route, a closed form or an integrator's dense output. Its turning points are what
+   amplitude laws predict, its zero crossings give the largest velocities and the periods.
+
+       vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
+       long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
+
+   Tests: tests/test_diagnostics.c. */
 #ifndef VARMASS_OSCILLATORS_DIAGNOSTICS_H
 #define VARMASS_OSCILLATORS_DIAGNOSTICS_H
 
-/* Any trajectory, x(t) and x'(t): a route's, a law's, an integrator's dense output. */
+/* A trajectory: writes position x and velocity v at time t. ctx is the user's. */
 typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
+/* A trajectory at one time: time, position and velocity, in the units of the trajectory */
 typedef struct VM_TAG(vm_sample) {
     vm_real t, x, v;
 } vm_sample;
 
+/* Where samples are taken */
 enum {
     VM_TURNING_POINTS = 0, /* x' = 0 */
     VM_ZERO_CROSSINGS = 1  /* x = 0 */
 };
 
+/* A search along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
     void *ctx;
     int kind;
-    vm_real x, v; /* where it was looked last */
+    vm_real x, v; /* position and velocity at the time of the last evaluation */
 } vmi_sample_search;
 
-/* What vanishes at a point of the kind looked for */
+/* x at zero crossings, v at turning points: the function of t whose zeros are sought */
 VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
     vmi_sample_search *s = (vmi_sample_search *)search;
     s->motion(t, &s->x, &s->v, s->ctx);
-    return s->kind == VM_ZERO_CROSSINGS ? s->x : s->v;
+    if (s->kind == VM_ZERO_CROSSINGS) return s->x;
+    return s->v;
 }
 
-/* The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period,
-   negative where t1 < t0) and located to an eps of t; the first room of them are written. A negative status for a
-   step of the wrong sign, or a trajectory that is not finite. */
-VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
-                           vm_sample *points)
+/* Turning points or zero crossings of a trajectory in (t0, t1].
+   kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The trajectory is evaluated every `step`, or a little less, and each
+   change of sign located to an eps of t. step should be a small part of a period; it is negative where t1 < t0. The
+   first `room` of them are written to samples, in the order of time. Returns the number of all, which may be larger
+   than room, or a negative status: VM_BAD_ARGUMENT for null pointers or an unknown kind, VM_NOT_FINITE for a step of 0
+   or of the wrong sign, for more than 2e9 steps, or where the trajectory is not finite; what was found until then
+   stands in samples. */
+VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
+                            long room, vm_sample *samples)
 {
+    const vm_real most_steps = VM_C(2e9);
     vmi_sample_search s;
-    vm_real t = t0, here, there, intervals;
-    long found = 0, i = 0, last;
-    if (!motion || (room > 0 && !points) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
+    vm_real t = t0, here, intervals;
+    long found = 0, i, last;
+    if (!motion || (room > 0 && !samples) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
         return VM_BAD_ARGUMENT;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
-    if (!(intervals >= 0) || !(intervals < VM_C(2e9))) return VM_NOT_FINITE;
+    if (!(intervals >= 0) || !(intervals < most_steps)) return VM_NOT_FINITE;
     last = (long)intervals;
     s.motion = motion;
     s.ctx = ctx;
     s.kind = kind;
-    for (here = vmi_sample_function(t0, &s); i < last; here = there) {
-        const vm_real before = t;
-        i++;
+    here = vmi_sample_function(t0, &s);
+    for (i = 1; i <= last; i++) {
+        const vm_real before = t, value_before = here;
         t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
-        there = vmi_sample_function(t, &s);
-        if (!VM_IS_FINITE(there)) return VM_NOT_FINITE;
-        if (here == 0 || !(there == 0 || (there > 0) != (here > 0))) continue;
+        here = vmi_sample_function(t, &s);
+        if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+        if (value_before == 0 || !(here == 0 || (here > 0) != (value_before > 0))) continue;
         if (found < room) {
-            points[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, here, there);
-            motion(points[found].t, &points[found].x, &points[found].v, ctx);
+            samples[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, value_before, here);
+            motion(samples[found].t, &samples[found].x, &samples[found].v, ctx);
         }
         found++;
     }
@@ -10362,25 +10711,34 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
+/* Two components of an integrator's state as a trajectory */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;
     vm_real *buffer;
 } vmi_step_motion;
 
+/* The trajectory within the last step; NaN where the dense output fails */
 VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 {
     const vmi_step_motion *m = (const vmi_step_motion *)step;
-    const int status = m->s->method == VMI_RK45 ? rk45_interpolate(m->s, t, m->buffer)
-                                                : rk87_interpolate(m->s, t, m->buffer);
-    *x = status ? VM_NAN : m->buffer[m->x];
-    *v = status ? VM_NAN : m->buffer[m->v];
+    int status;
+    if (m->s->method == VMI_RK45) status = rk45_interpolate(m->s, t, m->buffer);
+    else status = rk87_interpolate(m->s, t, m->buffer);
+    *x = VM_NAN;
+    *v = VM_NAN;
+    if (status) return;
+    *x = m->buffer[m->x];
+    *v = m->buffer[m->v];
 }
 
-/* The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step.
-   buffer: room for a state. */
-VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *points)
+/* Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step.
+   x and v are the indices of position and velocity in the state; buffer has room for a state. kind, room, samples and
+   the result are those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first
+   step. */
+VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
+    const vm_real parts = 4; /* of the step, each of which is searched for a change of sign */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
@@ -10390,33 +10748,43 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
     m.x = x;
     m.v = v;
     m.buffer = buffer;
-    return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
+    return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / parts, room, samples);
 }
 
-/* Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings */
-VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *points, vm_real (*law)(vm_real t, void *ctx),
+/* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples.
+   Observed is |x| for VM_TURNING_POINTS, |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the largest velocity
+   at time t; ctx is handed to it. 0 for n = 0; NaN for null pointers, n < 0, or where law or a sample is NaN. */
+VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
-    if (!points || !law || n < 0) return VM_NAN;
+    if (!samples || !law || n < 0) return VM_NAN;
     vm_real worst = 0;
     long i;
     for (i = 0; i < n; i++) {
-        const vm_real observed = kind == VM_TURNING_POINTS ? points[i].x : points[i].v;
-        const vm_real error = VM_FABS(law(points[i].t, ctx) / VM_FABS(observed) - 1);
-        if (!(error <= worst)) worst = error;
+        vm_real observed = VM_FABS(samples[i].v), error;
+        if (kind == VM_TURNING_POINTS) observed = VM_FABS(samples[i].x);
+        error = VM_FABS(law(samples[i].t, ctx) / observed - 1);
+        if (error != error) return VM_NAN;
+        worst = vmi_larger(worst, error);
     }
     return worst;
 }
 
-/* q/Om, what averaging takes for small: q = ((2r-1) m' + 2b)/m + k'/k and the rate Om of the Ateb phase at
-   amplitude A. The amplitude laws err by about (q/Om)^2, waveforms by q/Om over times of order 1/q. */
-VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
-                               vm_real reactive, vm_real alpha)
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A: the parameter that averaging takes for small.
+   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, Om the rate of the Ateb phase at the amplitude A, m.
+   Of the problem only alpha, mass, stiffness, reactive and damping are used. Amplitude laws err by about (q/Om)^2,
+   waveforms by q/Om over times of 1/q. Within some eps. NaN for a null pointer, where A, mass or stiffness is not
+   positive, where alpha is negative, and for infinite numbers. */
+VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
-    const vm_real q = ((2 * reactive - 1) * mass_rate + 2 * b) / mass + k_rate / k;
-    if (!(A > 0) || !(mass > 0) || !(k > 0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(k) || !VM_IS_FINITE(q))
+    if (!o) return VM_NAN;
+    vm_real mass, mass_rate, k, k_rate, q;
+    if (!(A > 0) || vmi_law_at(&o->mass, VM_BAD_MASS, t, &mass, &mass_rate) ||
+        vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &k, &k_rate))
         return VM_NAN;
-    return q / vmi_slow_rate(A, k, mass, alpha);
+    q = vmi_slow_q(vmi_slow_drag(o->reactive, mass_rate, o->damping), mass, k, k_rate);
+    if (!VM_IS_FINITE(q)) return VM_NAN;
+    return q / vmi_slow_rate(A, k, mass, o->alpha);
 }
 
 #endif
