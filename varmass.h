@@ -11613,14 +11613,14 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
-/* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
+/* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
    no power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -VM_COPYSIGN(k, x) * vmi_pow_checked(VM_FABS(x), alpha) * (x != 0);
+    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
 }
 
 /* The force of a linear damper: -damping v. damping in N s/m takes energy out if it is positive. */
