@@ -520,7 +520,7 @@ static int event_in_scene(vm_event event) { return null_in_scene(NULL, NULL, &ev
 static void null_parts_of_scenes(void)
 {
     const vm_vec3 zero = {0, 0, 0};
-    const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 0, 0};
+    const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 1, 0};
     vm_body body = a_body(2), part;
     vm_stream stream;
     vm_effect mass;
@@ -535,7 +535,7 @@ static void null_parts_of_scenes(void)
     STATUS(1, effect_in_scene(vm_effect_force_between(0, 0, 3, 0, CALLBACK(0, null_force), NULL)));
     STATUS(1, effect_in_scene(vm_effect_custom(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
     STATUS(1, effect_in_scene(vm_effect_link(2, VM_GROUND, CALLBACK(0, null_point), NULL, 1, 0, 1)));
-    STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 0)));
+    STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 1)));
     STATUS(1, effect_in_scene(vm_effect_stream_mass(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_force(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_moment(4, IN(0, vm_stream, &stream))));
@@ -549,9 +549,9 @@ static void null_parts_of_scenes(void)
     STATUS(1, event_in_scene(vm_then_separate_on_line(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
     part.inertia.zz = 1;
     CHECK(event_in_scene(vm_then_separate_in_plane(vm_event_at(1), 2, 3, NULL, 0)) == VM_BAD_ARGUMENT);
-    NOTHING(2, vm_force_shaft(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
-    NOTHING(2, vm_force_unbalance(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
-    NOTHING(2, vm_force_gyroscopic(1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_shaft(2, 3, 1, 1, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_unbalance(3, 1, 1, 2, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_gyroscopic(2, 3, 1, X(0, vm_real), X(1, vm_real)));
 }
 
 static int run_from_0(vm_scene *s, vm_real *t, vm_real *y, vm_real *work)

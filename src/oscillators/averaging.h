@@ -73,8 +73,9 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
    VM_ROUTE_TRIG, (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339); the argument of cn for
    VM_ROUTE_JACOBI, (380)-(382) with theta' in the second of (382). The means come from Gauss' rule on each quarter
    of the period, so that F may jump where x or x' is 0: to 1e-10 for cubic F and alpha <= 30 (float: to rounding
-   errors). Cost: 160 calls of F. VM_BAD_ARGUMENT for null pointers, another route, A <= 0 or t outside a table,
-   VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not positive at t; then the results are untouched. */
+   errors). Cost: 160 calls of F. VM_BAD_ARGUMENT for null pointers or another route, VM_NOT_FINITE, VM_BAD_MASS and
+   VM_BAD_STIFFNESS for a law that is not positive at t, VM_DOMAIN for A <= 0, t outside a table, or where the function
+   of a law fails; then the results are untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -85,9 +86,9 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
     if (!p || !A_rate || !theta_rate || !psi_rate) return VM_BAD_ARGUMENT;
     if (route < VM_ROUTE_TRIG || route > VM_ROUTE_ATEB) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(A)) return VM_NOT_FINITE;
-    if (!(A > 0)) return VM_BAD_ARGUMENT;
     status = vmi_osc_rates_at(p, t, 1, 0, &now);
     if (status) return status;
+    if (!(A > 0)) return VM_DOMAIN;
     w = vmi_osc_wave_of(p, route);
     Om = vmi_osc_rate(A, VM_SQRT(now.k / now.m), w.alpha);
     vmi_osc_averaged_rates(p, &w, &now, t, A, Om, &rate, &theta);

@@ -14,6 +14,7 @@
 #define VARMASS_OSCILLATORS_LAWS_H
 
 #include "../ateb/phase.h"
+#include "../base/arrays.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
@@ -61,7 +62,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     int status;
     f[3] = 0;
     status = law->derivatives(law, t, side, step, f);
-    if (status) return status == VM_DOMAIN && if_not_positive ? if_not_positive : status;
+    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
+    if (status) return status;
     if (!vmi_law_is_finite(f)) return VM_NOT_FINITE;
     if (if_not_positive && !(f[0] > 0)) return if_not_positive;
     return VM_OK;
@@ -112,10 +114,9 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative.
-   Within some 8 ulp. VM_BAD_MASS where f <= 0 at t,
-   VM_BAD_ARGUMENT for null pointers, a law that no constructor made, t outside a table, or where the function fails;
-   VM_NOT_FINITE for t or a result that is infinite or NaN. Then f and rate
-   are untouched. */
+   Within some 8 ulp. VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for t or
+   a result that is infinite or NaN, VM_BAD_MASS where f <= 0 at t, VM_DOMAIN for t outside a table or where the
+   function fails. Then f and rate are untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     return vmi_law_at(law, VM_BAD_MASS, t, f, rate);
@@ -254,13 +255,13 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_DOMAIN where 1 + f1 t is not positive */
+/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
     (void)side;
     (void)step;
-    if (!(base > 0)) return VM_DOMAIN;
+    if (!(base > 0)) return VM_BAD_MASS;
     f[0] = law->f0 * vmi_pow_checked(base, law->f2);
     f[1] = law->f2 * relative_rate * f[0];
     f[2] = (law->f2 - 1) * relative_rate * f[1];
@@ -337,8 +338,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     vm_real length, u, chord, slope0, slope1, b, c;
     int i;
     (void)step;
-    if (law->n < 2 || !law->time || !law->value || !(t >= law->time[0] && t <= law->time[law->n - 1]))
-        return VM_BAD_ARGUMENT;
+    if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
+    if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
     i = vmi_law_interval(law, t, side);
     length = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
@@ -359,11 +360,11 @@ VM_API int vmi_law_table_check(const vm_law *law, int if_not_positive, vm_real t
 {
     int i;
     (void)t;
-    for (i = 0; i < law->n; i++) {
-        if (!VM_IS_FINITE(law->value[i]) || !VM_IS_FINITE(law->time[i])) return VM_NOT_FINITE;
+    if (!vmi_all_finite(law->n, law->value) || !vmi_all_finite(law->n, law->time)) return VM_NOT_FINITE;
+    for (i = 0; i < law->n; i++)
         if (if_not_positive && !(law->value[i] > 0)) return if_not_positive;
-        if (i > 0 && !(law->time[i] > law->time[i - 1])) return VM_BAD_ARGUMENT;
-    }
+    for (i = 1; i < law->n; i++)
+        if (!(law->time[i] > law->time[i - 1])) return VM_DOMAIN;
     return VM_OK;
 }
 
@@ -402,10 +403,11 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     int i;
     (void)side;
     f[2] = 0;
-    if (!law->function || law->function(t, &f[0], &f[1], law->ctx)) return VM_BAD_ARGUMENT;
+    if (!law->function) return VM_BAD_ARGUMENT;
+    if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
     if (step == 0) return VM_OK;
     for (i = 0; i < 2; i++)
-        if (law->function(t + (vm_real)(i + 1) * step, &unused, &rate[i], law->ctx)) return VM_BAD_ARGUMENT;
+        if (law->function(t + (vm_real)(i + 1) * step, &unused, &rate[i], law->ctx)) return VM_DOMAIN;
     f[2] = (4 * (rate[0] - f[1]) - (rate[1] - f[1])) / (2 * step);
     return VM_OK;
 }
@@ -416,8 +418,8 @@ VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
     const vm_real most_changes = VM_C(1048576.);
     (void)if_not_positive;
     if (!VM_IS_FINITE(law->change_time)) return VM_NOT_FINITE;
-    if (law->change_time < 0) return VM_BAD_ARGUMENT;
-    if (law->change_time > 0 && VM_FABS(t) > law->change_time * most_changes) return VM_BAD_ARGUMENT;
+    if (law->change_time < 0) return VM_DOMAIN;
+    if (law->change_time > 0 && VM_FABS(t) > law->change_time * most_changes) return VM_DOMAIN;
     return VM_OK;
 }
 
@@ -426,7 +428,7 @@ VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
    time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
    is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
    time, s: then no panel and no step of an integrator is longer. It may not be negative or less than |t|/2^20
-   (VM_BAD_ARGUMENT). */
+   (VM_DOMAIN). */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);

@@ -178,10 +178,10 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
 
 /* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign.
    Closed forms, within some 8 ulp, also where they tend to 0/0; for tables and functions Gauss' rule, to 1e-13 (float
-   1e-5) if f changes no faster than vm_law_user says. VM_BAD_MASS where f <= 0 anywhere between 0 and t,
-   VM_BAD_ARGUMENT for null pointers, a law that no constructor made, t outside a table, a table out of order, where
-   the function fails, or where change_time is negative or less than |t|/2^20; VM_NOT_FINITE for numbers that are
-   infinite or NaN. Then *integral is untouched. */
+   1e-5) if f changes no faster than vm_law_user says. VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0 anywhere between 0
+   and t, VM_DOMAIN for t outside a table, a table out of order, where the function fails, or where change_time is
+   negative or less than |t|/2^20. Then *integral is untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;

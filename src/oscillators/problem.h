@@ -103,7 +103,7 @@ VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_
     const vm_real step = with_h && p->Om > 0 ? (vm_real)side / (32 * p->Om) : 0;
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], ln_m, ln_k; /* derivatives of m, k; of ln m, ln k by time */
     int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, step, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_MASS, t, side, step, k);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, step, k);
     if (status) return status;
     ln_m = m[1] / m[0];
     ln_k = k[1] / k[0];
@@ -208,13 +208,13 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real
 {
     vm_real unused;
     int status;
-    if (!(o->alpha >= 0) || !VM_IS_FINITE(o->alpha)) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping))
-        return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
     status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
-    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_MASS, 0);
+    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
     if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
-    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_MASS, 0, stiffness, &unused);
+    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
+    if (!status && o->alpha < 0) return VM_DOMAIN;
     return status;
 }
 
@@ -241,9 +241,9 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 
 /* Plan for many values of one problem's motion.
    For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
-   must outlive the plan. Errors leave the plan untouched: VM_BAD_ARGUMENT for null pointers, alpha < 0, a law that
-   no constructor made or a table out of order, VM_NOT_FINITE, VM_BAD_MASS for a mass or stiffness that is not
-   positive at t = 0 or in a table. */
+   must outlive the plan. Errors leave the plan untouched: VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

@@ -114,11 +114,11 @@ VM_API int vmi_osc_check_call(const vm_osc_plan *p, vm_real t, vm_real *toleranc
     int status;
     if (!p || !motion) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(*tolerance)) return VM_NOT_FINITE;
-    if (*tolerance < 0) return VM_BAD_ARGUMENT;
     if (*tolerance == 0) *tolerance = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
     status = vmi_law_check(&p->problem.mass, VM_BAD_MASS, t);
-    if (status) return status;
-    return vmi_law_check(&p->problem.stiffness, VM_BAD_MASS, t);
+    if (!status) status = vmi_law_check(&p->problem.stiffness, VM_BAD_STIFFNESS, t);
+    if (!status && *tolerance < 0) return VM_DOMAIN;
+    return status;
 }
 
 /* The motion of a body at rest at x = 0: none, unless a force starts one, of which no route knows */
@@ -138,11 +138,11 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
    route: VM_ROUTE_.... motion->error estimates the larger of |error of x|/A and |error of v|/vmax. tolerance is of
    the same number, for routes that integrate: 0 means 1e-6 (float 1e-3). See above for what a route costs.
    VM_TOLERANCE_MISSED: x and v are there, but the error of integration is larger than the tolerance. Errors leave
-   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route, a negative tolerance, t outside a table, a
-   table out of order), VM_NOT_FINITE, VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t),
-   VM_NO_LAW (second-order law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or
-   would need 2^13 steps a period, four times what its longest step asks for, or 2^23 of the present periods: so
-   every call ends). */
+   *motion untouched: VM_BAD_ARGUMENT (null pointers, no such route), VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS
+   (a law that is not positive between 0 and t), VM_DOMAIN (a negative tolerance, t outside a table, a table out of
+   order, the function of a law fails, a change_time that is negative or too short), VM_NO_LAW (second-order law
+   with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (the integrator gave up, or would need 2^13 steps a
+   period, four times what its longest step asks for, or 2^23 of the present periods: so every call ends). */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;

@@ -74,7 +74,7 @@ VM_API int vmi_osc_panel_laws(const vmi_osc_walk *w, vm_real start, vm_real leng
     panel->edge = 0;
     status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, start, length, panel->inverse, &panel->edge);
     if (status) return status;
-    return vmi_panel_edge(&o->stiffness, VM_BAD_MASS, 0, start, length, panel->ratio, &panel->edge);
+    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
 /* The panel of a length (with its sign) from start on */

@@ -17,7 +17,7 @@ static vm_real sa_path_naive(const vm_real *x)
 }
 
 /* Force of a spring, alpha = x1, at x0 */
-static vm_real spring_ours(const vm_real *x) { return vm_force_spring(2, x[1], x[0]); }
+static vm_real spring_ours(const vm_real *x) { return vm_force_spring(x[0], 2, x[1]); }
 static vm_real spring_naive(const vm_real *x) { return -2 * x[0] * POW(FABS(x[0]), x[1] - 1); }
 
 /* Period by the integral of dx/sqrt(1 - x^(alpha+1)), midpoint rule, alpha = x0 */
