@@ -9497,7 +9497,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
-   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN for t outside a table; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -9637,7 +9637,7 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87. y = (x, y, x', y'), m and m/s; rotor points to a
    vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
-   VM_BAD_MASS; these statuses stop the run. */
+   VM_BAD_MASS, VM_DOMAIN for t outside a table of the mass; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -10021,10 +10021,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
     return VM_OK;
 }
 
-/* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
-   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
-   run. */
+/* Equations of motion (517), (518) of two bodies, for rk45 or rk87. y = (x, y, x', y'), m and m/s; pair points to a
+   vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0 or t is outside a table; these statuses stop the run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -10291,7 +10290,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive; these statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not
+   positive or t is outside a table; these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;

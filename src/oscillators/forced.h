@@ -145,7 +145,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive; these statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not
+   positive or t is outside a table; these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;

@@ -58,10 +58,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
     return VM_OK;
 }
 
-/* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
-   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
-   run. */
+/* Equations of motion (517), (518) of two bodies, for rk45 or rk87. y = (x, y, x', y'), m and m/s; pair points to a
+   vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0 or t is outside a table; these statuses stop the run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;

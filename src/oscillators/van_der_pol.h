@@ -151,7 +151,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
-   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
+   mass, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN for t outside a table; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
