@@ -9432,9 +9432,8 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The averaged Van der Pol term and reactive force: a1 m A'/A at amplitude A, N s/m (410). Its zero is the amplitude
-   of the limit cycle; the closed form of vm_vdp_amplitude solves A' = A (p - s A^2)/(a1 m), of which it is the
-   bracket. */
+/* a1 m A'/A at amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410). It is 0 on the
+   limit cycle; vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -9512,10 +9511,9 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 }
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
-   Any slow mass is allowed. y =  (A, psi): mean
-   amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
-   prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
-   (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
+   Any slow mass is allowed. y = (A, psi): mean amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x|
+   = A. vdp points to a vm_vdp that is prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times
+   of m/feed, psi by the first power (method VM_VDP_ATEB). The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -9577,10 +9575,10 @@ typedef struct VM_TAG(vm_jeffcott) {
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_WHIRL_P = 0,   /* and 1: forward whirl P */
-    VMI_WHIRL_N = 2,   /* and 3: backward whirl N */
-    VMI_WHIRL_PHI = 4, /* fast phase */
-    VMI_WHIRL_SIZE = 5
+    VMI_JEFFCOTT_P = 0,   /* and 1: forward whirl P */
+    VMI_JEFFCOTT_N = 2,   /* and 3: backward whirl N */
+    VMI_JEFFCOTT_PHI = 4, /* fast phase */
+    VMI_JEFFCOTT_SIZE = 5
 };
 
 /* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
@@ -9694,31 +9692,31 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
-    vm_real found[VMI_WHIRL_SIZE];
+    vm_real found[VMI_JEFFCOTT_SIZE];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    found[VMI_WHIRL_P] = P.re;
-    found[VMI_WHIRL_P + 1] = P.im;
-    found[VMI_WHIRL_N] = N.re;
-    found[VMI_WHIRL_N + 1] = N.im;
-    found[VMI_WHIRL_PHI] = phi;
-    return vmi_copy_if_finite(VMI_WHIRL_SIZE, found, y);
+    found[VMI_JEFFCOTT_P] = P.re;
+    found[VMI_JEFFCOTT_P + 1] = P.im;
+    found[VMI_JEFFCOTT_N] = N.re;
+    found[VMI_JEFFCOTT_N + 1] = N.im;
+    found[VMI_JEFFCOTT_PHI] = phi;
+    return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
 /* z and z' from the whirls in y, where turn = e^(i phi) */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
-    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_WHIRL_P], y[VMI_WHIRL_P + 1]), turn);
-    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_WHIRL_N], y[VMI_WHIRL_N + 1]), vmi_c_conjugate(turn));
+    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
+    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_N], y[VMI_JEFFCOTT_N + 1]), vmi_c_conjugate(turn));
     *z = vmi_c_add(P, N);
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion (x, y, x', y') of a rotor from forward and backward whirl.
-   The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
+/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged: y = (Re
+   P, Im P, Re N, Im N, phi). The statuses are the same. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -9727,7 +9725,7 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vm_real joined[4];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
-    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_WHIRL_PHI]), now.omega, &z, &v);
+    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_JEFFCOTT_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
     joined[1] = z.im;
     joined[2] = v.re;
@@ -9772,15 +9770,15 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
     int j;
     if (status) return status;
     for (j = 0; j < nodes; j++) {
-        vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+        vmi_jeffcott_rates(r, t, &now, y, y[VMI_JEFFCOTT_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
     }
-    dydt[VMI_WHIRL_P] = P.re * share;
-    dydt[VMI_WHIRL_P + 1] = P.im * share;
-    dydt[VMI_WHIRL_N] = N.re * share;
-    dydt[VMI_WHIRL_N + 1] = N.im * share;
-    dydt[VMI_WHIRL_PHI] = now.omega;
+    dydt[VMI_JEFFCOTT_P] = P.re * share;
+    dydt[VMI_JEFFCOTT_P + 1] = P.im * share;
+    dydt[VMI_JEFFCOTT_N] = N.re * share;
+    dydt[VMI_JEFFCOTT_N + 1] = N.im * share;
+    dydt[VMI_JEFFCOTT_PHI] = now.omega;
     return VM_OK;
 }
 
@@ -9798,7 +9796,7 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
    separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
    resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
-   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
+   inverse. State and statuses are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -10100,7 +10098,7 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
 }
 
 /* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
-   The inverse of vm_pair_to_averaged, with the same errors. y may be modes. */
+   The inverse of vm_pair_to_averaged, with the same statuses. y may be modes. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -10179,8 +10177,8 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y
 enum { VMI_FORCED_HARMONICS = 5 };
 
 /* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again where
-   alpha has changed. The other fields may change without. Constructors make the laws, of a constant
-   vm_law_linear(value, 0). */
+   alpha has changed. The other fields may change without a new call. Constructors make the laws;
+   a constant is vm_law_linear(value, 0). */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
     vm_real damping;   /* b, kg/s; > 0 takes energy out */
@@ -10290,8 +10288,8 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
    vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not
-   positive or t is outside a table; these statuses stop the run. */
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive or t is outside a table; these
+   statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10309,9 +10307,8 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     return VM_OK;
 }
 
-/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
-   y = (A, psi, theta) with x = A ca(psi); singular at A = 0. Nothing is neglected. forced and errors are those of
-   vm_forced_rhs. */
+/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87. y = (A, psi, theta) with x = A
+   ca(psi); singular at A = 0. Nothing is neglected. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10334,7 +10331,8 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 /* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. The main resonance is nu =
    w(A). y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force;
    start and end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over
-   times of their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
+   times of their inverses, larger away from the resonance. The argument forced and the statuses are those of
+   vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -10397,9 +10395,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta).
-   The inverse of vm_forced_to_averaged: the ripple is put back. The same errors, and VM_DOMAIN for A <= 0. motion may
-   be y. */
+/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta). The inverse of
+   vm_forced_to_averaged: the ripple is put back. The statuses are the same, VM_DOMAIN also for A <= 0. motion may be
+   y. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;

@@ -57,10 +57,10 @@ typedef struct VM_TAG(vm_jeffcott) {
 
 /* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_WHIRL_P = 0,   /* and 1: forward whirl P */
-    VMI_WHIRL_N = 2,   /* and 3: backward whirl N */
-    VMI_WHIRL_PHI = 4, /* fast phase */
-    VMI_WHIRL_SIZE = 5
+    VMI_JEFFCOTT_P = 0,   /* and 1: forward whirl P */
+    VMI_JEFFCOTT_N = 2,   /* and 3: backward whirl N */
+    VMI_JEFFCOTT_PHI = 4, /* fast phase */
+    VMI_JEFFCOTT_SIZE = 5
 };
 
 /* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
@@ -174,31 +174,31 @@ VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_rea
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
-    vm_real found[VMI_WHIRL_SIZE];
+    vm_real found[VMI_JEFFCOTT_SIZE];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    found[VMI_WHIRL_P] = P.re;
-    found[VMI_WHIRL_P + 1] = P.im;
-    found[VMI_WHIRL_N] = N.re;
-    found[VMI_WHIRL_N + 1] = N.im;
-    found[VMI_WHIRL_PHI] = phi;
-    return vmi_copy_if_finite(VMI_WHIRL_SIZE, found, y);
+    found[VMI_JEFFCOTT_P] = P.re;
+    found[VMI_JEFFCOTT_P + 1] = P.im;
+    found[VMI_JEFFCOTT_N] = N.re;
+    found[VMI_JEFFCOTT_N + 1] = N.im;
+    found[VMI_JEFFCOTT_PHI] = phi;
+    return vmi_copy_if_finite(VMI_JEFFCOTT_SIZE, found, y);
 }
 
 /* z and z' from the whirls in y, where turn = e^(i phi) */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
-    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_WHIRL_P], y[VMI_WHIRL_P + 1]), turn);
-    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_WHIRL_N], y[VMI_WHIRL_N + 1]), vmi_c_conjugate(turn));
+    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_P], y[VMI_JEFFCOTT_P + 1]), turn);
+    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_JEFFCOTT_N], y[VMI_JEFFCOTT_N + 1]), vmi_c_conjugate(turn));
     *z = vmi_c_add(P, N);
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion (x, y, x', y') of a rotor from forward and backward whirl.
-   The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
+/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged: y = (Re
+   P, Im P, Re N, Im N, phi). The statuses are the same. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -207,7 +207,7 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vm_real joined[4];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
-    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_WHIRL_PHI]), now.omega, &z, &v);
+    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_JEFFCOTT_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
     joined[1] = z.im;
     joined[2] = v.re;
@@ -252,15 +252,15 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
     int j;
     if (status) return status;
     for (j = 0; j < nodes; j++) {
-        vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+        vmi_jeffcott_rates(r, t, &now, y, y[VMI_JEFFCOTT_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
     }
-    dydt[VMI_WHIRL_P] = P.re * share;
-    dydt[VMI_WHIRL_P + 1] = P.im * share;
-    dydt[VMI_WHIRL_N] = N.re * share;
-    dydt[VMI_WHIRL_N + 1] = N.im * share;
-    dydt[VMI_WHIRL_PHI] = now.omega;
+    dydt[VMI_JEFFCOTT_P] = P.re * share;
+    dydt[VMI_JEFFCOTT_P + 1] = P.im * share;
+    dydt[VMI_JEFFCOTT_N] = N.re * share;
+    dydt[VMI_JEFFCOTT_N + 1] = N.im * share;
+    dydt[VMI_JEFFCOTT_PHI] = now.omega;
     return VM_OK;
 }
 
@@ -278,7 +278,7 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
    separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
    resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
-   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
+   inverse. State and statuses are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
