@@ -247,11 +247,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
 }
 
-/* Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6),
-   (10)-(12). *balance is what the n_after bodies have less what the n_before bodies had and less what the impulse
-   gave, where one acted. Momentum and, about any point, angular momentum are zero if nothing was lost, but for some
-   eps of their scales. There may be any number of bodies on either side, none included. The bodies are not checked.
-   VM_BAD_ARGUMENT: a null pointer, a negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
+   what the n_before bodies had, and less what the impulse gave, where one acted, (4)-(6), (10)-(12). Momentum and,
+   about any point, angular momentum are zero if nothing was lost, but for some eps of their scales. There may be any
+   number of bodies on either side, none included. The bodies are not checked. VM_BAD_ARGUMENT: a null pointer, a
+   negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {

@@ -265,7 +265,7 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts at once, n >= 0: *rest is what remains. Except for rounding errors it is what n calls of
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors it is what n calls of
    vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
@@ -274,7 +274,7 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies at once, n >= 0: *whole is all of them together. Except for rounding errors it is what n
+/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors it is what n
    calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -312,7 +312,7 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre, (13)-(15), (40). All inertias are along one set of
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias are along one set of
    axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
    that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
    VM_BAD_MASS, VM_BAD_INERTIA. */
@@ -322,7 +322,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40): the way back from
+/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40), the way back from
    vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
    whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
