@@ -100,48 +100,48 @@
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
-       vm_inertia_possible            1 if a body can have this inertia, 0 if not, and for NaN and a null pointer
-       vm_parallel_axes               The inertia about a point at distance d from the mass centre, along the same axes, (40)
+       vm_inertia_possible            Whether a body can have this inertia
+       vm_parallel_axes               Inertia about a point d away from the mass centre, along parallel axes, (40)
 
      mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
        vm_momentum                    Momentum M v of a body (1)-(3), N s
        vm_angular_momentum            Angular momentum of a body about the point `about` (7)-(9), N m s
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
-       vm_balance_between             Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6), (10)-(12)
+       vm_balance_between             Balance of momentum, angular momentum and energy across an instant
 
      mechanics/bodies2: momentum and energy of bodies in the plane, and such bodies in space
-       vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise
+       vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body of the plane, J
-       vm_body_from_body2             A body of the plane as a lamina in the plane z = 0 of space, which moves as it does
+       vm_body_from_body2             A body of the plane as a lamina of space in the plane z = 0
 
      mechanics/jumps: parts separate from a body or are attached to it, in space
        vm_separate                    Separation of a part from a body
        vm_attach                      Attachment of one body to another (plastic impact)
-       vm_separate_all                Separation of n parts at once, n >= 0
-       vm_attach_all                  Attachment of n bodies at once, n >= 0
-       vm_combine_inertia             Inertia of two bodies together, about their common mass centre, (13)-(15), (40)
-       vm_split_inertia               Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40)
+       vm_separate_all                Separation of n parts from a body at once
+       vm_attach_all                  Attachment of n bodies to a body at once
+       vm_combine_inertia             Inertia of two bodies together, about their common mass centre
+       vm_split_inertia               Inertia of a body without a part, about the mass centre of what is left
 
      mechanics/jumps2: parts separate from a body or are attached to it, in the plane
-       vm_separate2                   Separation of a part from a body in the plane (35)-(39)
+       vm_separate2                   Separation of a part from a body in the plane
        vm_attach2                     Attachment of one body to another in the plane (plastic impact)
-       vm_separate_all2               Separation of n parts at once in the plane, n >= 0
-       vm_attach_all2                 Attachment of n bodies at once in the plane, n >= 0
+       vm_separate_all2               Separation of n parts from a body at once, in the plane
+       vm_attach_all2                 Attachment of n bodies to a body at once, in the plane
 
      mechanics/relative: motion relative to a moving body, and jumps given in such motions
        vm_to_relative                 Motion of a body relative to the frame that moves rigidly with the body `to`
        vm_to_absolute                 Absolute motion of a body that is given relative to the body `to`
-       vm_to_relative2                Motion of a body of the plane relative to the frame that moves rigidly with the body `to`
-       vm_to_absolute2                Absolute motion of a body of the plane that is given relative to the body `to`
-       vm_separate_relative           Separation in motions relative to the whole, (28)-(31), (42)-(44)
-       vm_attach_relative             Attachment in motions relative to the first body, (28)-(31), (42)-(44)
-       vm_separate_relative2          Separation in the plane, in motions relative to the whole
-       vm_attach_relative2            Attachment in the plane, in motions relative to the first body
+       vm_to_relative2                Motion in the plane relative to the frame that moves rigidly with the body `to`
+       vm_to_absolute2                Absolute motion in the plane of a body that is given relative to the body `to`
+       vm_separate_relative           Separation, where the motions are given relative to the whole
+       vm_attach_relative             Attachment, where the motions are given relative to the first body
+       vm_separate_relative2          Separation in the plane, where the motions are given relative to the whole
+       vm_attach_relative2            Attachment in the plane, where the motions are given relative to the first body
 
      mechanics/inverse: how a part must leave, so that the rest moves as wanted
-       vm_separation_for_rest         Inverse of vm_separate
-       vm_separation_for_rest2        Inverse of vm_separate2
-       vm_separation_for_spin2        Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part keeps its own spin (Table 3, 7, asked for v_r)
+       vm_separation_for_rest         How a part must leave, so that the rest moves as wanted
+       vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
+       vm_separation_for_spin2        Velocity of a part that leaves the rest with a wanted spin, in the plane
 
      mechanics/jump_energy: the kinetic energy that a jump adds or takes
        vm_energy_gain                 Energy gained at a separation, J
@@ -183,11 +183,11 @@
        vm_pendulum_separate           Motion of a pendulum and of the part that is cut off it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
-       vm_torque_free_init            Preparation of the exact torque-free motion of a body that is as given at the time t0 (s)
-       vm_torque_free_init_principal  Preparation from principal moments (kg m^2), where the body's axes are the principal ones, and omega (rad/s) along them, not along the inertial axes
-       vm_torque_free_attitude        Attitude and angular velocity at the time t (s), later than t0 or earlier; *omega is along body axes, rad/s
-       vm_torque_free_at              The body at the time t (s), later than t0 or earlier
-       vm_torque_free_rotation        The body a time t (s) later, in one call
+       vm_torque_free_init            Preparation of the exact torque-free motion of a body
+       vm_torque_free_init_principal  Preparation of the exact torque-free motion from principal moments (kg m^2)
+       vm_torque_free_attitude        Attitude and angular velocity of a torque-free body at the time t (s)
+       vm_torque_free_at              A torque-free body at the time t (s), later than t0 or earlier
+       vm_torque_free_rotation        A torque-free body a time t (s) later, in one call
 
      mechanics/streams: streams of mass: reactive force, moment and torque
        vm_reactive_loads              Reactive force, moment and torque of n streams on a moving body, (156)-(158)
@@ -1124,8 +1124,8 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
    The functions are internal: sums and products of vectors, norms, rotation matrices, and three or four numbers of a
-   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c and
-   tests/test_torque_free.c use all of them. */
+   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c,
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1288,14 +1288,8 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
     y[2] = a.z;
 }
 
-/* Four numbers w, x, y, z of a state as a quaternion, and back */
+/* Four numbers w, x, y, z of a state as a quaternion */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
-
-VM_API void vmi_set_quat(vm_real *y, vm_quat q)
-{
-    y[0] = q.w;
-    vmi_set3(y + 1, vmi_quat_vector(q));
-}
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
@@ -1431,16 +1425,16 @@ VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* 1 if a body can have this inertia, 0 if not, and for NaN and a null pointer. A body's principal moments are not
-   negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace count as
-   rounding errors. Rods and points are bodies. */
+/* Whether a body can have this inertia: 1 if it can, 0 if not, and for NaN and a null pointer. A body's principal
+   moments are not negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace
+   count as rounding errors. Rods and points are bodies. */
 VM_API int vm_inertia_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
 }
 
-/* The inertia about a point at distance d from the mass centre, along the same axes, (40): own + mass P(d), where
-   own is about the mass centre, kg m^2. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
+/* Inertia about a point d away from the mass centre, along parallel axes, (40): own + mass P(d), where own is about
+   the mass centre, kg m^2, and d in m. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
    the arguments gives NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
@@ -1780,8 +1774,8 @@ VM_API int vmi_impulse_finite(const vm_impulse *j)
     return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
 }
 
-/* Of two statuses, VM_OK or errors, the error that comes first in the manual's table: VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, by rising size of the number */
+/* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
+   before VM_BAD_MASS before VM_BAD_INERTIA, whose numbers fall in this order */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -1837,8 +1831,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* VM_OK if all bodies are valid, else the first of their errors in the table; VM_BAD_ARGUMENT for n < 0 and for
-   bodies that are not there */
+/* VM_OK if all bodies are valid, else the error of theirs that vmi_first_error puts first; VM_BAD_ARGUMENT for n < 0
+   and for bodies that are not there */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -1887,11 +1881,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
 }
 
-/* Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6),
-   (10)-(12). *balance is what the n_after bodies have less what the n_before bodies had and less what the impulse
-   gave, where one acted. Momentum and, about any point, angular momentum are zero if nothing was lost, but for some
-   eps of their scales. There may be any number of bodies on either side, none included. The bodies are not checked.
-   VM_BAD_ARGUMENT: a null pointer, a negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+/* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
+   what the n_before bodies had, and less what the impulse gave, where one acted, (4)-(6), (10)-(12). Momentum and,
+   about any point, angular momentum are zero if nothing was lost, but for some eps of their scales. There may be any
+   number of bodies on either side, none included. The bodies are not checked. VM_BAD_ARGUMENT: a null pointer, a
+   negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {
@@ -1918,8 +1912,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 #ifndef VARMASS_MECHANICS_BODIES2_H
 #define VARMASS_MECHANICS_BODIES2_H
 
-/* Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise. The body is not checked: NaN
-   in it gives NaN, and so does a null pointer. */
+/* Angular momentum of a body of the plane about the point (x, y), N m s. It is positive anticlockwise. The body is
+   not checked: NaN in it gives NaN, and so does a null pointer. */
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y)
 {
     if (!body) return VM_NAN;
@@ -1935,8 +1929,8 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* A body of the plane as a lamina in the plane z = 0 of space, which moves as it does: xx = yy = zz/2, q of length
-   1. The body is not checked. NaN for a null pointer. */
+/* A body of the plane as a lamina of space in the plane z = 0. It has xx = yy = zz/2, q of length 1, and the same
+   motion. The body is not checked. NaN for a null pointer. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -2102,7 +2096,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* The status of what is given for a jump */
+/* VM_OK if the bodies are valid and the impulse is finite, else the error that vmi_first_error puts first */
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
@@ -2153,7 +2147,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* The jump of a body by n others with sign, and by an impulse */
+/* The jump of a body to which n others are attached (sign = 1) or from which they separate (-1), while an impulse
+   acts */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2210,7 +2205,7 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts at once, n >= 0: *rest is what remains. Except for rounding errors it is what n calls of
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors it is what n calls of
    vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
@@ -2219,7 +2214,7 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies at once, n >= 0: *whole is all of them together. Except for rounding errors it is what n
+/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors it is what n
    calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
    VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
@@ -2257,7 +2252,7 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre, (13)-(15), (40). All inertias are along one set of
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias are along one set of
    axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
    that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
    VM_BAD_MASS, VM_BAD_INERTIA. */
@@ -2267,7 +2262,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40): the way back from
+/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40), the way back from
    vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
    whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
@@ -2347,7 +2342,7 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* The jump of a body of the plane by n others with sign, and by an impulse */
+/* vmi_jump in the plane */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2374,7 +2369,7 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane (35)-(39): *rest is what remains, the instant after. *part has left
+/* Separation of a part from a body in the plane: *rest is what remains, the instant after, (35)-(39). *part has left
    the whole and moves as given; *external, where not NULL, acted during the instant. Momentum and angular momentum
    of rest and part are those of the whole plus the impulse. rest may be whole or part. Accuracy as that of
    vm_separate.
@@ -2398,18 +2393,18 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
     return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts at once in the plane, n >= 0: *rest is what remains. Except for rounding errors it is what n
-   calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate2, and
-   VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors it is
+   what n calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of
+   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies at once in the plane, n >= 0: *whole is all of them together. Except for rounding errors it
-   is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach2,
-   and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors
+   it is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of
+   vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2424,10 +2419,10 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
+       part.inertia.xx = part.inertia.yy = part.inertia.zz = 0.1;
        part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
-       part.v.z = 2;                                       // it leaves at 2 m/s, relative to the whole
-       vm_separate_relative(&whole, &part, NULL, &rest);   // so rest moves relative to the whole, too
-       vm_to_absolute(&whole, &rest, &rest);
+       part.v.z = 2;                                     // it leaves at 2 m/s, relative to the whole
+       if (vm_separate_relative(&whole, &part, NULL, &rest) == VM_OK) vm_to_absolute(&whole, &rest, &rest);
 
    Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
@@ -2495,8 +2490,8 @@ VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *a
     return vmi_put_body(&b, absolute);
 }
 
-/* Motion of a body of the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change
-   as in vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
+/* Motion in the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change as in
+   vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
@@ -2506,7 +2501,7 @@ VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body
     return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2,
+/* Absolute motion in the plane of a body that is given relative to the body `to`: the way back from vm_to_relative2,
    with its statuses */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
@@ -2541,34 +2536,36 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
     return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Separation in motions relative to the whole, (28)-(31), (42)-(44): v and omega of part are relative to the whole,
-   and so are those of *rest. The whole's own v and omega do not matter. Otherwise as vm_separate, statuses included.
-   */
+/* Separation, where the motions are given relative to the whole: (28)-(31), (42)-(44). v and omega of part are
+   relative to the whole, and so are those of *rest. The whole's own v and omega are not read. Otherwise as
+   vm_separate, statuses included. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
     return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in motions relative to the first body, (28)-(31), (42)-(44): v and omega of added are relative to body,
-   and so are those of *whole. The own v and omega of body do not matter. Otherwise as vm_attach, statuses included.
-   */
+/* Attachment, where the motions are given relative to the first body: (28)-(31), (42)-(44). v and omega of added are
+   relative to body, and so are those of *whole. The own v and omega of body are not read. Otherwise as vm_attach,
+   statuses included. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
     return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation in the plane, in motions relative to the whole: vx, vy, omega of part are relative to the whole, and so
-   are those of *rest. The whole's own motion does not matter. Otherwise as vm_separate2, statuses included. */
+/* Separation in the plane, where the motions are given relative to the whole: vx, vy, omega of part are relative to
+   the whole, and so are those of *rest. The whole's own motion is not read. Otherwise as vm_separate2, statuses
+   included. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
     return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment in the plane, in motions relative to the first body: vx, vy, omega of added are relative to body, and
-   so are those of *whole. The own motion of body does not matter. Otherwise as vm_attach2, statuses included. */
+/* Attachment in the plane, where the motions are given relative to the first body: vx, vy, omega of added are
+   relative to body, and so are those of *whole. The own motion of body is not read. Otherwise as vm_attach2,
+   statuses included. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -2643,7 +2640,7 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     return status;
 }
 
-/* Inverse of vm_separate: how must the part leave, so that the rest moves as wanted? *moving is the part with the
+/* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving is the part with the
    velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and then with the angular velocity that gives it
    *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is asked for, and the part keeps its own motion.
    With *rest_omega = 0 the rest does not turn (Table 2, 5 and 7; Table 4, 2), with *rest_v = 0 too it is at rest
@@ -2720,7 +2717,7 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
     return left ? VM_NULL_AXIS : VM_OK;
 }
 
-/* Inverse of vm_separate2: how must the part leave, so that the rest moves as wanted, in the plane? *moving is the
+/* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving is the
    part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
    and then with the angular velocity that gives it *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is
    asked for, and the part keeps its own motion. Statuses as those of vm_separation_for_rest. */
@@ -2749,11 +2746,11 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
     return status;
 }
 
-/* Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part
-   keeps its own spin (Table 3, 7, asked for v_r). *moving is the part with, of all such velocities, the one with the
-   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The velocity in
-   *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those of
-   vm_separate2. */
+/* Velocity of a part that leaves the rest with a wanted spin, in the plane. It is (Table 3, 7), asked for v_r: the
+   rest turns with rest_omega (rad/s), and the part keeps its own spin. Of all such velocities, *moving has the one
+   with the least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The
+   velocity in *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those
+   of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -3995,10 +3992,10 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
    length but 0 */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
-    const vm_vec3 vector = vmi_quat_vector(q);
-    const vm_real longest = vmi_norm_max(vector), size = VM_FABS(q.w);
+    const vm_vec3 xyz = vmi_quat_vector(q);
+    const vm_real longest = vmi_norm_max(xyz), size = VM_FABS(q.w);
     const vm_real power = vmi_power_of_two(longest > size ? longest : size);
-    const vmi_vec3_two v = vmi_vec3_two_over(vector, power);
+    const vmi_vec3_two v = vmi_vec3_two_over(xyz, power);
     const vmi_vec3_two va = vmi_vec3_two_cross(&v, a), vva = vmi_vec3_two_cross(&v, &va);
     const vm_two w = vmi_two(q.w / power, 0);
     const vm_two square = vmi_two_plus(vmi_two_times(w, w), vmi_vec3_two_dot(&v, &v));
@@ -4581,18 +4578,18 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body that is as given at the time t0 (s): one call, then any
-   number of vm_torque_free_at. Where it fails *motion stays as it was. VM_BAD_ARGUMENT: a null pointer.
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. Accuracy and cost: at vm_torque_free. */
+/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; afterwards
+   vm_torque_free_at gives it at any time. Accuracy and cost are those at vm_torque_free. VM_BAD_ARGUMENT: a null
+   pointer. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA; then *motion stays as it was. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation from principal moments (kg m^2), where the body's axes are the principal ones, and omega (rad/s) along
-   them, not along the inertial axes. q is the attitude at t0 (s). The body has mass 1 and rests at the origin.
-   Statuses as those of vm_torque_free_init. */
+/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
+   ones, and omega (rad/s) is along them, not along the inertial axes; q is the attitude at t0 (s). The body has mass
+   1 and rests at the origin. Statuses as those of vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -4608,10 +4605,11 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity at the time t (s), later than t0 or earlier; *omega is along body axes, rad/s. q is
-   continuous in t and keeps the length that it had at t0 (1, if it was all zero). VM_BAD_ARGUMENT: a null pointer.
-   VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290 (float 1e30); then *q and *omega
-   stay as they were. Beyond 1/eps^2 turns the result is finite and has the right angular momentum, but no phase. */
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later than t0 or earlier. *omega
+   is along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1, if it was all zero).
+   VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE: t or the result is not finite, or t or the turns are beyond 1e290
+   (float 1e30); then *q and *omega stay as they were. Beyond 1/eps^2 turns the result is finite and has the right
+   angular momentum, but no phase. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -4631,9 +4629,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* The body at the time t (s), later than t0 or earlier: attitude and omega as vm_torque_free_attitude gives them,
-   but omega along inertial axes, and the mass centre on its straight line. Statuses as those of
-   vm_torque_free_attitude; where it fails *body stays as it was. */
+/* A torque-free body at the time t (s), later than t0 or earlier. Attitude and omega are those of
+   vm_torque_free_attitude, but omega is along inertial axes; the mass centre is on its straight line. Statuses as
+   those of vm_torque_free_attitude; where it fails *body stays as it was. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4651,8 +4649,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* The body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their statuses. later
-   may be body. */
+/* A torque-free body a time t (s) later, in one call: vm_torque_free_init, then vm_torque_free_at, with their
+   statuses. later may be body. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
