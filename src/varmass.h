@@ -112,6 +112,8 @@
 #include "mechanics/inverse.h"
 #include "mechanics/jump_energy.h"
 #include "mechanics/broken_rotor.h"
+#include "mechanics/broken_rotor_motion.h"
+#include "mechanics/broken_rotor_stability.h"
 #include "mechanics/lagrange_jump.h"
 #include "mechanics/pendulum.h"
 #include "mechanics/torque_free.h"

@@ -212,11 +212,11 @@ static void oscillators(work_of *w)
     fold(w, x);
     fold(w, v);
     f.alpha = 3;
-    f.b = R(0.05);
-    f.now.mass = 1;
-    f.now.k = 1;
-    f.now.nu = draw(w, 0.5, 2);
-    f.now.force = R(0.1);
+    f.damping = R(0.05);
+    f.mass = vm_law_linear(1, 0);
+    f.stiffness = vm_law_linear(1, 0);
+    f.frequency = vm_law_linear(draw(w, 0.5, 2), 0);
+    f.force = vm_law_linear(R(0.1), 0);
     vm_forced_init(&f);
     fold(w, R(vm_forced_steady_states(&f, 0, steady)));
     fold(w, steady[0].A);

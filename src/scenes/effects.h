@@ -181,41 +181,41 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
     return e;
 }
 
-enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
+enum { VMI_MOTOR_STALL_TORQUE, VMI_MOTOR_KAPPA };
 
 VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor, the torque torque - kappa v. Its characteristic is a straight line; torque in N m is that at rest, kappa
-   is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
-VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
+/* A motor, the torque stall_torque - kappa v. Its characteristic is a straight line; stall_torque in N m is the torque
+   at rest, kappa is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
+VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
-    e.p[VMI_MOTOR_TORQUE] = torque;
+    e.p[VMI_MOTOR_STALL_TORQUE] = stall_torque;
     e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
 }
 
-enum { VMI_HARMONIC_FORCE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
+enum { VMI_HARMONIC_AMPLITUDE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_AMPLITUDE], frequency, phase));
 }
 
-/* Harmonic excitation, the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
-   phase in rad. */
-VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
+/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude in N (N m on an angle), frequency in
+   rad/s, phase in rad. */
+VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_harmonic);
-    e.p[VMI_HARMONIC_FORCE] = force;
+    e.p[VMI_HARMONIC_AMPLITUDE] = amplitude;
     e.p[VMI_HARMONIC_FREQUENCY] = frequency;
     e.p[VMI_HARMONIC_PHASE] = phase;
     return e;

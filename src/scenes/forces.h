@@ -15,14 +15,14 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 
-/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
-   no power. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN
+   below. The exponents 1, 2 and 3 take no power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -VM_COPYSIGN(k, x) * vmi_pow_checked(VM_FABS(x), alpha) * (x != 0);
+    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
 }
 
 /* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
@@ -32,16 +32,20 @@ VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping 
    takes it out at large amplitudes. */
 VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
 
-/* The torque of a motor, torque - kappa omega. Its characteristic is a straight line; torque in N m is that at rest,
-   kappa in N m s. */
-VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real torque, vm_real kappa) { return torque - kappa * omega; }
+/* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
+   torque at rest, kappa in N m s. */
+VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
+{
+    return stall_torque - kappa * omega;
+}
 
-/* The force of harmonic excitation, force cos(frequency t + phase). frequency in rad/s, phase in rad. */
-VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real force, vm_real frequency, vm_real phase)
+/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude in N, frequency in rad/s, phase in
+   rad. */
+VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
-    return force * c;
+    return amplitude * c;
 }
 
 /* The reactive force of a stream, rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and

@@ -156,7 +156,8 @@ static vm_real arcs_ours(const vm_real *x)
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
-    f.now.mass = f.now.k = f.now.nu = 1;
+    f.mass = f.stiffness = f.frequency = vm_law_linear(1, 0);
+    f.force = vm_law_linear(0, 0);
     return vm_forced_init(&f) == VM_OK ? f.c[0] + x[0] * f.c[1] : VM_NAN;
 }
 static vm_real arcs_naive(const vm_real *x)
