@@ -521,6 +521,7 @@ static void null_parts_of_scenes(void)
 {
     const vm_vec3 zero = {0, 0, 0};
     const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 1, 0};
+    const vm_law growth = vm_law_linear(2, 1);
     vm_body body = a_body(2), part;
     vm_stream stream;
     vm_effect mass;
@@ -536,6 +537,7 @@ static void null_parts_of_scenes(void)
     STATUS(1, effect_in_scene(vm_effect_custom(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
     STATUS(1, effect_in_scene(vm_effect_link(2, VM_GROUND, CALLBACK(0, null_point), NULL, 1, 0, 1)));
     STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 1)));
+    STATUS(1, effect_in_scene(vm_effect_mass_of_time(0, IN(0, vm_law, &growth), zero, 1)));
     STATUS(1, effect_in_scene(vm_effect_stream_mass(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_force(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_moment(4, IN(0, vm_stream, &stream))));
