@@ -348,48 +348,51 @@
        vm_scene_body_growing_free     A growing body in space, made of one by vm_scene_body_free
 
      scenes/forces: the forces of effects, as functions of numbers
-       vm_force_spring                The force of a spring
-       vm_force_damper                The force of a linear damper
-       vm_force_van_der_pol           The force of Van der Pol's damper
-       vm_force_motor                 The torque of a motor whose characteristic is a straight line
-       vm_force_harmonic              The force of harmonic excitation
-       vm_force_stream                The reactive force of a stream
-       vm_force_gravity               The weight of a mass
-       vm_force_shaft                 The force of an elastic shaft
-       vm_force_unbalance             The force of a rotating unbalance
-       vm_force_gyroscopic            The gyroscopic force across a velocity in the plane
+       vm_force_spring                The force of a spring, -k x |x|^(alpha-1) (248)
+       vm_force_damper                The force of a linear damper, -damping v
+       vm_force_van_der_pol           The force of Van der Pol's damper, (b - c x^2) v (404)
+       vm_force_motor                 The torque of a motor, stall_torque - kappa omega
+       vm_force_harmonic              The force of harmonic excitation, amplitude cos(frequency t + phase)
+       vm_force_stream                The reactive force of a stream, rate (u - reactive v)
+       vm_force_gravity               The weight of a mass, mass g
+       vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y)
+       vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase)
+       vm_force_gyroscopic            The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx)
 
      scenes/effects: springs, dampers, motors and other forces on a coordinate
-       vm_effect_gravity              Gravity along a coordinate
-       vm_effect_spring               A nonlinear spring
-       vm_effect_linear_spring        A linear spring
-       vm_effect_damper               A linear damper
-       vm_effect_rotational_damper    A damper of the rotation
-       vm_effect_van_der_pol          Van der Pol's damper
-       vm_effect_motor                A motor whose characteristic is a straight line
-       vm_effect_harmonic             Harmonic excitation
+       vm_effect_gravity              Gravity along a coordinate, the force M g
+       vm_effect_spring               A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248)
+       vm_effect_linear_spring        A linear spring, the force -k (x - rest)
+       vm_effect_damper               A linear damper, the force -damping v
+       vm_effect_rotational_damper    A damper of the rotation, the torque -damping omega
+       vm_effect_van_der_pol          Van der Pol's damper, the force (b - c x^2) v (404)
+       vm_effect_motor                A motor, the torque stall_torque - kappa v
+       vm_effect_harmonic             Harmonic excitation, the force amplitude cos(frequency t + phase)
        vm_effect_force_between        A force that the caller's function returns, between two coordinates
        vm_effect_force                A force that the caller's function returns
-       vm_effect_custom               An effect that the caller's function applies, which may depend on the whole state
-       vm_effect_shaft                An elastic shaft
-       vm_effect_unbalance            A rotating unbalance
-       vm_effect_gyroscopic           A gyroscopic force across the velocity
+       vm_effect_custom               An effect that the caller's function applies
+       vm_effect_shaft                An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y)
+       vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase)
+       vm_effect_gyroscopic           A gyroscopic force across the velocity, 2 gyro (-vy, vx)
 
      scenes/mass: mass that follows a law, and its reactive force
-       vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns, with its reactive force
+       vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns
        vm_effect_mass                 A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force
+
+     scenes/mass_of_time: mass that follows a vm_law, and its reactive force
+       vm_effect_mass_of_time         A mass that follows a vm_law, with its reactive force
 
      scenes/streams: streams of mass into and out of the bodies of a scene
        vm_effect_stream               A stream that crosses at the mass centre, with its reactive force
-       vm_effect_stream_mass          Mass, mass centre and inertia that a stream at a point brings to a growing body
+       vm_effect_stream_mass          Mass, mass centre and inertia that a stream brings to a growing body
        vm_effect_stream_force         Reactive force M' (u - v) of a stream at a point of a growing body (156)
-       vm_effect_stream_moment        Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158)
+       vm_effect_stream_moment        Moment d x M' (u - v) of a stream on a growing body (158)
        vm_effect_stream_torque        Torque M' kappa omega2 - I' omega of a stream on a growing body (157)
        vm_effect_varying              An effect of a stream that varies in time
 
      scenes/band: a band that winds up on a drum or off it
        vm_band_at                     Radius, mass and inertia of the band that is wound up at the angle phi
-       vm_effect_band                 A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque
+       vm_effect_band                 A band that winds up on a drum or off it, with its reactive torque
 
      scenes/links: rigid links and cords between bodies
        vm_effect_link                 A rigid link of a given length, or a cord, which can only pull
@@ -399,7 +402,7 @@
        vm_scene_body_at               The motion of a body in the state y
 
      scenes/evaluate: the right-hand side of a scene
-       vm_scene_rhs                   The right-hand side of a scene that has been started, an ode_rhs; ctx is the scene
+       vm_scene_rhs                   The right-hand side of a scene, an ode_rhs
 
      scenes/check: what can be wrong with a scene
        vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
@@ -408,7 +411,7 @@
        vm_scene_start                 Start of a scene at time t
 
      scenes/balance: the budget of momentum, angular momentum and energy of a scene
-       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer
+       vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy
        vm_scene_budget_at             The budget of a scene in the state y at time t
 
      scenes/events: when an event happens, and what it does
@@ -430,7 +433,7 @@
        vm_then_attach                 The event attaches a body to another one, of any motion
 
      scenes/run: runs of a scene with its events and its output
-       vm_scene_run                   Run of a scene from *t to t_end by rk45, with its events and its output */
+       vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
 #ifndef VARMASS_H
 #define VARMASS_H
 
@@ -11610,8 +11613,8 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
-/* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
-   no power. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN
+   below. The exponents 1, 2 and 3 take no power. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
@@ -11620,29 +11623,30 @@ VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
     return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
 }
 
-/* The force of a linear damper: -damping v. damping in N s/m takes energy out if it is positive. */
+/* The force of a linear damper, -damping v. damping in N s/m takes energy out if it is positive. */
 VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* The force of Van der Pol's damper: (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
+/* The force of Van der Pol's damper, (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
    takes it out at large amplitudes. */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c) { return (b - c * (x * x)) * v; }
+
+/* The torque of a motor, stall_torque - kappa omega. Its characteristic is a straight line; stall_torque in N m is the
+   torque at rest, kappa in N m s. */
+VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
-    return vmi_van_der_pol_feed(b, c, x) * v;
+    return stall_torque - kappa * omega;
 }
 
-/* The torque of a motor whose characteristic is a straight line: torque - kappa omega. torque in N m is that at rest,
-   kappa in N m s. */
-VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real torque, vm_real kappa) { return torque - kappa * omega; }
-
-/* The force of harmonic excitation: force cos(frequency t + phase). frequency in rad/s, phase in rad. */
-VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real force, vm_real frequency, vm_real phase)
+/* The force of harmonic excitation, amplitude cos(frequency t + phase). amplitude in N, frequency in rad/s, phase in
+   rad. */
+VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
-    return force * c;
+    return amplitude * c;
 }
 
-/* The reactive force of a stream: rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
+/* The reactive force of a stream, rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
    the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
    velocity u relative to the body. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
@@ -11650,12 +11654,13 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
     return rate * (u - reactive * v);
 }
 
-/* The weight of a mass: mass g. It points along the coordinate, so that g is negative where the coordinate points up.
+/* The weight of a mass, mass g. It points along the coordinate, so that g is negative where the coordinate points up.
    mass in kg, g in m/s^2. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* The force of an elastic shaft: -k r |r|^(alpha-1) towards the origin of its plane, r = (x, y) in m. The components go
-   to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN below. */
+/* The force of an elastic shaft, -k r |r|^(alpha-1), r = (x, y). It points to the origin of the plane; r in m. The
+   components go to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN
+   below. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -11664,7 +11669,7 @@ VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm
     *fy = f * y;
 }
 
-/* The force of a rotating unbalance: m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
+/* The force of a rotating unbalance, m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
    frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
 VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
@@ -11677,14 +11682,14 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
     *fy = size * s;
 }
 
-/* The gyroscopic force across a velocity in the plane: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+/* The gyroscopic force across a velocity in the plane, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
    equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
    pointers is NULL. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
-    *fy = vmi_gyroscopic_coupling(gyro) * vx;
+    *fx = -2 * gyro * vy;
+    *fy = 2 * gyro * vx;
 }
 
 #endif
@@ -11754,7 +11759,7 @@ VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, v
     e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Gravity along a coordinate: the force M g, with the mass M of the body now. g in m/s^2 is -9.81 where the coordinate
+/* Gravity along a coordinate, the force M g. M is the mass of the body now. g in m/s^2 is -9.81 where the coordinate
    points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
@@ -11777,7 +11782,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* A nonlinear spring: the force -k z |z|^(alpha-1) (248), z = x - rest. k in N/m^alpha may have either sign; rest is in
+/* A nonlinear spring, the force -k z |z|^(alpha-1), z = x - rest (248). k in N/m^alpha may have either sign; rest is in
    m or rad. VM_DOMAIN for alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
@@ -11798,7 +11803,7 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring: the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
+/* A linear spring, the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
    it links no power. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
@@ -11818,7 +11823,7 @@ VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm
     vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* A linear damper: the force -damping v. damping in N s/m takes energy out if it is positive. */
+/* A linear damper, the force -damping v. damping in N s/m takes energy out if it is positive. */
 VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
     vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
@@ -11834,7 +11839,7 @@ VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* A damper of the rotation: the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
+/* A damper of the rotation, the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
    on an axle, in the plane, or free. */
 VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
@@ -11854,7 +11859,7 @@ VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *
     vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Van der Pol's damper: the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
+/* Van der Pol's damper, the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
    it out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
@@ -11864,41 +11869,41 @@ VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_r
     return e;
 }
 
-enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
+enum { VMI_MOTOR_STALL_TORQUE, VMI_MOTOR_KAPPA };
 
 VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_STALL_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* A motor whose characteristic is a straight line: the torque torque - kappa v. torque in N m is that at rest, kappa is
-   in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
-VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
+/* A motor, the torque stall_torque - kappa v. Its characteristic is a straight line; stall_torque in N m is the torque
+   at rest, kappa is in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
+VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
-    e.p[VMI_MOTOR_TORQUE] = torque;
+    e.p[VMI_MOTOR_STALL_TORQUE] = stall_torque;
     e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
 }
 
-enum { VMI_HARMONIC_FORCE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
+enum { VMI_HARMONIC_AMPLITUDE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_AMPLITUDE], frequency, phase));
 }
 
-/* Harmonic excitation: the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
-   phase in rad. */
-VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
+/* Harmonic excitation, the force amplitude cos(frequency t + phase). amplitude in N (N m on an angle), frequency in
+   rad/s, phase in rad. */
+VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real amplitude, vm_real frequency, vm_real phase)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_harmonic);
-    e.p[VMI_HARMONIC_FORCE] = force;
+    e.p[VMI_HARMONIC_AMPLITUDE] = amplitude;
     e.p[VMI_HARMONIC_FREQUENCY] = frequency;
     e.p[VMI_HARMONIC_PHASE] = phase;
     return e;
@@ -11930,7 +11935,7 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* An effect that the caller's function applies, which may depend on the whole state.
+/* An effect that the caller's function applies. It may depend on the whole state.
    apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
    neither a state nor given by a law, to effect->load->mass.
    apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
@@ -11959,8 +11964,8 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft: the force -k r |r|^(alpha-1) towards the origin, r = (x, y). k in N/m^alpha; VM_DOMAIN for
-   alpha < 0. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
+/* An elastic shaft, the force -k r |r|^(alpha-1), r = (x, y). k in N/m^alpha; VM_DOMAIN for alpha < 0. For a body in
+   the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
@@ -11984,7 +11989,7 @@ VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[1] += fy;
 }
 
-/* A rotating unbalance: the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
+/* A rotating unbalance, the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
    in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
@@ -12008,9 +12013,8 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force across the velocity: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
-   equation has the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does
-   no work. */
+/* A gyroscopic force across the velocity, 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose equation has
+   the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -12083,9 +12087,9 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A mass law M(t, x, v) that the caller's function returns, with its reactive force. The velocity of the mass that
-   joins or leaves is u + (1 - reactive) v (see above). VM_BAD_ARGUMENT at the start where law is NULL. A run ends with
-   VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
+/* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
+   the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
+   with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -12139,6 +12143,45 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
     e.p[VMI_MASS_COEFFICIENT] = c;
     if (kind != VM_MASS_OF_T) e.motions = VMI_SINGLE;
     e.order = VMI_ORDER_MASS_LAW;
+    return e;
+}
+
+#endif
+/* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
+
+   A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table, or
+   a function. Here it is the mass of a body of a scene, of any motion. mass.h explains u and reactive, and what a
+   switch does; a law that depends on position or velocity is vm_effect_mass_law.
+
+       vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
+       vm_effect leak = vm_effect_mass_of_time(0, &mass, zero, 0);     // what leaves keeps the velocity of body 0
+
+   Tests: tests/test_scene_mass.c. */
+#ifndef VARMASS_SCENES_MASS_OF_TIME_H
+#define VARMASS_SCENES_MASS_OF_TIME_H
+
+/* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
+VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    vm_mass_now now = {0, 0, 0, 0};
+    const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
+    if (status) s->status = status;
+    else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
+}
+
+/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the one with
+   which the body was made does not count. The velocity of the mass that joins or leaves is u + (1 - reactive) v. *law
+   stays the caller's and must stay where it is. VM_BAD_ARGUMENT at the start where law is NULL. A run ends where the
+   law ends: with VM_BAD_MASS where it is not positive, with the status of vm_law_at where that fails. */
+VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
+{
+    vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_of_time : NULL);
+    e.p[VMI_MASS_U] = u.x;
+    e.p[VMI_MASS_U + 1] = u.y;
+    e.p[VMI_MASS_U + 2] = u.z;
+    e.p[VMI_MASS_REACTIVE] = reactive;
+    e.order = VMI_ORDER_MASS_LAW;
+    e.ctx = (void *)law;
     return e;
 }
 
@@ -12284,11 +12327,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream at a point brings to a growing body. The stream stays the caller's: where
-   an event changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at
-   the start. The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed.
-   At the start VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store,
-   VM_DOES_NOT_GROW for a body that is not a growing one. */
+/* Mass, mass centre and inertia that a stream brings to a growing body. The stream stays the caller's: where an event
+   changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at the start.
+   The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed. At the start
+   VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store, VM_DOES_NOT_GROW
+   for a body that is not a growing one. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -12301,8 +12344,8 @@ VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158). Conditions
-   and errors are those of vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of a stream on a growing body (158). It is that of the reactive force about the mass centre.
+   Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
@@ -12366,8 +12409,8 @@ typedef struct VM_TAG(vm_band_now) {
 } vm_band_now;
 
 /* The band in layers. line = rho b h. Mass and inertia are line times the integrals of the radius and its cube over
-   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1,
-   sum2 and sum1^2. */
+   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1, sum2
+   and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -12456,9 +12499,9 @@ VM_API int vmi_band_check(const vm_effect *e)
     return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
-/* A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque. It is the mass law
-   of the body. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size is
-   negative. */
+/* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
+   its mass law. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size
+   is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
@@ -12757,9 +12800,10 @@ VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
     if (before) s->status = before;
 }
 
-/* The right-hand side of a scene that has been started, an ode_rhs; ctx is the scene. It returns 0, or VM_BAD_ARGUMENT
-   for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one) or an effect
-   cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. It returns 0, or
+   VM_BAD_ARGUMENT for a NULL pointer. Where a body cannot be accelerated (its mass or inertia is not positive, for one)
+   or an effect cannot act, scene.status says why and all derivatives are NaN, so that an integrator tries a shorter
+   step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
@@ -13196,9 +13240,9 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer. To be called before
-   vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene keeps in
-   it what was there at the start. A budget may be given up between two runs, but not begun. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be called
+   before vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene
+   keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -13212,8 +13256,7 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 
 /* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
    are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
-   bodies.
-   VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+   bodies. VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -13883,9 +13926,10 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end by rk45, with its events and its output. The scene must have been started, and
-   t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of rk45; their
-   events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at t_end,
+/* Run of a scene from *t to t_end, with its events and its output. rk45 integrates it. The scene must have been
+   started, and t_end >= *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The options are those of
+   rk45; their events are not used. *t and y become the time and the state at which the run ended. Returns VM_OK at
+   t_end,
    VM_STOPPED before it, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
