@@ -57,12 +57,12 @@ static vm_vdp vdp_of(const motion_case *c)
     v.reactive = 1;
     if (c->b < 0) { /* (440) */
         v.alpha = 5. / 3;
-        v.b = v.c = 0.01;
+        v.feed = v.c = 0.01;
     } else { /* (355) */
         v.alpha = 4. / 3;
-        v.b = -0.01 * c->b;
+        v.feed = -0.01 * c->b;
     }
-    v.mass = vm_slow_mass_linear;
+    v.mass = vm_law_linear(c->m0, c->m1);
     vm_vdp_init(&v);
     return v;
 }
@@ -70,8 +70,7 @@ static vm_vdp vdp_of(const motion_case *c)
 static double vdp_corrected(double t, const motion_case *c)
 {
     const vm_vdp v = vdp_of(c);
-    const vm_linear_mass m = {c->m0, c->m1};
-    return vm_vdp_amplitude(&v, t, c->x0, m);
+    return vm_vdp_amplitude(&v, t, c->x0);
 }
 
 /* ---- Fig. 30, (514)-(516), and Fig. 32, (530)-(532): m = 1 + 0.01 t ---- */
@@ -112,7 +111,6 @@ static double pair(double t, const motion_case *c)
 enum { MOST_POINTS = 1000 };
 
 typedef struct context {
-    vm_linear_mass mass;
     vm_vdp vdp;
     vm_power_force cubic;
     vm_jeffcott rotor;
@@ -124,14 +122,10 @@ static void *start(const motion_case *c, context *x, vm_real *y)
 {
     const double half = sqrt(0.5);
     memset(x, 0, sizeof *x);
-    x->mass.mass = c->m0;
-    x->mass.rate = c->m1;
     x->vdp = vdp_of(c);
-    x->vdp.mass_ctx = &x->mass;
     x->cubic.k = 1;
     x->cubic.alpha = 3;
-    x->rotor.mass = x->pair.mass = vm_slow_mass_linear;
-    x->rotor.mass_ctx = x->pair.mass_ctx = &x->mass;
+    x->rotor.mass = x->pair.mass = vm_law_linear(c->m0, c->m1);
     x->rotor.stiffness = vm_jeffcott_power;
     x->rotor.stiffness_ctx = &x->cubic;
     x->rotor.reactive = 1;

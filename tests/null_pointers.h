@@ -326,19 +326,15 @@ static void null_oscillators(void)
     CHECK(vm_osc_plan_init(&p, &o) == VM_BAD_ARGUMENT);
 }
 
-/* A state for all right-hand sides of slow vibrations, and masses that change linearly */
+/* A state for all right-hand sides of slow vibrations */
 static const vm_real slow_y[5] = {R(0.1), R(0.2), R(0.3), R(0.4), R(0.5)};
-static vm_linear_mass slow_mass = {2, R(0.01)};
 
 static void null_van_der_pol(void)
 {
-    vm_vdp v = {3, 2, R(0.1), R(0.2), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
-    v.mass = vm_slow_mass_linear;
-    v.mass_ctx = &slow_mass;
+    vm_vdp v = a_vdp();
     CHECK(vm_vdp_init(&v) == VM_OK);
-    NUMBER(2, vm_slow_mass_linear(1, X(0, vm_real), IO(1, vm_linear_mass, &slow_mass)));
     STATUS(1, vm_vdp_init(IO(0, vm_vdp, &v)));
-    NUMBER(1, vm_vdp_amplitude(IN(0, vm_vdp, &v), 1, 1, slow_mass));
+    NUMBER(1, vm_vdp_amplitude(IN(0, vm_vdp, &v), 1, 1));
     NUMBER(1, vm_vdp_limit_cycle(IN(0, vm_vdp, &v), 0, NULL));
     STATUS(3, vm_vdp_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
     STATUS(3, vm_vdp_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
@@ -349,8 +345,6 @@ static void null_laval(void)
     const vm_power_force first = {3, 1};
     vm_power_force power = cubic;
     vm_jeffcott r = a_laval(), soft = a_laval();
-    r.mass = soft.mass = vm_slow_mass_linear;
-    r.mass_ctx = soft.mass_ctx = &slow_mass;
     soft.stiffness_ctx = (void *)&first;
     NUMBER(2, vm_jeffcott_power(1, X(0, vm_real), IO(1, vm_power_force, &power)));
     NOTHING(2, vm_jeffcott_polar(vmi_complex(1, 2), X(0, vm_real), X(1, vm_real)));
@@ -364,10 +358,11 @@ static void null_laval(void)
     STATUS(3, vm_jeffcott_forward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
     STATUS(3, vm_jeffcott_backward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
     NUMBER(1, vm_jeffcott_amplitude(IN(0, vm_jeffcott, &r), 1, 1, 2));
-    r.mass = soft.mass = NULL;
+    memset(&r.mass, 0, sizeof r.mass); /* no law */
+    soft.mass = r.mass;
     CHECK(vm_jeffcott_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);
     CHECK(vm_jeffcott_to_averaged(&soft, 0, slow_y, 0, null_output[0]) == VM_BAD_ARGUMENT);
-    r.mass = vm_slow_mass_linear;
+    r = a_laval();
     r.stiffness = NULL;
     CHECK(vm_jeffcott_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);
     CHECK(vm_jeffcott_forward_whirl_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);
@@ -376,15 +371,13 @@ static void null_laval(void)
 
 static void null_pair(void)
 {
-    vm_pair pair = {3, 2, 1, NULL, NULL};
-    pair.mass = vm_slow_mass_linear;
-    pair.mass_ctx = &slow_mass;
+    vm_pair pair = a_pair();
     STATUS(3, vm_pair_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
     STATUS(3, vm_pair_to_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
     STATUS(3, vm_pair_from_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
     STATUS(3, vm_pair_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
-    STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, slow_y), slow_mass, X(2, vm_real)));
-    pair.mass = NULL;
+    STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, slow_y), X(2, vm_real)));
+    memset(&pair.mass, 0, sizeof pair.mass); /* no law */
     CHECK(vm_pair_rhs(0, slow_y, null_output[0], &pair) == VM_BAD_ARGUMENT);
     CHECK(vm_pair_to_averaged(&pair, 0, slow_y, null_output[0]) == VM_BAD_ARGUMENT);
 }
@@ -403,7 +396,7 @@ static void null_forced(void)
     NUMBER(1, vm_forced_peak(IN(0, vm_forced, &f), 0));
     STATUS(2, vm_forced_passage(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_passage)));
     memset(&f, 0, sizeof f);
-    f.now.mass = f.now.k = 1; /* not prepared */
+    f.mass = f.stiffness = vm_law_linear(1, 0); /* not prepared */
     CHECK(vm_forced_to_averaged(&f, 0, slow_y, null_output[0]) < 0 &&
           vm_forced_averaged_rhs(0, slow_y, null_output[0], &f) < 0);
 }
@@ -527,7 +520,7 @@ static int event_in_scene(vm_event event) { return null_in_scene(NULL, NULL, &ev
 static void null_parts_of_scenes(void)
 {
     const vm_vec3 zero = {0, 0, 0};
-    const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 0, 0};
+    const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 1, 0};
     vm_body body = a_body(2), part;
     vm_stream stream;
     vm_effect mass;
@@ -542,7 +535,7 @@ static void null_parts_of_scenes(void)
     STATUS(1, effect_in_scene(vm_effect_force_between(0, 0, 3, 0, CALLBACK(0, null_force), NULL)));
     STATUS(1, effect_in_scene(vm_effect_custom(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
     STATUS(1, effect_in_scene(vm_effect_link(2, VM_GROUND, CALLBACK(0, null_point), NULL, 1, 0, 1)));
-    STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 0)));
+    STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 1)));
     STATUS(1, effect_in_scene(vm_effect_stream_mass(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_force(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_moment(4, IN(0, vm_stream, &stream))));
@@ -556,9 +549,9 @@ static void null_parts_of_scenes(void)
     STATUS(1, event_in_scene(vm_then_separate_on_line(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
     part.inertia.zz = 1;
     CHECK(event_in_scene(vm_then_separate_in_plane(vm_event_at(1), 2, 3, NULL, 0)) == VM_BAD_ARGUMENT);
-    NOTHING(2, vm_force_shaft(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
-    NOTHING(2, vm_force_unbalance(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
-    NOTHING(2, vm_force_gyroscopic(1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_shaft(2, 3, 1, 1, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_unbalance(3, 1, 1, 2, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_gyroscopic(2, 3, 1, X(0, vm_real), X(1, vm_real)));
 }
 
 static int run_from_0(vm_scene *s, vm_real *t, vm_real *y, vm_real *work)

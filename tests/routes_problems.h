@@ -80,7 +80,7 @@ static inline void truth_follow(truth *c, vm_real t)
         vm_real stop = c->s.t + 200, y[2];
         int i;
         if (stop > t) stop = t;
-        if (m->kind == VM_LAW_TABLE)
+        if (m->time)
             for (i = m->n - 1; i >= 0; i--)
                 if (m->time[i] > c->s.t && m->time[i] < stop) stop = m->time[i];
         CHECK(rk45_solve(&c->s, stop) >= 0);

@@ -98,36 +98,31 @@ static inline long track(ode_rhs f, void *ctx, int n, double t1, double toleranc
 
 /* ---- Oscillators and laws of mass ---- */
 
-/* A Van der Pol oscillator of stiffness 1, prepared; its mass_ctx is the caller's to set. */
-static inline vm_vdp vdp(double alpha, double b, double c, double reactive, int method)
+/* The law m = mass + rate t */
+static inline vm_law linear(double mass, double rate) { return vm_law_linear(R(mass), R(rate)); }
+
+/* The law m = (1 + e t)^2, where ctx points to e */
+static inline int quadratic_mass(vm_real t, vm_real *mass, vm_real *rate, void *ctx)
+{
+    const vm_real e = *(const vm_real *)ctx;
+    *mass = (1 + e * t) * (1 + e * t);
+    *rate = 2 * e * (1 + e * t);
+    return 0;
+}
+
+/* A Van der Pol oscillator of stiffness 1, prepared; its mass is the caller's to set. */
+static inline vm_vdp vdp(double alpha, double feed, double c, double reactive, int method)
 {
     vm_vdp v;
     memset(&v, 0, sizeof v);
     v.alpha = R(alpha);
     v.k = 1;
-    v.b = R(b);
+    v.feed = R(feed);
     v.c = R(c);
     v.reactive = R(reactive);
     v.method = method;
-    v.mass = vm_slow_mass_linear;
     CHECK(vm_vdp_init(&v) == VM_OK);
     return v;
-}
-
-static inline vm_linear_mass linear(double mass, double rate)
-{
-    vm_linear_mass m;
-    m.mass = R(mass);
-    m.rate = R(rate);
-    return m;
-}
-
-/* m = (1 + e t)^2, where ctx points to e */
-static inline vm_real quadratic_mass(vm_real t, vm_real *rate, void *ctx)
-{
-    const vm_real e = *(const vm_real *)ctx;
-    *rate = 2 * e * (1 + e * t);
-    return (1 + e * t) * (1 + e * t);
 }
 
 #endif

@@ -65,7 +65,7 @@ static slow_state closed_form(const vm_osc_problem *o, double t)
     slow_state c = {0, 0};
     CHECK(vm_osc_plan_init(&p, o) == VM_OK && vmi_osc_mean_at(&p, R(t), &mean) == VM_OK);
     c.A = (double)p.A * exp((double)mean.ln_A);
-    c.psi = pi / (double)p.pi * (double)(p.psi + p.Om * mean.y[1]);
+    c.psi = pi / (double)p.pi * (double)(p.psi + p.Om * mean.integral.phase);
     return c;
 }
 

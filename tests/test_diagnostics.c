@@ -57,11 +57,11 @@ static void test_zero_crossings(void)
 
 static void test_points_of_a_run(void)
 {
-    vm_linear_mass m = linear(1, 0);
+    const vm_law m = linear(1, 0);
     vm_vdp harmonic = vdp(1, 0, 0, 1, VM_VDP_ATEB);
     vm_real y[2] = {1, 0};
     long n, i;
-    harmonic.mass_ctx = &m;
+    harmonic.mass = m;
     n = track(vm_vdp_rhs, &harmonic, 2, 100, 1e-10, y, 0, 1, VM_TURNING_POINTS);
     CHECK(n == 31);
     for (i = 0; i < n; i++)
@@ -80,9 +80,6 @@ static void test_bad_input(void)
     CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, VM_INFINITY, 1, 0, NULL) == VM_NOT_FINITE);
     CHECK(vm_find_samples(cosine_motion, NULL, 0, 0, 1, VM_NAN, 0, NULL) == VM_NOT_FINITE);
     CHECK(vm_find_samples_of_step(NULL, 0, 1, 0, y, 0, NULL) == VM_BAD_ARGUMENT);
-    CHECK(is_nan(vm_adiabaticity(1, -1, 0, 1, 0, 0, 1, 3)));
-    CHECK(is_nan(vm_adiabaticity(1, VM_INFINITY, 1, 1, 0, 0, 0, 3)));
-    CHECK(is_nan(vm_adiabaticity(1, 1, VM_INFINITY, 1, 0, 0, 0, 3)));
 }
 
 /* (1 + 0.1 t)^-exponent, where ctx points to the exponent */
@@ -95,11 +92,11 @@ static vm_real power_law(vm_real t, void *ctx)
 /* Example 1 (398): the reference motion E1, and the errors of the envelopes (399) and (400) */
 static void test_envelopes(void)
 {
-    vm_linear_mass m = linear(1, 0.1);
+    const vm_law m = linear(1, 0.1);
     vm_vdp v = vdp(3, 0, 0, 1, VM_VDP_ATEB);
     vm_real y[2] = {1, 0}, sixth = 1 / VM_C(6.0), half = VM_C(0.5);
     long n;
-    v.mass_ctx = &m;
+    v.mass = m;
     solve(vm_vdp_rhs, &v, 2, 0, 10, 1e-12, y);
     near("(398)", "E1, x(10)", (double)y[0], 0.8329476745754213932, 1e-12, 1e-4);
     near("(398)", "E1, x'(10)", (double)y[1], -0.1999729378502724774, 2e-12, 1e-3);
@@ -114,13 +111,43 @@ static void test_envelopes(void)
          2e-3, 5e-3);
 }
 
-/* q/Om: in Example 1, where it is m'/m over sqrt(2) A, and with a drifting stiffness and damping */
+/* An oscillator without a state of motion, for the adiabaticity */
+static vm_osc_problem problem(double alpha, vm_law mass, vm_law stiffness, double reactive, double damping)
+{
+    vm_osc_problem o;
+    memset(&o, 0, sizeof o);
+    o.alpha = R(alpha);
+    o.mass = mass;
+    o.stiffness = stiffness;
+    o.reactive = R(reactive);
+    o.damping = R(damping);
+    return o;
+}
+
+/* q/Om: in Example 1, where it is m'/m over sqrt(2) A, and with a drifting stiffness and damping; at t = 2 the linear
+   laws have other values */
 static void test_adiabaticity(void)
 {
-    near_eps("q/Om", "Example 1", (double)vm_adiabaticity(1, 1, VM_C(0.1), 1, 0, 0, 1, 3),
-             (double)VM_C(0.1) / sqrt(2), 2);
-    near_eps("q/Om", "all", (double)vm_adiabaticity(2, 2, R(0.5), 4, 1, R(0.25), 0, 1),
-             (-0.5 + 0.5) / 2 + 0.25 / sqrt(2), 4);
+    const vm_osc_problem example = problem(3, linear(1, 0.1), linear(1, 0), 1, 0);
+    const vm_osc_problem all = problem(1, linear(2, 0.5), linear(4, 1), 0, 0.25);
+    vm_osc_problem bad = example;
+    near_eps("q/Om", "Example 1", (double)vm_adiabaticity(&example, 0, 1), (double)VM_C(0.1) / sqrt(2), 2);
+    near_eps("q/Om", "all", (double)vm_adiabaticity(&all, 0, 2), (-0.5 + 0.5) / 2 + 0.25 / sqrt(2), 4);
+    near_eps("q/Om", "all, t = 2", (double)vm_adiabaticity(&all, 2, 2), 1 / 6. / sqrt(2), 4);
+    CHECK(is_nan(vm_adiabaticity(NULL, 0, 1)) && is_nan(vm_adiabaticity(&example, VM_NAN, 1)));
+    CHECK(is_nan(vm_adiabaticity(&example, 0, 0)) && is_nan(vm_adiabaticity(&example, 0, VM_INFINITY)));
+    bad.mass = linear(-1, 0);
+    CHECK(is_nan(vm_adiabaticity(&bad, 0, 1)));
+    bad.mass = vm_law_linear(VM_INFINITY, 1);
+    CHECK(is_nan(vm_adiabaticity(&bad, 0, 1)));
+    bad.mass = vm_law_linear(1, VM_INFINITY);
+    CHECK(is_nan(vm_adiabaticity(&bad, 0, 1)));
+    bad = example;
+    bad.stiffness = linear(0, 0);
+    CHECK(is_nan(vm_adiabaticity(&bad, 0, 1)));
+    bad = example;
+    bad.alpha = -1;
+    CHECK(is_nan(vm_adiabaticity(&bad, 0, 1)));
 }
 
 int main(void)

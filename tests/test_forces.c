@@ -29,10 +29,10 @@ static void check_spring_values(void)
     int n;
     for (i = 0; i < sizeof powers / sizeof *powers; i++) {
         for (n = 0; n < DRAWS; n++) {
-            const double k = uniform(0.5, 3), x = uniform(-4, 4), wanted = spring_by_hand(k, powers[i], x);
-            const vm_real got = vm_force_spring(REAL(k), REAL(powers[i]), REAL(x));
+            const double k = copysign(uniform(0.5, 3), uniform(-1, 1)), x = uniform(-4, 4), wanted = spring_by_hand(k, powers[i], x);
+            const vm_real got = vm_force_spring(REAL(x), REAL(k), REAL(powers[i]));
             agrees("vm_force_spring", "|x| < 4", got, wanted, fabs(wanted), 4, x);
-            CHECK(vm_force_spring(REAL(k), REAL(powers[i]), REAL(-x)) == -got); /* odd in x */
+            CHECK(vm_force_spring(REAL(-x), REAL(k), REAL(powers[i])) == -got); /* odd in x */
         }
     }
 }
@@ -43,18 +43,19 @@ static void check_spring_edges(void)
     size_t i;
     for (i = 0; i < sizeof powers / sizeof *powers; i++) {
         const vm_real alpha = REAL(powers[i]);
-        CHECK(vm_force_spring(2, alpha, 0) == 0); /* with alpha = 0, too, where the force jumps */
-        CHECK(vm_force_spring(2, alpha, REAL(-0.0)) == 0);
-        CHECK(vm_force_spring(0, alpha, 3) == 0);
-        CHECK(vm_force_spring(2, alpha, 1) == -2 && vm_force_spring(2, alpha, -1) == 2);
-        CHECK(is_nan(vm_force_spring(2, alpha, VM_NAN)));
-        CHECK(is_nan(vm_force_spring(VM_NAN, alpha, 1)));
+        CHECK(vm_force_spring(0, 2, alpha) == 0); /* with alpha = 0, too, where the force jumps */
+        CHECK(vm_force_spring(REAL(-0.0), 2, alpha) == 0);
+        CHECK(vm_force_spring(3, 0, alpha) == 0);
+        CHECK(vm_force_spring(1, 2, alpha) == -2 && vm_force_spring(-1, 2, alpha) == 2);
+        CHECK(is_nan(vm_force_spring(VM_NAN, 2, alpha)));
+        CHECK(is_nan(vm_force_spring(1, VM_NAN, alpha)));
     }
-    CHECK(vm_force_spring(3, 0, REAL(0.125)) == -3 && vm_force_spring(3, 0, -100) == 3); /* dry friction */
-    CHECK(vm_force_spring(3, 1, REAL(0.125)) == REAL(-0.375));
-    CHECK(vm_force_spring(3, 2, -2) == 12 && vm_force_spring(3, 3, -2) == 24);
-    CHECK(vm_force_spring(-3, 1, 2) == 6 && vm_force_spring(-3, 2, 2) == 12 && vm_force_spring(-3, 3, 2) == 24);
-    CHECK(is_nan(vm_force_spring(1, VM_NAN, 2)));
+    CHECK(vm_force_spring(REAL(0.125), 3, 0) == -3 && vm_force_spring(-100, 3, 0) == 3); /* dry friction */
+    CHECK(vm_force_spring(REAL(0.125), 3, 1) == REAL(-0.375));
+    CHECK(vm_force_spring(-2, 3, 2) == 12 && vm_force_spring(-2, 3, 3) == 24);
+    CHECK(vm_force_spring(2, -3, 1) == 6 && vm_force_spring(2, -3, 2) == 12 && vm_force_spring(2, -3, 3) == 24);
+    CHECK(vm_force_spring(2, -3, 0) == 3 && vm_force_spring(2, -3, 4) == 48); /* a negative stiffness pushes away */
+    CHECK(is_nan(vm_force_spring(2, 1, VM_NAN)));
 }
 
 /* Next to an exponent that has a branch of its own the force is nearly the same: d/d alpha = -k |x|^alpha log|x|. */
@@ -66,8 +67,8 @@ static void check_spring_branches(void)
         vm_real x;
         for (x = REAL(0.25); x < 3; x += REAL(0.5)) {
             const double slope = pow((double)x, alpha) * log((double)x);
-            const double wanted = (double)vm_force_spring(1, REAL(alpha), x) - slope * ((double)beside - alpha);
-            agrees("vm_force_spring", "beside 1, 2, 3", vm_force_spring(1, beside, x), wanted, fabs(wanted), 4,
+            const double wanted = (double)vm_force_spring(x, 1, REAL(alpha)) - slope * ((double)beside - alpha);
+            agrees("vm_force_spring", "beside 1, 2, 3", vm_force_spring(x, 1, beside), wanted, fabs(wanted), 4,
                    (double)x);
         }
     }
@@ -78,11 +79,11 @@ static void check_damper(void)
     int n;
     for (n = 0; n < DRAWS; n++) {
         const double b = uniform(-3, 3), v = uniform(-4, 4);
-        agrees("vm_force_damper", "random", vm_force_damper(REAL(b), REAL(v)), -b * v, fabs(b * v), 0.5, v);
+        agrees("vm_force_damper", "random", vm_force_damper(REAL(v), REAL(b)), -b * v, fabs(b * v), 0.5, v);
     }
-    CHECK(vm_force_damper(2, 3) == -6 && vm_force_damper(2, -3) == 6); /* b > 0 takes energy out */
-    CHECK(vm_force_damper(2, 0) == 0 && vm_force_damper(0, 2) == 0);
-    CHECK(is_nan(vm_force_damper(2, VM_NAN)));
+    CHECK(vm_force_damper(3, 2) == -6 && vm_force_damper(-3, 2) == 6); /* b > 0 takes energy out */
+    CHECK(vm_force_damper(0, 2) == 0 && vm_force_damper(2, 0) == 0);
+    CHECK(is_nan(vm_force_damper(VM_NAN, 2)));
 }
 
 static void check_van_der_pol(void)
@@ -90,15 +91,15 @@ static void check_van_der_pol(void)
     int n;
     for (n = 0; n < DRAWS; n++) {
         const double b = uniform(-2, 2), c = uniform(0, 2), x = uniform(-3, 3), v = uniform(-3, 3);
-        agrees("vm_force_van_der_pol", "random", vm_force_van_der_pol(REAL(b), REAL(c), REAL(x), REAL(v)),
+        agrees("vm_force_van_der_pol", "random", vm_force_van_der_pol(REAL(x), REAL(v), REAL(b), REAL(c)),
                (b - c * x * x) * v, (fabs(b) + c * x * x) * fabs(v), 2, x);
     }
-    CHECK(vm_force_van_der_pol(2, 1, 0, 3) == 6);   /* fed at x = 0 */
-    CHECK(vm_force_van_der_pol(4, 1, 2, 3) == 0);   /* neither at x^2 = b/c */
-    CHECK(vm_force_van_der_pol(4, 1, -3, 2) == -10); /* damped beyond */
-    CHECK(vm_force_van_der_pol(-2, 0, 5, 3) == vm_force_damper(2, 3));
-    CHECK(vm_force_van_der_pol(2, 1, 5, 0) == 0);
-    CHECK(is_nan(vm_force_van_der_pol(1, 1, VM_NAN, 1)) && is_nan(vm_force_van_der_pol(1, 1, 1, VM_NAN)));
+    CHECK(vm_force_van_der_pol(0, 3, 2, 1) == 6);   /* fed at x = 0 */
+    CHECK(vm_force_van_der_pol(2, 3, 4, 1) == 0);   /* neither at x^2 = b/c */
+    CHECK(vm_force_van_der_pol(-3, 2, 4, 1) == -10); /* damped beyond */
+    CHECK(vm_force_van_der_pol(5, 3, -2, 0) == vm_force_damper(3, 2));
+    CHECK(vm_force_van_der_pol(5, 0, 2, 1) == 0);
+    CHECK(is_nan(vm_force_van_der_pol(VM_NAN, 1, 1, 1)) && is_nan(vm_force_van_der_pol(1, VM_NAN, 1, 1)));
 }
 
 static void check_drive(void)
@@ -106,12 +107,12 @@ static void check_drive(void)
     int n;
     for (n = 0; n < DRAWS; n++) {
         const double torque = uniform(-3, 3), kappa = uniform(-2, 2), omega = uniform(-4, 4);
-        agrees("vm_force_motor", "random", vm_force_motor(REAL(torque), REAL(kappa), REAL(omega)),
+        agrees("vm_force_motor", "random", vm_force_motor(REAL(omega), REAL(torque), REAL(kappa)),
                torque - kappa * omega, fabs(torque) + fabs(kappa * omega), 1, omega);
     }
-    CHECK(vm_force_motor(6, 2, 0) == 6 && vm_force_motor(6, 2, 3) == 0 && vm_force_motor(6, 2, -3) == 12);
-    CHECK(vm_force_motor(6, 0, 100) == 6);
-    CHECK(is_nan(vm_force_motor(6, 2, VM_NAN)));
+    CHECK(vm_force_motor(0, 6, 2) == 6 && vm_force_motor(3, 6, 2) == 0 && vm_force_motor(-3, 6, 2) == 12);
+    CHECK(vm_force_motor(100, 6, 0) == 6);
+    CHECK(is_nan(vm_force_motor(VM_NAN, 6, 2)));
 }
 
 /* The error is that of the cosine and of its rounded argument. */
@@ -122,31 +123,31 @@ static void check_harmonic(void)
         const double force = uniform(-3, 3), frequency = uniform(0, 4), phase = uniform(-3, 3), t = uniform(0, 10);
         const double size = fabs(force) * (1 + frequency * t + fabs(frequency * t + phase));
         agrees("vm_force_harmonic", "random",
-               vm_force_harmonic(REAL(force), REAL(frequency), REAL(phase), REAL(t)),
+               vm_force_harmonic(REAL(t), REAL(force), REAL(frequency), REAL(phase)),
                force * cos(frequency * t + phase), size, 1, t);
     }
-    CHECK(vm_force_harmonic(3, 2, 0, 0) == 3 && vm_force_harmonic(-3, 0, 0, 5) == -3);
-    CHECK(vm_force_harmonic(0, 2, 1, 5) == 0);
-    CHECK(vm_force_harmonic(3, 2, 1, 5) == vm_force_harmonic(3, 2, -1, -5)); /* even in the angle */
-    CHECK(is_nan(vm_force_harmonic(3, 2, 1, VM_INFINITY)) && is_nan(vm_force_harmonic(3, VM_NAN, 1, 1)));
+    CHECK(vm_force_harmonic(0, 3, 2, 0) == 3 && vm_force_harmonic(5, -3, 0, 0) == -3);
+    CHECK(vm_force_harmonic(5, 0, 2, 1) == 0);
+    CHECK(vm_force_harmonic(5, 3, 2, 1) == vm_force_harmonic(-5, 3, 2, -1)); /* even in the angle */
+    CHECK(is_nan(vm_force_harmonic(VM_INFINITY, 3, 2, 1)) && is_nan(vm_force_harmonic(1, 3, VM_NAN, 1)));
 }
 
-/* rate (u + share v - v) */
+/* rate (u - reactive v) */
 static void check_stream(void)
 {
     int n;
     for (n = 0; n < DRAWS; n++) {
-        const double rate = uniform(-2, 2), u = uniform(-3, 3), share = uniform(0, 1), v = uniform(-3, 3);
-        agrees("vm_force_stream", "random", vm_force_stream(REAL(rate), REAL(u), REAL(share), REAL(v)),
-               rate * (u - (1 - share) * v), fabs(rate) * (fabs(u) + (1 - share) * fabs(v)), 2, v);
+        const double rate = uniform(-2, 2), u = uniform(-3, 3), reactive = uniform(0, 1), v = uniform(-3, 3);
+        agrees("vm_force_stream", "random", vm_force_stream(REAL(v), REAL(rate), REAL(u), REAL(reactive)),
+               rate * (u - reactive * v), fabs(rate) * (fabs(u) + reactive * fabs(v)), 2, v);
     }
-    CHECK(vm_force_stream(-2, 0, 1, 7) == 0);   /* what leaves has the body's velocity: no reactive force */
-    CHECK(vm_force_stream(2, 0, 0, 7) == -14);  /* what joins is at rest: full reactive force */
-    CHECK(vm_force_stream(-2, 4, 0, 7) == 6);   /* its own velocity is 4 m/s */
-    CHECK(vm_force_stream(-2, -3, 1, 7) == 6);  /* a rocket: thrown backwards at 3 m/s relative to the body */
-    CHECK(vm_force_stream(2, 0, REAL(0.5), 8) == -8);
-    CHECK(vm_force_stream(0, 4, 0, 7) == 0);
-    CHECK(is_nan(vm_force_stream(1, 0, 0, VM_NAN)));
+    CHECK(vm_force_stream(7, -2, 0, 0) == 0);   /* what leaves has the body's velocity: no reactive force */
+    CHECK(vm_force_stream(7, 2, 0, 1) == -14);  /* what joins is at rest: full reactive force */
+    CHECK(vm_force_stream(7, -2, 4, 1) == 6);   /* its own velocity is 4 m/s */
+    CHECK(vm_force_stream(7, -2, -3, 0) == 6);  /* a rocket: thrown backwards at 3 m/s relative to the body */
+    CHECK(vm_force_stream(8, 2, 0, REAL(0.5)) == -8);
+    CHECK(vm_force_stream(7, 0, 4, 1) == 0);
+    CHECK(is_nan(vm_force_stream(VM_NAN, 1, 0, 1)));
 }
 
 static void check_gravity(void)
@@ -175,20 +176,20 @@ static void check_shaft(void)
         for (n = 0; n < DRAWS; n++) {
             const double k = uniform(0.5, 3), x = uniform(-3, 3), y = uniform(-3, 3), r = hypot(x, y);
             const double force = -k * pow(r, powers[i]);
-            vm_force_shaft(REAL(k), alpha, REAL(x), REAL(y), &fx, &fy);
+            vm_force_shaft(REAL(x), REAL(y), REAL(k), alpha, &fx, &fy);
             agrees("vm_force_shaft", "x", fx, force * x / r, fabs(force), 6, x);
             agrees("vm_force_shaft", "y", fy, force * y / r, fabs(force), 6, y);
         }
-        vm_force_shaft(2, alpha, 0, 0, &fx, &fy); /* no direction, no force */
+        vm_force_shaft(0, 0, 2, alpha, &fx, &fy); /* no direction, no force */
         CHECK(fx == 0 && fy == 0);
-        vm_force_shaft(2, alpha, -1, 0, &fx, &fy);
+        vm_force_shaft(-1, 0, 2, alpha, &fx, &fy);
         CHECK(fx == 2 && fy == 0);
-        vm_force_shaft(2, alpha, 0, 1, &fx, &fy);
+        vm_force_shaft(0, 1, 2, alpha, &fx, &fy);
         CHECK(fx == 0 && fy == -2);
     }
-    vm_force_shaft(2, 1, 3, -4, &fx, &fy);
+    vm_force_shaft(3, -4, 2, 1, &fx, &fy);
     CHECK(fx == -6 && fy == 8);
-    vm_force_shaft(2, 2, 3, -4, &fx, &fy); /* r = 5 */
+    vm_force_shaft(3, -4, 2, 2, &fx, &fy); /* r = 5 */
     CHECK(fx == -30 && fy == 40);
 }
 
@@ -201,35 +202,35 @@ static void check_unbalance(void)
         const double unbalance = uniform(-1, 1), frequency = uniform(0, 4), phase = uniform(-3, 3), t = uniform(0, 10);
         const double angle = frequency * t + phase, force = unbalance * frequency * frequency;
         const double size = fabs(force) * (1 + frequency * t + fabs(angle));
-        vm_force_unbalance(REAL(unbalance), REAL(frequency), REAL(phase), REAL(t), &fx, &fy);
+        vm_force_unbalance(REAL(t), REAL(unbalance), REAL(frequency), REAL(phase), &fx, &fy);
         agrees("vm_force_unbalance", "x", fx, force * cos(angle), size, 2, t);
         agrees("vm_force_unbalance", "y", fy, force * sin(angle), size, 2, t);
     }
-    vm_force_unbalance(3, 2, 0, 0, &fx, &fy);
+    vm_force_unbalance(0, 3, 2, 0, &fx, &fy);
     CHECK(fx == 12 && fy == 0);
-    vm_force_unbalance(3, 0, 1, 5, &fx, &fy); /* it does not turn */
+    vm_force_unbalance(5, 3, 0, 1, &fx, &fy); /* it does not turn */
     CHECK(fx == 0 && fy == 0);
-    vm_force_unbalance(3, 2, 0, REAL(0.125), &fx, &fy); /* it turns from x to y */
+    vm_force_unbalance(REAL(0.125), 3, 2, 0, &fx, &fy); /* it turns from x to y */
     CHECK(fx > 0 && fy > 0);
-    vm_force_unbalance(3, -2, 0, REAL(0.125), &fx, &fy);
+    vm_force_unbalance(REAL(0.125), 3, -2, 0, &fx, &fy);
     CHECK(fx > 0 && fy < 0);
 }
 
-/* coupling (-vy, vx) */
+/* 2 gyro (-vy, vx) */
 static void check_gyroscopic(void)
 {
     vm_real fx, fy;
     int n;
     for (n = 0; n < DRAWS; n++) {
-        const double coupling = uniform(-2, 2), vx = uniform(-3, 3), vy = uniform(-3, 3);
-        vm_force_gyroscopic(REAL(coupling), REAL(vx), REAL(vy), &fx, &fy);
-        agrees("vm_force_gyroscopic", "x", fx, -coupling * vy, fabs(coupling * vy), 0.5, vy);
-        agrees("vm_force_gyroscopic", "y", fy, coupling * vx, fabs(coupling * vx), 0.5, vx);
+        const double gyro = uniform(-2, 2), vx = uniform(-3, 3), vy = uniform(-3, 3);
+        vm_force_gyroscopic(REAL(vx), REAL(vy), REAL(gyro), &fx, &fy);
+        agrees("vm_force_gyroscopic", "x", fx, -2 * gyro * vy, fabs(2 * gyro * vy), 0.5, vy);
+        agrees("vm_force_gyroscopic", "y", fy, 2 * gyro * vx, fabs(2 * gyro * vx), 0.5, vx);
     }
-    vm_force_gyroscopic(2, 3, 5, &fx, &fy);
+    vm_force_gyroscopic(3, 5, 1, &fx, &fy);
     CHECK(fx == -10 && fy == 6);
     CHECK(fx * 3 + fy * 5 == 0); /* no power */
-    vm_force_gyroscopic(2, 0, 0, &fx, &fy);
+    vm_force_gyroscopic(0, 0, 1, &fx, &fy);
     CHECK(fx == 0 && fy == 0);
 }
 
@@ -244,13 +245,13 @@ static void check_results_in_the_plane(void)
     vm_force_gyroscopic(1, 1, 1, &fx, NULL);
     vm_force_gyroscopic(1, 1, 1, NULL, &fy);
     CHECK(fx == 7 && fy == 7);
-    vm_force_shaft(VM_NAN, 2, 1, 1, &fx, &fy);
+    vm_force_shaft(1, 1, VM_NAN, 2, &fx, &fy);
     CHECK(is_nan(fx) && is_nan(fy));
-    vm_force_shaft(1, VM_NAN, 1, 1, &fx, &fy);
+    vm_force_shaft(1, 1, 1, VM_NAN, &fx, &fy);
     CHECK(is_nan(fx) && is_nan(fy));
-    vm_force_unbalance(1, 1, VM_NAN, 1, &fx, &fy);
+    vm_force_unbalance(1, 1, 1, VM_NAN, &fx, &fy);
     CHECK(is_nan(fx) && is_nan(fy));
-    vm_force_gyroscopic(VM_NAN, 1, 1, &fx, &fy);
+    vm_force_gyroscopic(1, 1, VM_NAN, &fx, &fy);
     CHECK(is_nan(fx) && is_nan(fy));
 }
 

@@ -200,7 +200,7 @@ static void test_change_time(void)
     int i;
     for (i = 0; i < 3; i++) {
         vm_osc_problem o = problem(1.7, vm_law_user(localised_law, &l), 1, 0);
-        const int expected = i == 2 ? VM_NOT_FINITE : VM_BAD_ARGUMENT;
+        const int expected = i == 2 ? VM_NOT_FINITE : VM_DOMAIN;
         vm_real integral = 7;
         vm_osc_motion m;
         o.mass.change_time = R(bad[i]);

@@ -129,9 +129,11 @@ static void test_not_positive(void)
 {
     vm_osc_problem o = problem(3, vm_law_linear(1, R(0.01)), 1, 0);
     o.stiffness = vm_law_linear(0, 0);
-    refuses(o, 1, VM_BAD_MASS);
+    refuses(o, 1, VM_BAD_STIFFNESS);
     o.stiffness = vm_law_linear(-1, 0);
-    refuses(o, 1, VM_BAD_MASS);
+    refuses(o, 1, VM_BAD_STIFFNESS);
+    o.stiffness = vm_law_power(1, R(-0.5), 2);
+    refuses(o, 3, VM_BAD_STIFFNESS);
     refuses_mass(vm_law_linear(1, R(-0.5)), 2, VM_BAD_MASS);
     refuses_mass(vm_law_linear(1, R(-0.5)), 3, VM_BAD_MASS);
     refuses_mass(vm_law_linear(0, 1), 3, VM_BAD_MASS);
@@ -145,14 +147,14 @@ static void test_bad_tables(void)
 {
     vm_real times[3] = {0, 1, 2}, values[3] = {1, 2, 3};
     const vm_law law = vm_law_table(3, times, values);
-    refuses_mass(law, 2.5, VM_BAD_ARGUMENT); /* after its end */
+    refuses_mass(law, 2.5, VM_DOMAIN); /* after its end */
     values[1] = -1;
     refuses_mass(law, 1.5, VM_BAD_MASS);
     values[1] = VM_NAN;
     refuses_mass(law, 1.5, VM_NOT_FINITE);
     values[1] = 2;
     times[1] = 2;
-    refuses_mass(law, 1.5, VM_BAD_ARGUMENT); /* a time twice */
+    refuses_mass(law, 1.5, VM_DOMAIN); /* a time twice */
     refuses_mass(vm_law_table(1, times, values), 0, VM_BAD_ARGUMENT);
 }
 
@@ -171,8 +173,8 @@ static void test_bad_functions(void)
     refuses_mass(law, 1, VM_BAD_ARGUMENT);
     law = vm_law_user(failing, NULL);
     refuses_mass(law, 5, VM_BAD_MASS);
-    refuses_mass(law, 7, VM_BAD_ARGUMENT);
-    law.kind = 17;
+    refuses_mass(law, 7, VM_DOMAIN);
+    law.derivatives = NULL; /* as no constructor makes it */
     refuses_mass(law, 1, VM_BAD_ARGUMENT);
 }
 

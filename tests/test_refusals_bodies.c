@@ -206,6 +206,8 @@ static void test_not_finite_member(vm_real bad)
         REFUSED(VM_NOT_FINITE, vm_attach_all(&x, 0, NULL, NULL, &out.body));
         REFUSED(VM_NOT_FINITE, vm_attach_relative(&in.a, &x, NULL, &out.body));
         REFUSED(VM_NOT_FINITE, vm_separation_for_rest(&in.a, &x, NULL, NULL, NULL, &out.body));
+        REFUSED(VM_NOT_FINITE, vm_to_relative(&in.a, &x, &out.body));
+        REFUSED(VM_NOT_FINITE, vm_to_absolute(&in.a, &x, &out.body));
     }
     for (k = 0; k < sizeof(vm_impulse) / sizeof(vm_real); k++) {
         vm_impulse x = in.j;
@@ -228,6 +230,8 @@ static void test_not_finite_member2(vm_real bad)
         REFUSED(VM_NOT_FINITE, vm_attach2(&x, &in.a2, NULL, &out.body2));
         REFUSED(VM_NOT_FINITE, vm_attach_all2(&in.a2, 1, &x, NULL, &out.body2));
         REFUSED(VM_NOT_FINITE, vm_separation_for_rest2(&in.a2, &x, NULL, NULL, NULL, &out.body2));
+        REFUSED(VM_NOT_FINITE, vm_to_relative2(&in.a2, &x, &out.body2));
+        REFUSED(VM_NOT_FINITE, vm_to_absolute2(&in.a2, &x, &out.body2));
         REFUSED(VM_NOT_FINITE, vm_separation_for_spin2(&x, &in.b2, NULL, 0, &out.body2));
     }
     for (k = 0; k < sizeof(vm_impulse2) / sizeof(vm_real); k++) {
@@ -315,6 +319,35 @@ static void test_impossible_parts(void)
     REFUSED(VM_BAD_MASS, vm_attach2(&in.a2, &in.b2, NULL, &out.body2));
 }
 
+/* Where several errors apply, the status is that of the first in the manual's table, whichever argument has it */
+static void test_order_of_errors(void)
+{
+    const vm_vec3 nowhere = vector(0, (double)VM_NAN, 0);
+    const vm_real not_a_number = VM_NAN;
+    vm_body no_mass = in.b, not_finite = in.b, no_inertia = in.a;
+    vm_body2 no_mass2 = in.b2, not_finite2 = in.b2, no_inertia2 = in.a2;
+    vm_impulse nowhere_else = in.j;
+    vm_impulse2 nowhere_else2 = in.j2;
+    no_mass.mass = no_mass2.mass = -1;
+    not_finite.v.x = not_finite2.vx = VM_INFINITY;
+    no_inertia.inertia.xx = no_inertia2.inertia = -1;
+    nowhere_else.at = nowhere;
+    nowhere_else2.jx = VM_NAN;
+    REFUSED(VM_BAD_ARGUMENT, vm_separate_all(&not_finite, -1, &in.b, NULL, &out.body));
+    REFUSED(VM_BAD_ARGUMENT, vm_attach_all2(&not_finite2, -1, &in.b2, NULL, &out.body2));
+    REFUSED(VM_NOT_FINITE, vm_attach(&no_mass, &not_finite, NULL, &out.body));
+    REFUSED(VM_NOT_FINITE, vm_attach(&no_mass, &in.b, &nowhere_else, &out.body));
+    REFUSED(VM_NOT_FINITE, vm_attach2(&no_mass2, &not_finite2, NULL, &out.body2));
+    REFUSED(VM_NOT_FINITE, vm_attach2(&no_mass2, &in.b2, &nowhere_else2, &out.body2));
+    REFUSED(VM_BAD_MASS, vm_attach(&no_inertia, &no_mass, NULL, &out.body));
+    REFUSED(VM_BAD_MASS, vm_attach2(&no_inertia2, &no_mass2, NULL, &out.body2));
+    REFUSED(VM_NOT_FINITE, vm_separation_for_rest(&no_mass, &in.b, NULL, &nowhere, NULL, &out.body));
+    REFUSED(VM_NOT_FINITE, vm_separation_for_rest2(&no_mass2, &in.b2, NULL, NULL, &not_a_number, &out.body2));
+    REFUSED(VM_NOT_FINITE, vm_separation_for_spin2(&no_mass2, &in.b2, NULL, VM_NAN, &out.body2));
+    REFUSED(VM_NOT_FINITE, vm_torque_free_rotation(&no_mass, VM_NAN, &out.body));
+    CHECK(vm_torque_free_rotation(&no_mass, 1, NULL) == VM_BAD_ARGUMENT);
+}
+
 static void test_bad_input(void)
 {
     prepare_inputs();
@@ -322,6 +355,7 @@ static void test_bad_input(void)
     test_not_finite(VM_INFINITY);
     test_not_finite(-VM_INFINITY);
     test_null();
+    test_order_of_errors();
     test_impossible_parts();
 }
 

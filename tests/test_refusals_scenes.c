@@ -172,6 +172,7 @@ static vm_band a_band(void)
     band.thickness = R(0.01);
     band.width = R(0.1);
     band.density = 7;
+    band.reactive = 1;
     return band;
 }
 
@@ -239,11 +240,11 @@ static void test_bad_mass_laws(void)
     static stage g;
     set_stage(&g, 1, 1, 0);
     g.bodies[0] = vm_scene_body_line(2, 0, 1);
-    g.effects[0] = vm_effect_mass_law(0, NULL, NULL, zero, 0);
+    g.effects[0] = vm_effect_mass_law(0, NULL, NULL, zero, 1);
     CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
-    g.effects[0] = vm_effect_mass(0, -1, 1, 0, 0);
+    g.effects[0] = vm_effect_mass(0, -1, 1, 0, 1);
     CHECK(vm_scene_check(&g.s, NULL) < 0);
-    CHECK(vm_force_stream(2, 3, R(0.5), 4) == 2 && vm_force_stream(-1, 2, 1, 7) == -2);
+    CHECK(vm_force_stream(4, 2, 3, R(0.5)) == 2 && vm_force_stream(7, -1, 2, 0) == -2);
 }
 
 /* ---- Output at given times ---- */
@@ -266,7 +267,7 @@ static void set_losing_stage(stage *g, int n, const vm_real *times)
 {
     set_stage(g, 1, 1, 0);
     g->bodies[0] = vm_scene_body_with_mass_state(vm_scene_body_line(2, 0, 1));
-    g->effects[0] = vm_effect_stream(0, -1, zero, 1);
+    g->effects[0] = vm_effect_stream(0, -1, zero, 0);
     g->s.output = remember;
     g->s.times = times;
     g->s.n_times = n;
@@ -326,10 +327,10 @@ static void test_events_of_mass(void)
     for (by_law = 0; by_law < 2; by_law++) {
         set_stage(&g, 1, 1, 1);
         g.bodies[0] = vm_scene_body_line(2, 0, 1);
-        g.effects[0] = vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 1);
+        g.effects[0] = vm_effect_mass(0, VM_MASS_OF_T, -1, 0, 0);
         if (!by_law) {
             g.bodies[0] = vm_scene_body_with_mass_state(g.bodies[0]);
-            g.effects[0] = vm_effect_stream(0, -1, zero, 1);
+            g.effects[0] = vm_effect_stream(0, -1, zero, 0);
         }
         g.events[0] = vm_then_stop(vm_event_mass(0, R(1.25), -1));
         CHECK(run(&g, 4) == VM_STOPPED);
@@ -345,7 +346,7 @@ static void test_masses_used_up(void)
     set_stage(&g, 2, 2, 0);
     for (k = 0; k < 2; k++) {
         g.bodies[k] = vm_scene_body_line(2, 0, 1);
-        g.effects[k] = vm_effect_mass(k, VM_MASS_OF_T, -1, 0, 1);
+        g.effects[k] = vm_effect_mass(k, VM_MASS_OF_T, -1, 0, 0);
     }
     CHECK(run(&g, 3) == VM_BAD_MASS && g.t <= 2 && g.t > R(1.9));
 }
@@ -713,9 +714,9 @@ static void test_ends_of_runs(void)
     rk45_options o = rk45_defaults(NULL);
     check_end_by_effect(vm_effect_force(0, 0, blows_up, NULL), VM_STEP_TOO_SMALL);
     check_end_by_effect(vm_effect_force(0, 0, no_force, NULL), VM_NOT_FINITE);
-    check_end_by_effect(vm_effect_mass_law(0, no_law, &none, zero, 1), VM_NOT_FINITE);
-    check_end_by_effect(vm_effect_mass_law(0, no_law, &endless, zero, 1), VM_NOT_FINITE);
-    check_end_by_effect(vm_effect_mass_law(0, no_law, &nothing_left, zero, 1), VM_BAD_MASS);
+    check_end_by_effect(vm_effect_mass_law(0, no_law, &none, zero, 0), VM_NOT_FINITE);
+    check_end_by_effect(vm_effect_mass_law(0, no_law, &endless, zero, 0), VM_NOT_FINITE);
+    check_end_by_effect(vm_effect_mass_law(0, no_law, &nothing_left, zero, 0), VM_BAD_MASS);
 
     set_driven(&g, drive);
     g.events[0] = vm_event_user(no_event, NULL, 0);

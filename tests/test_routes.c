@@ -712,9 +712,9 @@ static void test_bad_problems(void)
     vm_osc_problem o = good;
     refuses(o, (double)VM_NAN, VM_NOT_FINITE);
     o.alpha = R(-0.1);
-    refuses(o, 1, VM_BAD_ARGUMENT);
+    refuses(o, 1, VM_DOMAIN);
     o.alpha = VM_NAN;
-    refuses(o, 1, VM_BAD_ARGUMENT);
+    refuses(o, 1, VM_NOT_FINITE);
     o = good;
     o.x = VM_INFINITY;
     refuses(o, 1, VM_NOT_FINITE);
@@ -733,12 +733,12 @@ static void test_bad_calls(void)
     vm_osc_plan p;
     vm_real A_rate, theta_rate, psi_rate;
     CHECK(vm_osc_by_route(&o, 7, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_by_route(&o, -1, 1, 0, &m) == VM_BAD_ARGUMENT);
-    CHECK(vm_osc_within(&o, 1, -1, &m) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_within(&o, 1, -1, &m) == VM_DOMAIN);
     CHECK(vm_osc_within(NULL, 1, 0, &m) == VM_BAD_ARGUMENT && vm_osc_within(&o, 1, 0, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_plan_init(NULL, &o) == VM_BAD_ARGUMENT && vm_osc_plan_init(&p, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     CHECK(vm_osc_averaged(&p, 3, 0, 1, &A_rate, &theta_rate, &psi_rate) == VM_BAD_ARGUMENT);
-    CHECK(vm_osc_averaged(&p, 0, 0, -1, &A_rate, &theta_rate, &psi_rate) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_averaged(&p, 0, 0, -1, &A_rate, &theta_rate, &psi_rate) == VM_DOMAIN);
     CHECK(strcmp(vm_osc_route_name(VM_ROUTE_SECOND), "second-order law") == 0);
     CHECK(strcmp(vm_osc_route_name(99), "unknown route") == 0);
 }

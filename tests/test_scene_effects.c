@@ -72,7 +72,7 @@ static void check_single(double alpha)
     stage s;
     int i;
     stage_clear(&s, 1);
-    s.scene.book = NULL;
+    s.scene.budget = NULL;
     stage_body(&s, vm_scene_body_line(REAL(mass), 0, 0));
     stage_body(&s, vm_scene_body_plane(1, 1, stage_vec(0, 0, 0), 0, stage_vec(0, 0, 0), 0));
     stage_body(&s, vm_scene_body_point(REAL(point_mass), stage_vec(0, 0, 0), stage_vec(0, 0, 0)));
@@ -114,7 +114,7 @@ static void check_vectors(double alpha)
 {
     const double mass = draw(), inertia = draw(), growth = draw(), growth_u = draw(), k = draw();
     const double unbalance = draw(), frequency = draw(), phase = draw();
-    const double point_mass = draw(), coupling = draw(), rate = draw();
+    const double point_mass = draw(), gyro = draw(), rate = draw();
     const double ux = draw(), uy = -draw(), uz = draw(); /* the stream's own velocity */
     const double centrifugal = unbalance * frequency * frequency;
     vm_real dydt[STAGE_STATE];
@@ -123,15 +123,15 @@ static void check_vectors(double alpha)
     stage s;
     int i;
     stage_clear(&s, 1);
-    s.scene.book = NULL;
+    s.scene.budget = NULL;
     stage_body(&s, vm_scene_body_line(1, 0, 0));
     stage_body(&s, vm_scene_body_plane(REAL(mass), REAL(inertia), stage_vec(0, 0, 0), 0, stage_vec(0, 0, 0), 0));
     stage_body(&s, vm_scene_body_with_mass_state(vm_scene_body_point(1, stage_vec(0, 0, 0), stage_vec(0, 0, 0))));
     stage_effect(&s, vm_effect_mass(1, VM_MASS_OF_T, REAL(growth), REAL(growth_u), REAL(0.5)));
     stage_effect(&s, vm_effect_shaft(1, REAL(k), REAL(alpha)));
     stage_effect(&s, vm_effect_unbalance(1, REAL(unbalance), REAL(frequency), REAL(phase)));
-    stage_effect(&s, vm_effect_gyroscopic(2, REAL(coupling)));
-    stage_effect(&s, vm_effect_stream(2, REAL(rate), stage_vec(ux, uy, uz), REAL(0.25)));
+    stage_effect(&s, vm_effect_gyroscopic(2, REAL(gyro)));
+    stage_effect(&s, vm_effect_stream(2, REAL(rate), stage_vec(ux, uy, uz), REAL(0.75)));
     begin(&s);
     draw_state(&s, &line, plane, point);
     s.y[14] = REAL(point_mass);
@@ -146,8 +146,8 @@ static void check_vectors(double alpha)
         push(plane + i, -k * pow(r, alpha) * plane[i].x / r);
         plane[i].size += centrifugal; /* the angle is rounded */
     }
-    push(point, -coupling * point[1].v);
-    push(point + 1, coupling * point[0].v);
+    push(point, -2 * gyro * point[1].v);
+    push(point + 1, 2 * gyro * point[0].v);
     push(point, rate * (ux - 0.75 * point[0].v));
     push(point + 1, rate * (uy - 0.75 * point[1].v));
     push(point + 2, rate * (uz - 0.75 * point[2].v));
@@ -191,7 +191,7 @@ static void check_numbers(void)
     stage_body(&s, vm_scene_body_free(&body));
     stage_effect(&s, vm_effect_linear_spring(0, 0, 1, 0, 5, REAL(0.5)));
     begin(&s);
-    s.scene.book = NULL;
+    s.scene.budget = NULL;
     vm_scene_rhs(3, s.y, dydt, &s.scene);
     agrees("numbers", "linear spring", dydt[1], -5 * (2 - 0.5) / 2, 1, 1e-15);
     agrees("numbers", "linear spring", dydt[3], 5 * (2 - 0.5) / 4, 1, 1e-15);

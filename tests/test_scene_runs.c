@@ -45,7 +45,7 @@ static void check_orders(void)
     for (i = 0; i < 3; i++) {
         const int other = i < 2 ? 2 : 0;
         stage_body(&s, vm_scene_body_point(1, stage_vec(i, 0, 0), zero));
-        law[i] = vm_effect_mass(i, VM_MASS_OF_T, 1, 0, 0);
+        law[i] = vm_effect_mass(i, VM_MASS_OF_T, 1, 0, 1);
         spring[i] = vm_effect_linear_spring(i, 0, other, 0, 1, 0);
         link[i] = vm_effect_link(i, other, NULL, NULL, 1, 0, 1);
     }
@@ -74,7 +74,7 @@ static void good_scene(stage *s)
     stage_clear(s, 1);
     stage_body(s, vm_scene_body_line(1, 0, 0));
     stage_body(s, vm_scene_body_axle(1, 0, 0));
-    stage_effect(s, vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 0));
+    stage_effect(s, vm_effect_mass(0, VM_MASS_OF_T, 1, 0, 1));
     stage_effect(s, vm_effect_motor(1, 0, 1, 0));
     stage_event(s, vm_then_stop(vm_event_position(0, 0, 1, 1)));
 }
@@ -150,7 +150,7 @@ static void check_refused_effects(void)
     s.effects[0] = vm_effect_motor(0, 0, 1, 0);
     refused(&s, VM_BAD_ORDER, "effect", 1);
     good_scene(&s);
-    s.effects[1] = vm_effect_stream(1, 1, zero, 0);
+    s.effects[1] = vm_effect_stream(1, 1, zero, 1);
     refused(&s, VM_MASS_IS_NO_STATE, "effect", 1);
     good_scene(&s);
     s.effects[1] = vm_effect_force(1, 0, NULL, NULL);
@@ -234,7 +234,7 @@ static void check_arguments_of_effects(void)
     refused_effect(&s, vm_effect_gravity(0, 2, 1), VM_NOT_ON_ANGLE);
     accepted_effect(&s, vm_effect_gravity(0, 1, 1));
     accepted_effect(&s, vm_effect_gravity(2, 2, 1)); /* coordinate 2 of a point is z */
-    refused_effect(&s, vm_effect_mass(1, 7, 1, 0, 0), VM_BAD_ARGUMENT);
+    refused_effect(&s, vm_effect_mass(1, 7, 1, 0, 1), VM_BAD_ARGUMENT);
     refused_effect(&s, vm_effect_custom(1, VM_GROUND, NULL, NULL), VM_BAD_ARGUMENT);
 }
 

@@ -256,7 +256,7 @@ static void check_rocket(void)
     stage s;
     stage_clear(&s, 2);
     stage_body(&s, vm_scene_body_with_mass_state(vm_scene_body_free(&body)));
-    stage_effect(&s, vm_effect_stream(0, REAL(-1.5), stage_vec(-2, 1, 0.5), 1));
+    stage_effect(&s, vm_effect_stream(0, REAL(-1.5), stage_vec(-2, 1, 0.5), 0));
     begin(&s);
     run(&s, 2, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &got);

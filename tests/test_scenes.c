@@ -149,7 +149,7 @@ static void check_scoop(void)
     int full;
     scoop(&s, &full);
     begin(&s);
-    s.scene.book = NULL;
+    s.scene.budget = NULL;
     s.events[0].then = vmi_then_stop;
     s.events[1].then = vmi_then_stop;
     run(&s, 2, VM_STOPPED);

@@ -212,11 +212,11 @@ static void oscillators(work_of *w)
     fold(w, x);
     fold(w, v);
     f.alpha = 3;
-    f.b = R(0.05);
-    f.now.mass = 1;
-    f.now.k = 1;
-    f.now.nu = draw(w, 0.5, 2);
-    f.now.force = R(0.1);
+    f.damping = R(0.05);
+    f.mass = vm_law_linear(1, 0);
+    f.stiffness = vm_law_linear(1, 0);
+    f.frequency = vm_law_linear(draw(w, 0.5, 2), 0);
+    f.force = vm_law_linear(R(0.1), 0);
     vm_forced_init(&f);
     fold(w, R(vm_forced_steady_states(&f, 0, steady)));
     fold(w, steady[0].A);
@@ -241,7 +241,7 @@ static void scenes(work_of *w)
     memset(&scene, 0, sizeof scene);
     list[0] = vm_scene_body_line(2, draw(w, 0.5, 1), 0);
     list[1] = vm_scene_body_axle(1, 0, draw(w, 1, 2));
-    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, R(-0.125), 0, 1);
+    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, R(-0.125), 0, 0);
     effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 3, R(1.5), 0);
     effects[2] = vm_effect_motor(1, 0, R(0.5), R(0.1));
     events[0] = vm_then_switch(vm_event_position(0, 0, 0, -1), 2, 1);

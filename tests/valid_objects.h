@@ -64,11 +64,38 @@ static inline int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ct
 
 static const vm_power_force cubic = {2, 3};
 
-/* A rotor on a cubic shaft */
+/* A Van der Pol oscillator whose mass grows, not yet prepared */
+static inline vm_vdp a_vdp(void)
+{
+    vm_vdp v;
+    memset(&v, 0, sizeof v);
+    v.alpha = 3;
+    v.k = 2;
+    v.feed = R(0.1);
+    v.c = R(0.2);
+    v.reactive = 1;
+    v.method = VM_VDP_ATEB;
+    v.mass = vm_law_linear(2, R(0.01));
+    return v;
+}
+
+/* Two bodies whose masses grow, on a cubic spring */
+static inline vm_pair a_pair(void)
+{
+    vm_pair p;
+    p.alpha = 3;
+    p.k = 2;
+    p.reactive = 1;
+    p.mass = vm_law_linear(2, R(0.01));
+    return p;
+}
+
+/* A rotor on a cubic shaft, whose mass grows */
 static inline vm_jeffcott a_laval(void)
 {
     vm_jeffcott r;
     memset(&r, 0, sizeof r);
+    r.mass = vm_law_linear(2, R(0.01));
     r.stiffness = vm_jeffcott_power;
     r.stiffness_ctx = (void *)&cubic;
     r.reactive = 1;
@@ -81,15 +108,12 @@ static inline vm_forced a_forced(void)
     vm_forced f;
     memset(&f, 0, sizeof f);
     f.alpha = 3;
-    f.b = R(0.1);
+    f.damping = R(0.1);
     f.reactive = 1;
-    f.now.mass = 2;
-    f.now.mass_rate = R(0.01);
-    f.now.k = 3;
-    f.now.k_rate = R(0.01);
-    f.now.nu = 2;
-    f.now.nu_rate = R(0.01);
-    f.now.force = R(0.5);
+    f.mass = vm_law_linear(2, R(0.01));
+    f.stiffness = vm_law_linear(3, R(0.01));
+    f.frequency = vm_law_linear(2, R(0.01));
+    f.force = vm_law_linear(R(0.5), 0);
     vm_forced_init(&f);
     return f;
 }

@@ -25,7 +25,7 @@ int main(int argc, char **argv)
     effects[SPRING] = vm_effect_linear_spring(SIEVE, 0, VM_GROUND, 0, 8000, 0);
     effects[DAMPER] = vm_effect_damper(SIEVE, 0, VM_GROUND, 0, 30);
     effects[MOTOR] = vm_effect_harmonic(SIEVE, 0, 60, 17, 0);
-    effects[GRAVEL] = vm_effect_stream(SIEVE, 2, at_rest, 0);
+    effects[GRAVEL] = vm_effect_stream(SIEVE, 2, at_rest, 1);
     effects[GRAVEL].off = 1; /* until the first event */
     memset(&scene, 0, sizeof scene);
     scene.bodies = bodies;

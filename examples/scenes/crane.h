@@ -33,7 +33,7 @@ static inline void crane(stage *s)
     heap = stage_body(s, vm_scene_body_point(1500, stage_vec(0, -6, 0), zero)); /* on the ground: no effect acts on it */
     stage_effect(s, vm_effect_spring(carriage, 0, VM_GROUND, 0, 200000, 1, 0));
     stage_effect(s, vm_effect_gravity(load, 1, REAL(-gravity)));
-    leak = stage_effect(s, vm_effect_stream(load, -40, zero, 1));
+    leak = stage_effect(s, vm_effect_stream(load, -40, zero, 0));
     s->effects[leak].off = 1;
     stage_effect(s, vm_effect_link(load, carriage, NULL, NULL, 6, 0, 1));
     memset(&part, 0, sizeof part);

@@ -55,7 +55,7 @@ static inline void turner_scene(stage *s, turner_data *a, double lam)
     int body;
     stage_clear(s, 10);
     body = stage_body(s, vm_scene_body_axle(REAL(a->J), 0, 0));
-    stage_effect(s, vm_effect_mass_law(body, turner_inertia, a, stage_vec(0, 0, 0), REAL(lam)));
+    stage_effect(s, vm_effect_mass_law(body, turner_inertia, a, stage_vec(0, 0, 0), REAL(1 - lam)));
     stage_effect(s, vm_effect_force(body, 0, turner_torque, a));
     stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(a->fa), 1), turner_next, a));
     stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(a->fb), 1), turner_next, a));

@@ -85,7 +85,7 @@ static inline void vessel_on_hook(stage *s)
     /* After 5 s the surface is at the bottom and this way of tipping is unstable: errors grow 1e6-fold. */
     stage_clear(s, 5);
     body = stage_body(s, vm_scene_body_axle(5000, 0, REAL(0.25)));
-    stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 0));
+    stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 1));
     stage_effect(s, vm_effect_force(body, 0, hook_torque, NULL));
 }
 
@@ -120,7 +120,7 @@ static inline void vessel_by_motor(stage *s)
     int body;
     stage_clear(s, 10);
     body = stage_body(s, vm_scene_body_axle(2030, 0, 0));
-    stage_effect(s, vm_effect_mass_law(body, trunnion_inertia, NULL, stage_vec(0, 0, 0), 0));
+    stage_effect(s, vm_effect_mass_law(body, trunnion_inertia, NULL, stage_vec(0, 0, 0), 1));
     stage_effect(s, vm_effect_motor(body, 0, 14000, 20000));
     stage_effect(s, vm_effect_force(body, 0, trunnion_torque, NULL));
     /* The surface reaches the bottom at the angle atan(h/a). */

@@ -72,7 +72,7 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* the piece's state, with the same psi */
     vm_real dragging;                      /* v_S2d (52), (61), m/s: speed of S2 before the break */
-    vm_real gamma;                         /* angle of this velocity from SA (52), (60), rad; for v_S in any direction */
+    vm_real gamma;                         /* its angle from SA (52), (60), rad; for v_S in any direction */
     vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* N (54), m/s: component of v_S2d along S2A */
@@ -273,8 +273,9 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
-   is not in (0, M); VM_BAD_STIFFNESS for a negative stiffness; VM_BAD_INERTIA for an inertia of the rest that is negative or lost in rounding errors; VM_DOMAIN
-   for a whole with s != 0 and for a piece whose mass centre S2 is at A. */
+   is not in (0, M); VM_BAD_STIFFNESS for a negative stiffness; VM_BAD_INERTIA for an inertia of the rest that is
+   negative or lost in rounding errors; VM_DOMAIN for a whole with s != 0 and for a piece whose mass centre S2 is at
+   A. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {

@@ -216,15 +216,6 @@ VM_API int vmi_gyration_is_valid(const vm_inertia *i)
     return VM_OK;
 }
 
-/* Of two statuses the one that the table of base/status.h names first; VM_OK if both are VM_OK. For the statuses from
-   VM_BAD_ARGUMENT to VM_DOMAIN, which stand in the order of their numbers. */
-VM_API int vmi_first_error(int a, int b)
-{
-    if (!a) return b;
-    if (!b || a > b) return a;
-    return b;
-}
-
 /* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
 VM_API int vmi_stream_is_valid(const vm_stream *s)
 {

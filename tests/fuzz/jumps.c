@@ -226,8 +226,15 @@ static void check_relative(void)
     const vm_impulse impulse = draw_impulse(), *external = draw_byte() & 1 ? &impulse : NULL;
     vm_body relative, absolute, rest, rest_relative;
     int status;
-    HOLDS(vm_to_relative(&to, &body, &relative) == VM_OK && vm_to_absolute(&to, &relative, &absolute) == VM_OK);
-    if (!tame_body(&to) || !tame_body(&body)) return;
+    STAIN(relative);
+    status = vm_to_relative(&to, &body, &relative);
+    if (status < 0) {
+        HOLDS(status == VM_NOT_FINITE && UNTOUCHED(relative));
+        return;
+    }
+    status = vm_to_absolute(&to, &relative, &absolute);
+    HOLDS(status == VM_OK || (status == VM_NOT_FINITE && !(tame_body(&to) && tame_body(&body))));
+    if (status < 0 || !tame_body(&to) || !tame_body(&body)) return;
     HOLDS(within3(absolute.v, body.v,
                   16 * EPS * (size3(to.v) + size3(body.v) + size3(to.omega) * (size3(to.r) + size3(body.r)))));
     HOLDS(within3(absolute.omega, body.omega, 8 * EPS * (size3(to.omega) + size3(body.omega))));
@@ -376,9 +383,16 @@ static void check_attach2(const jump2 *j)
 static void check_relative2(const jump2 *j)
 {
     vm_body2 relative, again;
-    HOLDS(vm_to_relative2(&j->whole, &j->part, &relative) == VM_OK &&
-          vm_to_absolute2(&j->whole, &relative, &again) == VM_OK);
-    if (tame(j->whole.omega) && tame(j->part.omega))
+    int status;
+    STAIN(relative);
+    status = vm_to_relative2(&j->whole, &j->part, &relative);
+    if (status < 0) {
+        HOLDS(status == VM_NOT_FINITE && UNTOUCHED(relative));
+        return;
+    }
+    status = vm_to_absolute2(&j->whole, &relative, &again);
+    HOLDS(status == VM_OK || status == VM_NOT_FINITE);
+    if (status == VM_OK && tame(j->whole.omega) && tame(j->part.omega))
         HOLDS(within(again.omega, j->part.omega,
                      4 * EPS * (double)(VM_FABS(j->whole.omega) + VM_FABS(j->part.omega))));
     STAIN(again);

@@ -103,7 +103,7 @@ static vm_law draw_law(table_of *table, vm_real *ctx)
 /* Is the law so smooth at t that its rate is a difference of its values? */
 static int has_smooth_rate(const vm_law *law, vm_real t)
 {
-    return law->kind != VM_LAW_TABLE && law->kind != VM_LAW_POWER && tame(law->f0) && tame(law->f1) &&
+    return !law->time && law->derivatives != vmi_law_power_derivatives && tame(law->f0) && tame(law->f1) &&
            VM_FABS(law->f1) < R(0.2) && tame(law->f2) && VM_FABS(law->f2) < R(0.5) && tame(t) && VM_FABS(t) < 30;
 }
 

@@ -130,7 +130,7 @@ static vm_band draw_band(void)
     band.width = MOSTLY(draw_in(0, 1));
     band.density = MOSTLY(draw_log(10, 1e4));
     band.speed = MOSTLY(draw_in(-2, 2));
-    band.share = draw_in(0, 1);
+    band.reactive = 1 - draw_in(0, 1);
     band.by_layer = draw_byte() & 1;
     return band;
 }
@@ -210,11 +210,11 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 6: return vm_effect_custom(body, other, callback, ctx);
     case 7: return vm_effect_shaft(body, positive, alpha);
     case 8: return vm_effect_unbalance(body, p, positive, alpha);
-    case 9: return vm_effect_gyroscopic(body, p);
+    case 9: return vm_effect_gyroscopic(body, p / 2);
     case 10: return vm_effect_link(body, other, moving_point, ctx, positive, draw_below(2), 10);
-    case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(draw_below(2)));
-    case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(draw_below(2)));
-    case 13: return vm_effect_stream(body, *ctx / 5, u, R(draw_below(2)));
+    case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(1 - draw_below(2)));
+    case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(1 - draw_below(2)));
+    case 13: return vm_effect_stream(body, *ctx / 5, u, R(1 - draw_below(2)));
     default: return vm_effect_spring(body, coordinate, other, other_coordinate, positive, alpha, p);
     }
 }
@@ -271,24 +271,24 @@ static void check_forces(void)
                   v = MOSTLY(draw_in(-3, 3));
     vm_real fx, fy;
     if (!tame(k) || !tame(x) || !tame(v) || !tame(alpha) || alpha < 0 || alpha > 8 || k < 0) return;
-    HOLDS(vm_force_spring(k, alpha, -x) == -vm_force_spring(k, alpha, x) &&
-          (double)x * (double)vm_force_spring(k, alpha, x) <= 0);
-    HOLDS(vm_force_damper(k, v) == -k * v && vm_force_van_der_pol(k, 0, x, v) == k * v &&
-          vm_force_motor(k, 0, v) == k);
-    if (VM_FABS(x) < 1000) HOLDS(VM_FABS(vm_force_harmonic(k, 2, x, v)) <= k);
-    HOLDS(vm_force_stream(k, 0, 1, v) == 0 &&
-          within(vm_force_stream(k, x, 0, v), k * (x - v), 4 * EPS * (double)(k * (VM_FABS(x) + VM_FABS(v)))));
+    HOLDS(vm_force_spring(-x, k, alpha) == -vm_force_spring(x, k, alpha) &&
+          (double)x * (double)vm_force_spring(x, k, alpha) <= 0);
+    HOLDS(vm_force_damper(v, k) == -k * v && vm_force_van_der_pol(x, v, k, 0) == k * v &&
+          vm_force_motor(v, k, 0) == k);
+    if (VM_FABS(x) < 1000) HOLDS(VM_FABS(vm_force_harmonic(v, k, 2, x)) <= k);
+    HOLDS(vm_force_stream(v, k, 0, 0) == 0 &&
+          within(vm_force_stream(v, k, x, 1), k * (x - v), 4 * EPS * (double)(k * (VM_FABS(x) + VM_FABS(v)))));
     HOLDS(vm_force_gravity(k, -x) == -vm_force_gravity(k, x) && vm_force_gravity(k, 0) == 0);
-    vm_force_shaft(k, alpha, x, v, &fx, &fy); /* towards the axis, k r^alpha in all */
+    vm_force_shaft(x, v, k, alpha, &fx, &fy); /* towards the axis, k r^alpha in all */
     HOLDS((double)fx * (double)x + (double)fy * (double)v <= 0 &&
           fabs((double)fx * (double)v - (double)fy * (double)x) <=
               64 * EPS * fabs((double)fx * (double)v) + (double)VM_MIN);
-    vm_force_shaft(k, 1, x, v, &fx, &fy);
+    vm_force_shaft(x, v, k, 1, &fx, &fy);
     HOLDS(close_to(fx, -k * x, 8) && close_to(fy, -k * v, 8));
-    vm_force_gyroscopic(k, x, v, &fx, &fy); /* does no work */
+    vm_force_gyroscopic(x, v, k / 2, &fx, &fy); /* does no work */
     HOLDS(fabs((double)fx * (double)x + (double)fy * (double)v) <=
           8 * EPS * (double)k * fabs((double)x * (double)v));
-    vm_force_unbalance(k, x, alpha, v, &fx, &fy);
+    vm_force_unbalance(v, k, x, alpha, &fx, &fy);
     HOLDS(within(R(hypot((double)fx, (double)fy)), k * x * x, 8 * EPS * (double)(k * x * x)));
 }
 
@@ -358,7 +358,7 @@ static void check_end(drawn_scene *d, vm_real t)
     }
     STAIN(now);
     status = vm_scene_budget_at(&d->scene, t, d->y, &now);
-    if (!d->scene.book) {
+    if (!d->scene.budget) {
         HOLDS(status == VM_BAD_ARGUMENT && UNTOUCHED(now));
         return;
     }

@@ -3,21 +3,16 @@
    steady vibrations are steady. */
 #include "bodies.h"
 
-static vm_linear_mass draw_mass(void)
+static vm_law draw_mass(void)
 {
-    vm_linear_mass m;
-    m.mass = MOSTLY(draw_log(0.1, 10));
-    m.rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.05, 0.05) : 0);
-    return m;
+    const vm_real mass = MOSTLY(draw_log(0.1, 10));
+    return vm_law_linear(mass, MOSTLY(draw_byte() & 1 ? draw_in(-0.05, 0.05) : 0));
 }
-static int tame_mass(vm_linear_mass m)
-{
-    return tame(m.mass) && tame(m.rate) && m.mass > R(0.05) && VM_FABS(m.rate) <= 1;
-}
+static int tame_mass(vm_law m) { return tame(m.f0) && tame(m.f1) && m.f0 > R(0.05) && VM_FABS(m.f1) <= 1; }
 
 static void check_van_der_pol(void)
 {
-    vm_linear_mass m = draw_mass();
+    const vm_law m = draw_mass();
     const vm_real t = MOSTLY(draw_in(0, 3)), A0 = MOSTLY(draw_in(0, 3));
     vm_real y[2], dydt[2], A, steady;
     vm_vdp v;
@@ -25,12 +20,11 @@ static void check_van_der_pol(void)
     memset(&v, 0, sizeof v);
     v.alpha = MOSTLY(draw_in(0, 7));
     v.k = MOSTLY(draw_log(0.1, 10));
-    v.b = MOSTLY(draw_in(-0.1, 0.3));
+    v.feed = MOSTLY(draw_in(-0.1, 0.3));
     v.c = MOSTLY(draw_in(-0.1, 0.3));
     v.reactive = MOSTLY(draw_in(0, 1));
     v.method = draw_byte() % 16 ? draw_below(3) : 7;
-    v.mass = vm_slow_mass_linear;
-    v.mass_ctx = &m;
+    v.mass = m;
     status = vm_vdp_init(&v);
     if (status) {
         HOLDS(status < 0 && v.a1 == 0 && v.a2 == 0);
@@ -38,23 +32,22 @@ static void check_van_der_pol(void)
     }
     HOLDS(v.alpha >= 0 && v.k > 0 && v.a1 > 0 &&
           (!tame(v.k) || !tame(v.alpha) || (is_finite(v.a2) && is_finite(v.a3))));
-    A = vm_vdp_amplitude(&v, t, A0, m);
-    steady = vm_vdp_limit_cycle(&v, m.rate, &stable);
+    A = vm_vdp_amplitude(&v, t, A0);
+    steady = vm_vdp_limit_cycle(&v, m.f1, &stable);
     HOLDS(is_nan(steady) || steady >= 0);
-    if (fuzz.wild || !tame_mass(m) || !tame(v.b) || !tame(v.c) || !tame(t) || !tame(A0) || !tame(v.alpha) ||
-        !tame(v.reactive) || VM_FABS(v.b) > 1 || VM_FABS(v.c) > 1 || v.reactive < 0 || v.reactive > 1 || A0 < 0 ||
+    if (fuzz.wild || !tame_mass(m) || !tame(v.feed) || !tame(v.c) || !tame(t) || !tame(A0) || !tame(v.alpha) ||
+        !tame(v.reactive) || VM_FABS(v.feed) > 1 || VM_FABS(v.c) > 1 || v.reactive < 0 || v.reactive > 1 || A0 < 0 ||
         A0 > 3 || t < 0 || t > 3)
         return;
-    if (is_nan(A)) HOLDS(v.c < 0 || m.mass + m.rate * t <= 0);
+    if (is_nan(A)) HOLDS(v.c < 0 || m.f0 + m.f1 * t <= 0);
     else HOLDS(A >= 0);
-    HOLDS(within(vm_vdp_amplitude(&v, 0, A0, m), A0, 16 * EPS * (double)A0));
-    if (m.rate == 0 && steady > R(0.01) && steady < 100 && v.c > R(1e-3))
-        HOLDS(
-            within(vm_vdp_amplitude(&v, t, steady, m), steady, 256 * EPS * (double)steady * (1 + exp((double)t))));
+    HOLDS(within(vm_vdp_amplitude(&v, 0, A0), A0, 16 * EPS * (double)A0));
+    if (m.f1 == 0 && steady > R(0.01) && steady < 100 && v.c > R(1e-3))
+        HOLDS(within(vm_vdp_amplitude(&v, t, steady), steady, 256 * EPS * (double)steady * (1 + exp((double)t))));
     y[0] = draw_in(-2, 2);
     y[1] = draw_in(-2, 2);
     status = vm_vdp_rhs(t, y, dydt, &v);
-    if (status) HOLDS(m.mass + m.rate * t <= 0);
+    if (status) HOLDS(m.f0 + m.f1 * t <= 0);
     else HOLDS(vmi_all_finite(2, dydt) && dydt[0] == y[1]);
     y[0] = draw_in(0.1, 2);
     if (vm_vdp_averaged_rhs(t, y, dydt, &v) == 0) HOLDS(vmi_all_finite(2, dydt));
@@ -82,14 +75,13 @@ static void check_split_back(const vm_real *y, const vm_real *back, const vm_pow
     for (i = 0; i < 4; i++) HOLDS(within(back[i], y[i], i < 2 ? moves : omega * moves));
 }
 
-static vm_jeffcott draw_laval(vm_linear_mass *m, vm_power_force *spring, vm_real *load)
+static vm_jeffcott draw_laval(vm_law m, vm_power_force *spring, vm_real *load)
 {
     vm_jeffcott r;
     memset(&r, 0, sizeof r);
     spring->k = MOSTLY(draw_log(0.1, 10));
     spring->alpha = MOSTLY(draw_byte() & 1 ? R(1) : draw_in(0, 5));
-    r.mass = vm_slow_mass_linear;
-    r.mass_ctx = m;
+    r.mass = m;
     r.stiffness = vm_jeffcott_power;
     r.stiffness_ctx = spring;
     if (draw_byte() & 1) {
@@ -99,11 +91,11 @@ static vm_jeffcott draw_laval(vm_linear_mass *m, vm_power_force *spring, vm_real
     if (draw_byte() & 1) r.gyro = MOSTLY(draw_in(-1, 1));
     r.reactive = MOSTLY(draw_in(0, 1));
     r.u.re = draw_in(-1, 1);
-    r.samples = draw_byte() & 1 ? 0 : draw_below(40);
+    r.nodes = draw_byte() & 1 ? 0 : draw_below(40);
     return r;
 }
 
-static int tame_laval(const vm_jeffcott *r, vm_linear_mass m, const vm_power_force *spring)
+static int tame_laval(const vm_jeffcott *r, vm_law m, const vm_power_force *spring)
 {
     return tame_mass(m) && tame(spring->k) && spring->k > R(0.01) && tame(spring->alpha) && spring->alpha >= 0 &&
            spring->alpha < 10 && tame(r->gyro) && VM_FABS(r->gyro) <= 1 && tame(r->reactive) &&
@@ -112,9 +104,8 @@ static int tame_laval(const vm_jeffcott *r, vm_linear_mass m, const vm_power_for
 
 static void check_laval_modes(vm_jeffcott *r, vm_real t, const vm_real *y, int all_tame)
 {
-    vm_linear_mass *m = (vm_linear_mass *)r->mass_ctx;
     const vm_power_force *spring = (const vm_power_force *)r->stiffness_ctx;
-    vm_real state[5], motion[4], dydt[5], rate;
+    vm_real state[5], motion[4], dydt[5], mass = 1, rate;
     int status;
     STAIN(state);
     if (vm_jeffcott_to_averaged(r, t, y, y[4], state)) {
@@ -125,7 +116,8 @@ static void check_laval_modes(vm_jeffcott *r, vm_real t, const vm_real *y, int a
     status = vm_jeffcott_from_averaged(r, t, state, motion);
     HOLDS(status == 0 || (status == VM_NOT_FINITE && !all_tame));
     if (!all_tame || spring->alpha != 1) return;
-    check_split_back(y, motion, spring, vm_slow_mass_linear(t, &rate, m));
+    HOLDS(vm_law_at(&r->mass, t, &mass, &rate) == VM_OK);
+    check_split_back(y, motion, spring, mass);
     HOLDS(vm_jeffcott_exact_rhs(t, state, dydt, r) != 0 || vmi_all_finite(5, dydt));
     HOLDS(vm_jeffcott_averaged_rhs(t, state, dydt, r) != 0 || vmi_all_finite(5, dydt));
 }
@@ -133,10 +125,10 @@ static void check_laval_modes(vm_jeffcott *r, vm_real t, const vm_real *y, int a
 /* The circle of radius A, whose frequency W solves m W^2 - 2 g W = F_e/A */
 static void check_laval_circle(vm_jeffcott *r, vm_real t, vm_real A, vm_real W, int sense)
 {
-    const vm_linear_mass *m = (const vm_linear_mass *)r->mass_ctx;
+    const vm_real m = r->mass.f0;
     const vm_power_force *spring = (const vm_power_force *)r->stiffness_ctx;
     const double w = (double)W, F = (double)spring->k * pow((double)A, (double)spring->alpha - 1);
-    const double g = (double)r->gyro, mass = (double)m->mass;
+    const double g = (double)r->gyro, mass = (double)m;
     const ode_rhs rhs = sense > 0 ? vm_jeffcott_forward_whirl_rhs : vm_jeffcott_backward_whirl_rhs;
     vm_real y[2], dydt[2] = {0};
     HOLDS(sense > 0 ? W > 0 : W < 0);
@@ -144,16 +136,16 @@ static void check_laval_circle(vm_jeffcott *r, vm_real t, vm_real A, vm_real W, 
     y[0] = A;
     y[1] = draw_in(-3, 3);
     if (rhs(t, y, dydt, r) == 0) HOLDS(vmi_all_finite(2, dydt));
-    HOLDS(within(vm_jeffcott_amplitude(r, A, m->mass, m->mass), A, 256 * EPS * (double)A) ||
+    HOLDS(within(vm_jeffcott_amplitude(r, A, m, m), A, 256 * EPS * (double)A) ||
           (r->gyro != 0 && r->reactive != 1));
     if (r->gyro == 0)
-        HOLDS(within(vm_jeffcott_amplitude(r, A, m->mass, m->mass * R(1.5)),
+        HOLDS(within(vm_jeffcott_amplitude(r, A, m, m * R(1.5)),
                      A * vm_osc_amplitude_law(R(1.5), 0, r->reactive, spring->alpha), 1e3 * EPS * (double)A));
 }
 
 static void check_laval(void)
 {
-    vm_linear_mass m = draw_mass();
+    const vm_law m = draw_mass();
     vm_power_force spring;
     vm_jeffcott r;
     vm_real load = draw_in(-0.1, 0.1), y[5], dydt[4] = {0}, rho, phi, slope, W, A;
@@ -161,7 +153,7 @@ static void check_laval(void)
     const vm_real t = draw_in(0, 2);
     const int sense = draw_below(2) ? 1 : -1;
     int i, all_tame;
-    r = draw_laval(&m, &spring, &load);
+    r = draw_laval(m, &spring, &load);
     for (i = 0; i < 5; i++) y[i] = draw_in(-2, 2);
     z.re = y[0];
     z.im = y[1];
@@ -170,13 +162,13 @@ static void check_laval(void)
     vm_jeffcott_polar(z, &rho, &phi);
     HOLDS(rho >= 0 && VM_FABS(phi) <= VM_PI);
     all_tame = tame_laval(&r, m, &spring) && rho > R(0.01);
-    HOLDS(!all_tame || is_finite(vm_jeffcott_momentum(&r, m.mass, z, v)));
+    HOLDS(!all_tame || is_finite(vm_jeffcott_momentum(&r, m.f0, z, v)));
     if (all_tame) HOLDS(vm_jeffcott_power(rho, &slope, &spring) > 0);
     if (vm_jeffcott_rhs(t, y, dydt, &r) == 0 && all_tame)
         HOLDS(vmi_all_finite(4, dydt) && dydt[0] == y[2] && dydt[1] == y[3]);
     check_laval_modes(&r, t, y, all_tame);
     A = MOSTLY(draw_in(0.1, 2));
-    W = vm_jeffcott_frequency(&r, A, m.mass, sense);
+    W = vm_jeffcott_frequency(&r, A, m.f0, sense);
     if (all_tame && tame(A) && A > R(0.05) && A < 3) check_laval_circle(&r, t, A, W, sense);
 }
 
@@ -192,7 +184,7 @@ static void check_pair_back(const vm_pair *p, vm_real mass, const vm_real *y, vm
 
 static void check_pair(void)
 {
-    vm_linear_mass m = draw_mass();
+    const vm_law m = draw_mass();
     const vm_real t = draw_in(0, 3);
     vm_real y[4], dydt[4], modes[4], back[4];
     vm_pair p;
@@ -201,8 +193,7 @@ static void check_pair(void)
     p.alpha = MOSTLY(draw_in(0, 6));
     p.k = MOSTLY(draw_log(0.1, 10));
     p.reactive = MOSTLY(draw_in(0, 1));
-    p.mass = vm_slow_mass_linear;
-    p.mass_ctx = &m;
+    p.mass = m;
     for (i = 0; i < 4; i++) y[i] = draw_byte() % 64 ? draw_in(-2, 2) : draw_any();
     all_tame = tame_mass(m) && tame(p.alpha) && p.alpha >= 0 && p.alpha < 10 && tame(p.k) && p.k > R(0.01) &&
                tame(p.reactive) && VM_FABS(p.reactive) <= 1;
@@ -213,44 +204,37 @@ static void check_pair(void)
     if (status) HOLDS(status < 0 && UNTOUCHED(modes));
     else {
         HOLDS(vmi_all_finite(4, modes));
-        if (vm_pair_from_averaged(&p, t, modes, back) == 0 && all_tame && m.rate == 0 && VM_FABS(y[0] - y[1]) > R(0.05))
-            check_pair_back(&p, m.mass, y, modes[0], back);
+        if (vm_pair_from_averaged(&p, t, modes, back) == 0 && all_tame && m.f1 == 0 && VM_FABS(y[0] - y[1]) > R(0.05))
+            check_pair_back(&p, m.f0, y, modes[0], back);
         if (vm_pair_averaged_rhs(t, modes, dydt, &p) == 0 && all_tame && modes[0] > R(0.05))
             HOLDS(vmi_all_finite(4, dydt));
     }
     STAIN(back);
-    status = vm_pair_at(&p, t, y, m, back);
+    status = vm_pair_at(&p, t, y, back);
     if (status) HOLDS(status < 0 && UNTOUCHED(back));
     else {
         HOLDS(vmi_all_finite(4, back));
-        if (all_tame && p.reactive == 0 && m.rate == 0)
+        if (all_tame && p.reactive == 0 && m.f1 == 0)
             HOLDS(within(back[2] + back[3], y[2] + y[3], 256 * EPS * 8));
     }
 }
 
-static void drifting(vm_real t, vm_forced_parameters *now, void *ctx)
-{
-    const vm_real rate = *(const vm_real *)ctx;
-    now->nu += rate * t;
-    now->nu_rate = rate;
-}
-
-static vm_forced draw_forced(vm_real *drift)
+static vm_forced draw_forced(vm_real drift)
 {
     vm_forced f;
+    vm_real mass, k, nu, force;
     memset(&f, 0, sizeof f);
     f.alpha = MOSTLY(draw_byte() % 4 ? draw_in(0.2, 6) : R(1));
-    f.b = MOSTLY(draw_in(0, 0.1));
+    f.damping = MOSTLY(draw_in(0, 0.1));
     f.reactive = MOSTLY(draw_in(0, 1));
-    f.now.mass = MOSTLY(draw_log(0.1, 10));
-    f.now.k = MOSTLY(draw_log(0.1, 10));
-    f.now.nu = MOSTLY(draw_log(0.1, 5));
-    f.now.force = MOSTLY(draw_in(0, 0.3));
-    f.now.mass_rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.01, 0.01) : 0);
-    if (draw_byte() & 1) {
-        f.drift = drifting;
-        f.drift_ctx = drift;
-    }
+    mass = MOSTLY(draw_log(0.1, 10));
+    k = MOSTLY(draw_log(0.1, 10));
+    nu = MOSTLY(draw_log(0.1, 5));
+    force = MOSTLY(draw_in(0, 0.3));
+    f.mass = vm_law_linear(mass, MOSTLY(draw_byte() & 1 ? draw_in(-0.01, 0.01) : 0));
+    f.stiffness = vm_law_linear(k, 0);
+    f.frequency = vm_law_linear(nu, draw_byte() & 1 ? drift : 0);
+    f.force = vm_law_linear(force, 0);
     return f;
 }
 
@@ -258,9 +242,9 @@ static int lies_in(vm_real x, double low, double high) { return tame(x) && x > R
 
 static int tame_forced(const vm_forced *f)
 {
-    return tame(f->alpha) && f->alpha < 10 && tame(f->b) && VM_FABS(f->b) < 1 && lies_in(f->now.mass, 0.05, 20) &&
-           lies_in(f->now.k, 0.05, 20) && lies_in(f->now.nu, 0.05, 10) && tame(f->now.force) &&
-           VM_FABS(f->now.force) < 1 && tame(f->now.mass_rate) && VM_FABS(f->now.mass_rate) < R(0.02) &&
+    return tame(f->alpha) && f->alpha < 10 && tame(f->damping) && VM_FABS(f->damping) < 1 &&
+           lies_in(f->mass.f0, 0.05, 20) && lies_in(f->stiffness.f0, 0.05, 20) && lies_in(f->frequency.f0, 0.05, 10) &&
+           tame(f->force.f0) && VM_FABS(f->force.f0) < 1 && tame(f->mass.f1) && VM_FABS(f->mass.f1) < R(0.02) &&
            tame(f->reactive) && VM_FABS(f->reactive) <= 1;
 }
 
@@ -275,8 +259,8 @@ static void check_forced_motion(vm_forced *f, vm_real t, int all_tame)
     STAIN(y);
     status = vm_forced_to_averaged(f, t, motion, y);
     if (status) HOLDS(status < 0 && UNTOUCHED(y));
-    else if (vm_forced_from_averaged(f, t, y, back) == 0 && all_tame && f->now.force == 0 && f->b == 0 &&
-             f->now.mass_rate == 0 && VM_FABS(motion[0]) > R(0.1))
+    else if (vm_forced_from_averaged(f, t, y, back) == 0 && all_tame && f->force.f0 == 0 && f->damping == 0 &&
+             f->mass.f1 == 0 && VM_FABS(motion[0]) > R(0.1))
         for (i = 0; i < 2; i++) HOLDS(within(back[i], motion[i], IS_FLOAT ? 1e-2 : 1e-8));
     y[0] = draw_in(0.1, 2);
     y[1] = draw_in(-3, 3);
@@ -325,16 +309,15 @@ static void check_forced_curve(const vm_forced *f, vm_real t, int all_tame)
 
 static void check_forced(void)
 {
-    vm_real drift = draw_in(-0.01, 0.01);
-    const vm_real t = draw_in(0, 3);
-    vm_forced f = draw_forced(&drift), before = f;
+    const vm_real drift = draw_in(-0.01, 0.01), t = draw_in(0, 3);
+    vm_forced f = draw_forced(drift), before = f;
     const int status = vm_forced_init(&f);
     int all_tame;
     if (status) {
         HOLDS(status < 0 && memcmp(&f, &before, sizeof f) == 0);
         return;
     }
-    HOLDS(f.alpha >= 0 && f.now.mass > 0 && f.now.k > 0 && is_finite(f.Om1) && f.pi >= 2);
+    HOLDS(f.alpha >= 0 && f.mass.f0 > 0 && f.stiffness.f0 > 0 && is_finite(f.Om1) && f.pi >= 2);
     all_tame = tame_forced(&f);
     check_forced_motion(&f, t, all_tame);
     check_forced_steady(&f, t, all_tame);
@@ -385,7 +368,15 @@ static void check_points_of_steps(void)
 static void check_adiabaticity(void)
 {
     const vm_real A = MOSTLY(draw_in(0.1, 3)), alpha = MOSTLY(draw_in(0, 5)), m_rate = draw_in(-0.1, 0.1);
-    const vm_real q = vm_adiabaticity(A, 1, m_rate, 2, 0, draw_in(0, 0.1), 1, alpha);
+    vm_osc_problem o;
+    vm_real q;
+    memset(&o, 0, sizeof o);
+    o.alpha = alpha;
+    o.mass = vm_law_linear(1, m_rate);
+    o.stiffness = vm_law_linear(2, 0);
+    o.damping = draw_in(0, 0.1);
+    o.reactive = 1;
+    q = vm_adiabaticity(&o, 0, A);
     if (!(A > 0) || !(alpha >= 0) || !is_finite(A) || !is_finite(alpha)) HOLDS(is_nan(q));
     else if (A > R(0.01) && A < 100 && alpha < 8) HOLDS(VM_FABS(q) <= R(0.3) * 1000000); /* 0.3/A^((alpha-1)/2) */
 }
