@@ -395,8 +395,8 @@ static void check_first_layer(void)
     stage_effect(&s, vm_effect_rotational_damper(0, d.damping));
     begin(&s);
     run(&s, 0.5, VM_OK);
-    agrees("first layer", "phi", s.y[0], (double)vm_drum_angle(REAL(0.5), &d), 1, 1e-10);
-    agrees("first layer", "phi'", s.y[1], (double)vm_drum_rate(s.y[0], &d), 1, 1e-10);
+    agrees("first layer", "phi", s.y[0], (double)vm_drum_angle(&d, REAL(0.5)), 1, 1e-10);
+    agrees("first layer", "phi'", s.y[1], (double)vm_drum_rate(&d, s.y[0]), 1, 1e-10);
     CHECK(s.y[0] > 4 && s.y[0] < REAL(6.28));
 }
 
