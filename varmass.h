@@ -166,7 +166,7 @@
        vm_broken_rotor_routh          First column of Routh's scheme of the characteristic polynomial
        vm_broken_rotor_is_stable      Whether the steady motion at psi' = Omega is asymptotically stable (82)
        vm_broken_rotor_eigenvalues    Roots re + i im of the characteristic polynomial, 1/s
-       vm_broken_rotor_resonance_radius Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega, m
+       vm_broken_rotor_resonance_radius Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m
 
      mechanics/generalized_force: generalized forces of forces and moments
        vm_lagrange_add_force          Adds the generalized forces of a force and a moment
@@ -201,7 +201,7 @@
        vm_flow_start                  Initial state y of a body with streams
        vm_flow_body                   The body that n states y describe, its quaternion with length 1
        vm_flow_mass_left              Mass minus flow.least_mass, kg
-       vm_flow_inertia_left           Event function
+       vm_flow_inertia_left           Least pivot of the inertia minus flow.least_inertia, kg m^2
 
      mechanics/flow2: a body in a plane with streams of mass
        vm_flow2_rhs                   Right-hand side of a body in the plane with streams of mass, (151), (152)
@@ -2909,7 +2909,7 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* the piece's state, with the same psi */
     vm_real dragging;                      /* v_S2d (52), (61), m/s: speed of S2 before the break */
-    vm_real gamma;                         /* angle of this velocity from SA (52), (60), rad; for v_S in any direction */
+    vm_real gamma;                         /* its angle from SA (52), (60), rad; for v_S in any direction */
     vm_real beta;                          /* angle of S2A from SA, rad [(56) corrected]:
                                               tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
     vm_real normal;                        /* N (54), m/s: component of v_S2d along S2A */
@@ -2928,8 +2928,8 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
         !VM_IS_FINITE(r->damping) || !VM_IS_FINITE(r->torque) || !VM_IS_FINITE(r->s))
         return VM_NOT_FINITE;
     if (!(r->mass > 0)) return VM_BAD_MASS;
+    if (!(r->stiffness >= 0)) return VM_BAD_STIFFNESS;
     if (!(r->inertia > 0)) return VM_BAD_INERTIA;
-    if (!(r->stiffness >= 0)) return VM_DOMAIN;
     return VM_OK;
 }
 
@@ -3023,12 +3023,21 @@ VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, z, y);
 }
 
-VM_API int vmi_check_broken_rotor_piece(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p)
+VM_API int vmi_broken_rotor_piece_finite(const vm_broken_rotor_piece *p)
 {
-    if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->inertia) || !VM_IS_FINITE(p->distance) ||
-        !VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->radius) || !VM_IS_FINITE(p->contact))
-        return VM_NOT_FINITE;
+    return VM_IS_FINITE(p->mass) && VM_IS_FINITE(p->inertia) && VM_IS_FINITE(p->distance) &&
+           VM_IS_FINITE(p->alpha) && VM_IS_FINITE(p->radius) && VM_IS_FINITE(p->contact);
+}
+
+/* The status of the numbers that vm_broken_rotor_break_off takes */
+VM_API int vmi_broken_rotor_check_break(const vm_broken_rotor *whole, const vm_real *before,
+                                        const vm_broken_rotor_piece *p)
+{
+    int status = vmi_check_broken_rotor(whole);
+    if (status == VM_NOT_FINITE) return status;
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, before) || !vmi_broken_rotor_piece_finite(p)) return VM_NOT_FINITE;
     if (!(p->mass > 0 && p->mass < whole->mass)) return VM_BAD_MASS;
+    if (status) return status;
     if (!(p->inertia >= 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -3101,8 +3110,9 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole at the break. VM_BAD_ARGUMENT, VM_NOT_FINITE; VM_BAD_MASS for a piece whose mass
-   is not in (0, M); VM_BAD_INERTIA for an inertia of the rest that is negative or lost in rounding errors; VM_DOMAIN
-   for a whole with s != 0 and for a piece whose mass centre S2 is at A. */
+   is not in (0, M); VM_BAD_STIFFNESS for a negative stiffness; VM_BAD_INERTIA for an inertia of the rest that is
+   negative or lost in rounding errors; VM_DOMAIN for a whole with s != 0 and for a piece whose mass centre S2 is at
+   A. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -3111,11 +3121,9 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
     vm_real sine, cosine, share, T, psi;
     int status;
     if (!whole || !before || !piece || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_broken_rotor(whole);
-    if (!status && !vmi_all_finite(VM_BROKEN_ROTOR_STATES, before)) status = VM_NOT_FINITE;
-    if (!status) status = vmi_check_broken_rotor_piece(whole, piece);
-    if (!status && whole->s != 0) status = VM_DOMAIN;
+    status = vmi_broken_rotor_check_break(whole, before, piece);
     if (!status) status = vmi_broken_rotor_rest(whole, piece, &b.rest);
+    if (!status && whole->s != 0) status = VM_DOMAIN;
     if (status) return status;
 
     vmi_sincos(piece->alpha, &sine, &cosine);
@@ -3150,7 +3158,7 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
    vm_broken_rotor_rhs.
 
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
-       status = vm_broken_rotor_free_motion(5, &whole, y, y); // y at 5 s
+       status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
    The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
@@ -3341,17 +3349,23 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
+/* The status of arguments of the public motions */
+VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
+                                         const vm_real *end)
+{
+    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
+    return vmi_check_broken_rotor(rotor);
+}
+
 /* The three public motions: all of (69) if coupled = 1, without its last term if coupled = 0 */
-VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled,
+VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
     vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0;
     vmi_broken_rotor_linear a;
     vmi_broken_rotor_swing g;
-    int status;
-    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
-    status = vmi_check_broken_rotor(rotor);
+    const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     a = vmi_broken_rotor_reduced(rotor, coupled);
     g = vmi_broken_rotor_swing_at(t, a.omega);
@@ -3376,36 +3390,38 @@ VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, 
    For short times, |psi| << 1; any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may
    be start. damping, stiffness and s may be 0. Error: no more than twice what rounding every input, t included, would
    make. All of (69) grows exponentially: VM_NOT_FINITE where it overflows. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (a negative stiffness). */
-VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+   VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA. */
+VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
+    return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
    The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
    with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
-VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
    Any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
    stiffness may be 0. Error: no more than rounding every input, t included, would make. VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (s is not 0, or a negative stiffness). */
-VM_API int vm_broken_rotor_free_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (s is not 0). */
+VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
-    if (rotor && !VM_IS_FINITE(rotor->s)) return VM_NOT_FINITE;
-    if (rotor && rotor->s != 0) return VM_DOMAIN;
-    return vmi_broken_rotor_linearised(t, rotor, start, 0, end); /* for s = 0 these equations are (46) itself */
+    const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
+    if (status) return status;
+    if (rotor->s != 0) return VM_DOMAIN;
+    return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 these equations are (46) itself */
 }
 
 /* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
    x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, which must not be 0. The
    half axes of the orbit are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, which [1] prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN where the stiffness is not positive. */
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where the stiffness is not positive, VM_BAD_INERTIA.
+   */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, x, y, vx, vy, c[4];
@@ -3413,7 +3429,7 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
     if (!rotor || !start || !abcd) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
     status = vmi_check_broken_rotor(rotor);
-    if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
+    if (rotor->stiffness == 0 && (!status || status == VM_BAD_INERTIA)) status = VM_BAD_STIFFNESS;
     if (status) return status;
     w = VM_SQRT(rotor->stiffness / rotor->mass);
     x = start[VM_BROKEN_ROTOR_X];
@@ -3501,8 +3517,8 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
    coefficients, highest power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
-   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_DOMAIN (resonance, a negative stiffness). */
+   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS (a negative stiffness), VM_BAD_INERTIA, VM_DOMAIN (at resonance). */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3615,16 +3631,15 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
     return x;
 }
 
-/* Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega,
-   m.
-   psi' is caught at omega, and the torque that is left goes into the orbit: r = |s|/4 + R, where R(0) = 0 and
-   R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+/* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
+   Omega = torque/damping (rad/s) must be at or above omega. psi' is caught at omega, and the torque that is left goes
+   into the orbit: r = |s|/4 + R, where R(0) = 0 and R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
    |s|/4 is the next order of the expansion. Neglected are terms of s^2/r and the time of the capture: in Fig. 18 at
    t = 400 the radius is 0.001 of 3.473 too small at resonance and 0.093 of 12.437 too large above it. NaN below
    resonance, for t < 0, damping < 0, omega = 0, a null pointer and a bad rotor.
    R R' = A + B/R has the solution t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
-VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor *rotor, vm_real Omega)
+VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
     if (!rotor || vmi_check_broken_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega))
@@ -3855,11 +3870,11 @@ typedef struct VM_TAG(vm_pendulum_cut) {
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
 {
+    if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(p->mass) || !VM_IS_FINITE(p->length) || !VM_IS_FINITE(p->angle) || !VM_IS_FINITE(p->rate) ||
         !VM_IS_FINITE(part))
         return VM_NOT_FINITE;
     if (!(p->mass > 0)) return VM_BAD_MASS;
-    if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_DOMAIN;
     if (!(part > 0 && part < p->length)) return VM_DOMAIN;
     return VM_OK;
 }
@@ -3889,8 +3904,8 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
    sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
-   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_DOMAIN (a part that is not shorter than the rod, axes that do not exist). */
+   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT (axes that
+   do not exist, too), VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN (the part is not shorter than the rod). */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -4886,17 +4901,17 @@ VM_API int vmi_stream_is_valid(const vm_stream *s)
         !vmi_vec3_finite(s->spin))
         return VM_NOT_FINITE;
     status = vmi_gyration_is_valid(&s->gyration);
-    if (status || !s->from) return status;
+    if (!s->from) return status;
     if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
-    return vmi_gyration_is_valid(&s->from->gyration);
+    return vmi_first_error(status, vmi_gyration_is_valid(&s->from->gyration));
 }
 
-/* The status of the first of n streams that is not valid, else VM_OK */
+/* The first error of n streams in the table's order, else VM_OK */
 VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
     if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
-    for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
+    for (k = 0; k < n; k++) status = vmi_first_error(status, vmi_stream_is_valid(s + k));
     return status;
 }
 
@@ -4919,9 +4934,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     vm_reactive r;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(n, streams);
-    if (!status && !vmi_vec3_finite(centre)) status = VM_NOT_FINITE;
+    status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(n, streams));
+    if (!vmi_vec3_finite(centre)) status = vmi_first_error(status, VM_NOT_FINITE);
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;
@@ -5272,11 +5286,10 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
-    int status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
+    int status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(flow->n, flow->streams));
+    if (!vmi_vec3_finite(flow->centre) || !vmi_vec3_finite(flow->force) || !vmi_vec3_finite(flow->moment))
+        status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
-    if (!(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
-        return VM_NOT_FINITE;
     if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -5356,9 +5369,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Event function: the least pivot of the inertia minus flow.least_inertia, kg m^2. The pivot is 0 where the inertia
-   is singular. For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. The triangle inequality is
-   not watched, because the inertia of thin bodies is always close to its limit. NaN for a null pointer. */
+/* Least pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
+   It stops a run before the inertia becomes singular, where the pivot is 0. For vm_flow_rhs and vm_flow_balanced_rhs;
+   the event's ctx is the vm_flow. The triangle inequality is not watched, because the inertia of thin bodies is
+   always close to its limit. NaN for a null pointer. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5795,14 +5809,16 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
      v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
    Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
    m0 + rate t is not positive. */
-VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
+VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
     vm_real tau, first, second, difference, given = 0, acceleration, result[2];
     if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(stream->rate) || !VM_IS_FINITE(stream->velocity) || !VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(v0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(force)) return VM_NOT_FINITE;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
@@ -5823,6 +5839,13 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
+VM_API int vmi_jet_finite(const vm_jet *jet)
+{
+    return VM_IS_FINITE(jet->rate) && VM_IS_FINITE(jet->axial) && VM_IS_FINITE(jet->transverse) &&
+           VM_IS_FINITE(jet->gyration_axial) && VM_IS_FINITE(jet->gyration_transverse) &&
+           VM_IS_FINITE(jet->gyration_out) && VM_IS_FINITE(jet->nozzle);
+}
+
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
    There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
    gyration_axial t the transverse part of omega has the length
@@ -5831,17 +5854,17 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
    tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
    t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
    VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
-VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
+VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_vec3_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
     exponent = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
-        return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent)) return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     share = vmi_exp(exponent * first, 0);
@@ -5868,7 +5891,7 @@ VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 
    rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
-       vm_real angle = vm_drum_angle(1, &drum); // rad, after 1 s on a rigid shaft
+       vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
 
    Tests: tests/test_drum.c, tests/test_drum_shaft.c. */
 #ifndef VARMASS_MECHANICS_DRUM_H
@@ -5948,18 +5971,26 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     return VM_OK;
 }
 
+VM_API int vmi_drum_finite(const vm_drum *d)
+{
+    return VM_IS_FINITE(d->radius) && VM_IS_FINITE(d->mass) && VM_IS_FINITE(d->inertia) && VM_IS_FINITE(d->band) &&
+           VM_IS_FINITE(d->speed) && VM_IS_FINITE(d->damping) && VM_IS_FINITE(d->stiffness) &&
+           VM_IS_FINITE(d->omega);
+}
+
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
    phi >= 0 in rad.
-   VM_BAD_ARGUMENT (phi < 0, too), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA. */
-VM_API int vm_drum_at(vm_real phi, const vm_drum *d, vm_drum_geometry *g)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (phi < 0). */
+VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
     vmi_drum_mass m;
     int status;
-    if (!d || !g || phi < 0) return VM_BAD_ARGUMENT;
-    if (!(VM_IS_FINITE(phi) && VM_IS_FINITE(d->radius))) return VM_NOT_FINITE;
+    if (!d || !g) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(phi) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
+    if (phi < 0) return VM_DOMAIN;
     vmi_sincos(phi / 2, &s, &c);
     status = vmi_drum_mass_at(d, phi, s, &m);
     if (status) return status;
@@ -6067,7 +6098,7 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
    through e = 0 and k1 = 1 - e/(j Omega_b) = 0 and up to the stop, as long as products of the fields do not overflow
    or underflow. NaN beyond the stop (vm_drum_stop), for phi < 0, for a null pointer, and where inertia or omega is
    not positive or band is negative. */
-VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d)
+VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
@@ -6079,20 +6110,20 @@ VM_API vm_real vm_drum_rate(vm_real phi, const vm_drum *d)
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
    An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum; the independent variable is phi, and the angular
-   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer and where the drum does not
-   get to phi, and the errors of vm_drum_rhs. */
+   velocity phi'(phi) is that on a rigid shaft (196). VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN where the drum
+   does not get to phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
     const vm_drum *d = (const vm_drum *)drum;
-    const vm_real rate = vm_drum_rate(phi, d), j = d->band * d->radius * d->radius;
+    const vm_real rate = vm_drum_rate(d, phi), j = d->band * d->radius * d->radius;
     const vm_real e = d->band * d->speed * d->radius - d->damping;
     const vm_real slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
     vm_real acceleration, drag, force_y;
     vmi_drum_mass m;
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
-    if (!(rate > 0)) return VM_BAD_ARGUMENT;
+    if (!(rate > 0)) return VM_DOMAIN;
     acceleration = (e - j * rate) / m.J; /* d phi'/d phi (195): phi'' = acceleration phi' */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
@@ -6117,7 +6148,7 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b), without branches: t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2].
    Accuracy and NaN as for vm_drum_rate; infinity at the stop. */
-VM_API vm_real vm_drum_time(vm_real phi, const vm_drum *d)
+VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
     if (!(phi >= 0) || !VM_IS_FINITE(phi) || !vmi_drum_turns(d)) return VM_NAN;
@@ -6150,7 +6181,7 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
    With a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and y = a p = ln(1 + x) the equation of vm_drum_time reads
      p + b f^2 (x - y)/x^2 = 1,   x = e^y - 1,   f = p x/y.
    Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from anywhere. */
-VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
+VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* relative error of phi that the last step leaves */
     const int most_steps = 40; /* 8 were the most for 400 000 drums with |a| and b from 1e-20 to 1e20 */
@@ -6183,7 +6214,7 @@ VM_API vm_real vm_drum_angle(vm_real t, const vm_drum *d)
    is here for comparison, vm_drum_angle is better: this form loses all digits next to e = 0, where r comes to the
    branch point of W. x itself leaves the range of numbers next to k1 = 0 (it is 1e-869 for k1 = 1e-3), so ln |x| is
    used. NaN for e = 0 and k1 = 0, and as for vm_drum_rate. */
-VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
+VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
     if (!(t >= 0) || !VM_IS_FINITE(t) || !vmi_drum_turns(d)) return VM_NAN;
@@ -6201,16 +6232,18 @@ VM_API vm_real vm_drum_angle_lambert(vm_real t, const vm_drum *d)
 }
 
 /* Coefficients of the elastic shaft in the first approximation, (213), (214).
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_SINGULAR where stiffness or omega is not positive.
-   */
-VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN where omega is not
+   positive. */
+VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 {
     vm_drum_shaft r;
     vm_real j, drive, mass; /* j/J0, e/(J0 Omega_b), mu/M0 */
     if (!d || !s) return VM_BAD_ARGUMENT;
+    if (!vmi_drum_finite(d)) return VM_NOT_FINITE;
     if (d->mass <= 0 || d->band < 0) return VM_BAD_MASS;
+    if (d->stiffness <= 0) return VM_BAD_STIFFNESS;
     if (d->inertia <= 0) return VM_BAD_INERTIA;
-    if (d->stiffness <= 0 || d->omega <= 0) return VM_SINGULAR;
+    if (d->omega <= 0) return VM_DOMAIN;
     mass = d->band / d->mass;
     j = d->band * d->radius * d->radius / d->inertia;
     drive = vmi_drum_e(d).hi / (d->inertia * d->omega);
@@ -6218,8 +6251,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
     r.delta = (mass + drive - j) / 2;
     r.A = mass + 2 * (drive - j);
     r.shift = mass * d->speed / (d->omega * r.k * r.k);
-    if (!VM_IS_FINITE(d->inertia) || !VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) ||
-        !VM_IS_FINITE(r.shift))
+    if (!VM_IS_FINITE(r.k) || !VM_IS_FINITE(r.delta) || !VM_IS_FINITE(r.A) || !VM_IS_FINITE(r.shift))
         return VM_NOT_FINITE;
     *s = r;
     return VM_OK;
@@ -6230,7 +6262,7 @@ VM_API int vm_drum_shaft_init(const vm_drum *d, vm_drum_shaft *s)
    particular is 0 for x and s->shift for y. At phi = 0 the deflection is a cos alpha + particular, which gives the
    amplitude a (m) and the phase alpha (rad). The integral (2k/3A)(1 - m^3), m^2 = 1 - A phi, is computed as
    2k/3 phi (1 + m + m^2)/(1 + m), which is right for A = 0, too. NaN where 1 - A phi <= 0 and for a null pointer. */
-VM_API vm_real vm_drum_deflection(vm_real phi, const vm_drum_shaft *s, vm_real a, vm_real alpha, vm_real particular)
+VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
     if (!s) return VM_NAN;
@@ -6522,6 +6554,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 {
     vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
     if (!rates) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     if (sine == 0) return VM_SINGULAR;
