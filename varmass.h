@@ -257,7 +257,7 @@
        vm_osc_jacobi                  Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0
        vm_osc_approximation_errors    Errors of the approximations by cos and cn, as the fields of vm_osc_errors
 
-     oscillators/laws: laws of mass, stiffness and damping: numbers that depend on time
+     oscillators/laws: laws of mass, stiffness and the like: numbers that depend on time
        vm_law_at                      Value f and rate df/dt of a law at time t (s), which may be negative
        vm_law_linear                  Linear law f = f0 + f1 t (346); a constant where f1 = 0
        vm_law_quadratic               Quadratic law f = f0 + f1 t + f2 t^2
@@ -6880,10 +6880,10 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 }
 
 #endif
-/* oscillators/laws.h - laws of mass, stiffness and damping: numbers that depend on time
+/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
 
-   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha) or the damping (kg/s).
-   It is made by a constructor: linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a
+   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
+   and size (N) of a force on it (oscillators/forced.h). It is made by a constructor: linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a
    function of the user. The shortest useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
@@ -6898,7 +6898,7 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 /* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or a damping. The constructors vm_law_linear, vm_law_table ... fill it; set nothing
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; set nothing
    by hand but change_time. The law keeps pointers to the arrays of a table and to the function of a user, which must
    outlive it. On a GPU call the constructor there, for the law also points to functions. */
 typedef struct VM_TAG(vm_law) vm_law;
@@ -6912,9 +6912,9 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
     /* What the kind of law does; its constructor sets these. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
-    int (*check)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t tells enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
-    vm_real (*inverse_integral)(const vm_law *law, vm_real t);             /* null: there is no closed form */
+    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
@@ -6953,7 +6953,7 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
     if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->check) status = law->check(law, if_not_positive, t);
+    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
     return status;
 }
 
@@ -7011,7 +7011,7 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
     law.ctx = NULL;
     law.change_time = 0;
     law.derivatives = NULL;
-    law.check = NULL;
+    law.validate = NULL;
     law.exponential_form = NULL;
     law.inverse_integral = NULL;
     return law;
@@ -7059,7 +7059,7 @@ VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side,
 }
 
 /* f must be positive where it is lowest, if that is between 0 and t. */
-VM_API int vmi_law_quadratic_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS], lowest;
     if (!(law->f2 > 0)) return VM_OK;
@@ -7093,7 +7093,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
     law.derivatives = vmi_law_quadratic_derivatives;
-    law.check = vmi_law_quadratic_check;
+    law.validate = vmi_law_quadratic_validate;
     law.exponential_form = vmi_law_quadratic_form;
     law.inverse_integral = vmi_law_quadratic_inverse_integral;
     return law;
@@ -7231,7 +7231,7 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
 }
 
 /* The whole table, whatever t is: values finite and positive, times rising */
-VM_API int vmi_law_table_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
     (void)t;
@@ -7253,7 +7253,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     law.time = time;
     law.value = value;
     law.derivatives = vmi_law_table_derivatives;
-    law.check = vmi_law_table_check;
+    law.validate = vmi_law_table_validate;
     return law;
 }
 
@@ -7288,7 +7288,7 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
 }
 
 /* change_time must be a time, and at most 2^20 of them may lie between 0 and t, so that every call ends. */
-VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
     (void)if_not_positive;
@@ -7310,7 +7310,7 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     law.function = function;
     law.ctx = ctx;
     law.derivatives = vmi_law_user_derivatives;
-    law.check = vmi_law_user_check;
+    law.validate = vmi_law_user_validate;
     return law;
 }
 
