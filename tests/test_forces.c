@@ -29,7 +29,7 @@ static void check_spring_values(void)
     int n;
     for (i = 0; i < sizeof powers / sizeof *powers; i++) {
         for (n = 0; n < DRAWS; n++) {
-            const double k = uniform(0.5, 3), x = uniform(-4, 4), wanted = spring_by_hand(k, powers[i], x);
+            const double k = copysign(uniform(0.5, 3), uniform(-1, 1)), x = uniform(-4, 4), wanted = spring_by_hand(k, powers[i], x);
             const vm_real got = vm_force_spring(REAL(x), REAL(k), REAL(powers[i]));
             agrees("vm_force_spring", "|x| < 4", got, wanted, fabs(wanted), 4, x);
             CHECK(vm_force_spring(REAL(-x), REAL(k), REAL(powers[i])) == -got); /* odd in x */
@@ -54,6 +54,7 @@ static void check_spring_edges(void)
     CHECK(vm_force_spring(REAL(0.125), 3, 1) == REAL(-0.375));
     CHECK(vm_force_spring(-2, 3, 2) == 12 && vm_force_spring(-2, 3, 3) == 24);
     CHECK(vm_force_spring(2, -3, 1) == 6 && vm_force_spring(2, -3, 2) == 12 && vm_force_spring(2, -3, 3) == 24);
+    CHECK(vm_force_spring(2, -3, 0) == 3 && vm_force_spring(2, -3, 4) == 48); /* a negative stiffness pushes away */
     CHECK(is_nan(vm_force_spring(2, 1, VM_NAN)));
 }
 
