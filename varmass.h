@@ -6883,8 +6883,8 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 /* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
 
    A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
-   and size (N) of a force on it (oscillators/forced.h). It is made by a constructor: linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a
-   function of the user. The shortest useful call:
+   and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
+   exponential, power, the points of a table, or a function of the user. The shortest useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
