@@ -6898,9 +6898,9 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 /* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; set nothing
-   by hand but change_time. The law keeps pointers to the arrays of a table and to the function of a user, which must
-   outlive it. On a GPU call the constructor there, for the law also points to functions. */
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; only
+   change_time may be set by hand. The law keeps pointers to the arrays of a table and to the function of a user, which
+   must outlive it. It also points to functions: on a GPU call the constructor on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
@@ -6929,8 +6929,9 @@ enum { VMI_LAW_ORDERS = 4 };
 VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
 
 /* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
-   side: 1 or -1; where a derivative jumps at t, it is the one after or the one before t. step: see vm_law_user's
-   section; 0 where f'' is not wanted. f''' is that of a table, else 0, for elsewhere it is as small as f'' changes.
+   side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
+   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
+   f''' is that of a table, and 0 for all other laws, where it is not needed.
    if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
 {
@@ -7130,7 +7131,7 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
+/* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -8315,9 +8316,9 @@ VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_w
 
 /* -- Averaged equations with a force -- */
 
-/* Means over a period of F s and F c at amplitude A and V = speed vmax. On each quarter 20 points of Gauss' rule go as
-   far as the velocity changes its sign like tanh psi, and 20 are in the root of the distance from x = 0, where powers
-   of it that are not whole may occur. */
+/* Means over a period of F s and F c at amplitude A and V = speed vmax. Every quarter of the period is cut in two. Up to
+   the cut, where for large alpha the velocity goes like tanh psi, Gauss' rule takes 20 points in psi. From there to
+   x = 0 it takes 20 points in the root of the distance from x = 0, since F may hold broken powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {

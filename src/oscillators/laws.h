@@ -23,9 +23,9 @@
 /* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; set nothing
-   by hand but change_time. The law keeps pointers to the arrays of a table and to the function of a user, which must
-   outlive it. On a GPU call the constructor there, for the law also points to functions. */
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; only
+   change_time may be set by hand. The law keeps pointers to the arrays of a table and to the function of a user, which
+   must outlive it. It also points to functions: on a GPU call the constructor on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
@@ -54,8 +54,9 @@ enum { VMI_LAW_ORDERS = 4 };
 VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
 
 /* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
-   side: 1 or -1; where a derivative jumps at t, it is the one after or the one before t. step: see vm_law_user's
-   section; 0 where f'' is not wanted. f''' is that of a table, else 0, for elsewhere it is as small as f'' changes.
+   side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
+   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
+   f''' is that of a table, and 0 for all other laws, where it is not needed.
    if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
 {
@@ -255,7 +256,7 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
+/* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
