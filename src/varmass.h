@@ -129,7 +129,7 @@
 #include "oscillators/laws.h"
 #include "oscillators/problem.h"
 #include "oscillators/walk.h"
-#include "oscillators/mean_laws.h"
+#include "oscillators/mean_motion.h"
 #include "oscillators/averaging.h"
 #include "oscillators/integration.h"
 #include "oscillators/routes.h"
