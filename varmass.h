@@ -257,7 +257,7 @@
        vm_osc_jacobi                  Approximation x0 cn(Omega_1 t | m) (297) and its velocity (302), from rest at x0
        vm_osc_approximation_errors    Errors of the approximations by cos and cn, as the fields of vm_osc_errors
 
-     oscillators/laws: laws of mass, stiffness and damping: numbers that depend on time
+     oscillators/laws: laws of mass, stiffness and the like: numbers that depend on time
        vm_law_at                      Value f and rate df/dt of a law at time t (s), which may be negative
        vm_law_linear                  Linear law f = f0 + f1 t (346); a constant where f1 = 0
        vm_law_quadratic               Quadratic law f = f0 + f1 t + f2 t^2
@@ -6914,11 +6914,11 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 }
 
 #endif
-/* oscillators/laws.h - laws of mass, stiffness and damping: numbers that depend on time
+/* oscillators/laws.h - laws of mass, stiffness and the like: numbers that depend on time
 
-   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha) or the damping (kg/s).
-   It is made by a constructor: linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a
-   function of the user. The shortest useful call:
+   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
+   and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
+   exponential, power, the points of a table, or a function of the user. The shortest useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
@@ -6932,9 +6932,9 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 /* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-/* The law of a mass, a stiffness or a damping. The constructors vm_law_linear, vm_law_table ... fill it; set nothing
-   by hand but change_time. The law keeps pointers to the arrays of a table and to the function of a user, which must
-   outlive it. On a GPU call the constructor there, for the law also points to functions. */
+/* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it; only
+   change_time may be set by hand. The law keeps pointers to the arrays of a table and to the function of a user, which
+   must outlive it. It also points to functions: on a GPU call the constructor on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
@@ -6946,9 +6946,9 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
     /* What the kind of law does; its constructor sets these. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
-    int (*check)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t tells enough */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t is enough */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
-    vm_real (*inverse_integral)(const vm_law *law, vm_real t);             /* null: there is no closed form */
+    vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null: there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
@@ -6963,8 +6963,9 @@ enum { VMI_LAW_ORDERS = 4 };
 VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
 
 /* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
-   side: 1 or -1; where a derivative jumps at t, it is the one after or the one before t. step: see vm_law_user's
-   section; 0 where f'' is not wanted. f''' is that of a table, else 0, for elsewhere it is as small as f'' changes.
+   side: where a derivative jumps at t, 1 asks for its value after t, -1 for that before t.
+   step: a short time, s, which functions of the user need for f''; 0 where f'' is not wanted.
+   f''' is that of a table, and 0 for all other laws, where it is not needed.
    if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
 {
@@ -6987,7 +6988,7 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
     if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
-    if (!status && law->check) status = law->check(law, if_not_positive, t);
+    if (!status && law->validate) status = law->validate(law, if_not_positive, t);
     return status;
 }
 
@@ -7045,7 +7046,7 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
     law.ctx = NULL;
     law.change_time = 0;
     law.derivatives = NULL;
-    law.check = NULL;
+    law.validate = NULL;
     law.exponential_form = NULL;
     law.inverse_integral = NULL;
     return law;
@@ -7093,7 +7094,7 @@ VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side,
 }
 
 /* f must be positive where it is lowest, if that is between 0 and t. */
-VM_API int vmi_law_quadratic_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS], lowest;
     if (!(law->f2 > 0)) return VM_OK;
@@ -7127,7 +7128,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law = vmi_law_of(f0, f1, f2);
     law.derivatives = vmi_law_quadratic_derivatives;
-    law.check = vmi_law_quadratic_check;
+    law.validate = vmi_law_quadratic_validate;
     law.exponential_form = vmi_law_quadratic_form;
     law.inverse_integral = vmi_law_quadratic_inverse_integral;
     return law;
@@ -7164,7 +7165,7 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
+/* VM_BAD_MASS where 1 + f1 t is not positive; for other numbers than masses vmi_law_derivatives changes the status */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -7265,7 +7266,7 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
 }
 
 /* The whole table, whatever t is: values finite and positive, times rising */
-VM_API int vmi_law_table_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
     (void)t;
@@ -7287,7 +7288,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     law.time = time;
     law.value = value;
     law.derivatives = vmi_law_table_derivatives;
-    law.check = vmi_law_table_check;
+    law.validate = vmi_law_table_validate;
     return law;
 }
 
@@ -7322,7 +7323,7 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
 }
 
 /* change_time must be a time, and at most 2^20 of them may lie between 0 and t, so that every call ends. */
-VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
+VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
     (void)if_not_positive;
@@ -7344,7 +7345,7 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     law.function = function;
     law.ctx = ctx;
     law.derivatives = vmi_law_user_derivatives;
-    law.check = vmi_law_user_check;
+    law.validate = vmi_law_user_validate;
     return law;
 }
 
@@ -7363,7 +7364,7 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
    Without F three numbers decide on x(t), all by the Ateb phase psi, whose rate is Om:
-     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which the laws and the damping change the motion, 1/s,
+     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which m, k and b change the motion, 1/s,
      h, which stands for q' in averaging to second order, 1/s^2,
      q/Om, which must be small for all routes that average.
    The plan holds what has to be computed only once for a problem. The motion from a problem or a plan is in
@@ -7405,7 +7406,7 @@ typedef struct VM_TAG(vm_osc_motion) {
     vm_real amplitude; /* A, m; of the first four routes without its ripple within a period */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax(A), from all causes */
     int route;         /* VM_ROUTE_... that was taken */
-    long evals;        /* evaluations of right-hand sides; 0 of the laws */
+    long evals;        /* evaluations of right-hand sides; 0 where none were integrated */
 } vm_osc_motion;
 
 /* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
@@ -7521,7 +7522,7 @@ VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* The constants of the second-order law that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
+/* The constants of the second-order solution that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
    depends on Om at the mean amplitude, which depends on rho; and the mean phase minus the phase */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
@@ -7942,7 +7943,7 @@ typedef struct VM_TAG(vmi_osc_walk) {
     vm_real ln_A;                    /* change of ln of the mean amplitude by jumps of q' */
     vm_real kicks;                   /* sum of the sizes of these changes */
     vm_real kick2, kick3;            /* sums of squares of the jumps of h/Om^2, and of (q h + h')/Om^3 */
-    vm_real shortest;                /* shortest panel that the laws took, s */
+    vm_real shortest;                /* shortest panel that the laws of m and k took, s */
     vm_real error;                   /* of integral.phase, s */
 } vmi_osc_walk;
 
@@ -8142,19 +8143,17 @@ VM_API int vmi_osc_walk_to(vmi_osc_walk *w, const vm_osc_plan *p, vm_real t)
 }
 
 #endif
-/* oscillators/mean_laws.h - laws of first and second order for the mean motion, and estimates of their errors
+/* oscillators/mean_motion.h - averaged motion of first and second order without a force, and estimates of its error
 
-   Without a force F the averaged equations of an oscillator with slow laws are solved by integrals: the amplitude
-   follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om, (310), (329), (370).
-   vmi_osc_first_order is that solution for one of the three waves, error q/Om; vmi_osc_second_order adds the ripple
-   within a period and the second order of the mean phase, error (q/Om)^2.
-       vmi_osc_mean mean;
-       vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB);
-       int status = vmi_osc_mean_at(&plan, t, &mean);
-       if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion);
-   Tests: tests/test_averaging.c, tests/test_routes.c. */
-#ifndef VARMASS_OSCILLATORS_MEAN_LAWS_H
-#define VARMASS_OSCILLATORS_MEAN_LAWS_H
+   Without a force F the averaged equations of an oscillator with slow laws of mass and stiffness are solved by
+   integrals: the amplitude follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om,
+   (310), (329), (370). vmi_osc_first_order is that solution for one of the three waves, error q/Om;
+   vmi_osc_second_order adds the ripple within a period and the second order of the mean phase, error (q/Om)^2.
+   vmi_osc_mean mean; vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB); int status = vmi_osc_mean_at(&plan, t,
+   &mean); if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion); Tests: tests/test_averaging.c,
+   tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_MEAN_MOTION_H
+#define VARMASS_OSCILLATORS_MEAN_MOTION_H
 
 /* -- The mean motion at t -- */
 typedef struct VM_TAG(vmi_osc_mean) {
@@ -8163,17 +8162,18 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
     vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
     vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
-    vm_real fast;               /* bound of what the laws' fastest changes add to ln of the action */
+    vm_real fast;               /* bound of the change of ln of the action by the fastest changes of m and k */
     vm_real phase_error;        /* error of the phase by that of integral.phase */
 } vmi_osc_mean;
 
 /* A bound of the change of ln J, J the action, that the adiabatic law leaves out. The law ignores
    (ln J)' = epsilon w(psi), per radian of phase, with w = (1 - (n+2)/n sa^2)/2, n = alpha + 1, whose mean is 0. The
    change is at most the integral of |epsilon w|. After i integrations by parts it is at most the integral of the ith
-   derivative of epsilon times the ith integral of w; the terms at the ends are in the laws. The smallest of these
-   bounds is taken: one with a high i for slow laws, the first for a change in less than a period. At points of tables
-   the derivatives jump. The laws contain the effect (a kick) of the jumps of the first derivative, and kick3 that of
-   the next. Where the first bounds are the smallest, the kicks in the laws are wrong, so these bounds include them. */
+   derivative of epsilon times the ith integral of w; the solution has the terms at the ends. The smallest of these
+   bounds is taken: one with a high i where m and k change slowly, the first where they change in less than a period.
+   At points of tables the derivatives jump. The solution contains the effect (a kick) of the jumps of the first
+   derivative, and kick3 that of the next. Where the first bounds are the smallest, the kicks of the solution are
+   wrong, so these bounds include them. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
 {
     const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
@@ -8192,7 +8192,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
     return least;
 }
 
-/* The mean motion by a walk along the laws; mean->now is given. */
+/* The mean motion by a walk along the laws of m and k; mean->now is given. */
 VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_osc_problem *o = &p->problem;
@@ -8212,8 +8212,8 @@ VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     return VM_OK;
 }
 
-/* The mean motion where both laws are exponentials in one u. epsilon then is a power or an exponential, too, so that
-   its fastest change is at 0 or at t, which the errors of the laws include. */
+/* The mean motion where m and k are exponentials in one u. epsilon then is a power or an exponential, too, so that
+   its fastest change is at 0 or at t, which the estimates below include. */
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
 {
     const vm_real u = t * vmi_log_ratio(p->base * t), q = p->q;
@@ -8252,16 +8252,16 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->integral.phase)) + mean->phase_error;
 }
 
-/* What the laws miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t, and the
-   roughness of tables */
+/* What both solutions miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t,
+   and the roughness of tables */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
     return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
 }
 
-/* The error of first order, to first order in q/Om: the law leaves out ln rho and the shift of the start, the ripple
-   of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
+/* The error of first order, to first order in q/Om: the solution leaves out ln rho and the shift of the start, the
+   ripple of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
@@ -8273,7 +8273,7 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The error of second order: the law leaves out ripples of second order at the start and at t, the third order of
+/* The error of second order: the solution leaves out ripples of second order at the start and at t, the third order of
    ln rho, which the phase multiplies, and the fourth order of the mean phase. The factors fit what
    tests/test_routes.c finds. */
 VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
@@ -8287,7 +8287,7 @@ VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *me
            VM_C(0.1) * mean->fourth + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* -- The laws -- */
+/* -- The solutions -- */
 
 /* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
    of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */
@@ -8349,9 +8349,10 @@ VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_w
 
 /* -- Averaged equations with a force -- */
 
-/* Means over a period of F s and F c at amplitude A and V = speed vmax. On each quarter 20 points of Gauss' rule go as
-   far as the velocity changes its sign like tanh psi, and 20 are in the root of the distance from x = 0, where powers
-   of it that are not whole may occur. */
+/* Means over a period of F s and F c at amplitude A and V = speed vmax. Every quarter of the period is cut in two. Up
+   to the cut, where for large alpha the velocity goes like tanh psi, Gauss' rule takes 20 points in psi. From there
+   to x = 0 it takes 20 points in the root of the distance from x = 0, since F may hold fractional powers of that
+   distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -8688,7 +8689,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int route;        /* VM_ROUTE_... of the method */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
-    int status;       /* of the laws, where they stopped the run */
+    int status;       /* of a law of m or k that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, as a part of the way to the next stop */
     vm_real law_step; /* longest step, s, in which no law of a function changes unseen, for VMI_OSC_LONGEST */
@@ -8774,7 +8775,7 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 /* -- One run -- */
 
 /* The period at the run's time, s, by the amplitude in y, or for the direct equations by the adiabatic law without
-   damping; NaN where the laws fail */
+   damping; NaN where a law of m or k fails */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -8912,7 +8913,7 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* The longest step, s, in which no law that is a function changes unseen: a part of the shortest panel in the walk
-   along the laws. A jump of a law would make it 0, so it is at least a fixed part of the run. */
+   along the laws. A jump of the law would make it 0, so it is at least a fixed part of the run. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -8933,7 +8934,7 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* A loose run and a strict one, with half the longest step. Where the laws stopped one, c->status says so. */
+/* A loose run and a strict one, with half the longest step. Where a law of m or k stopped one, c->status says so. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {
@@ -9052,25 +9053,25 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 
 /* -- Which route for what, and what the estimate of the error covers --
 
-   Cost. Without a force F the first four routes are laws in closed form: one or two sa, ca and the integrals of the
-   laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0 to t and work to
-   the tolerance: each runs twice, the second time more strictly, and the difference of the two gives the error. By
-   the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a period for alpha = 3.
-   With F the averaged equations of the first three routes are integrated, too, and the second-order law does not
-   exist.
+   Cost. Without a force F the first four routes are averaged solutions in closed form: one or two sa, ca and the
+   integrals of the laws of mass and stiffness, whatever t and the tolerance are. The other routes integrate from 0
+   to t and work to the tolerance: each runs twice, the second time more strictly, and the difference of the two
+   gives the error. By the default tolerance that takes 400 (variation), 700 (rk87) or 2200 (rk45) evaluations a
+   period for alpha = 3. With F the averaged equations of the first three routes are integrated, too, and the
+   second-order law does not exist.
 
-   Choice. vm_osc_within takes the first of the four laws that is within the tolerance. Where none is, or F is
-   given, it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the
-   variation of constants.
+   Choice. vm_osc_within takes the first of these four that is within the tolerance. Where none is, or F is given,
+   it integrates: by rk87 for odd alpha without F, where it is two to four times as fast, else by the variation of
+   constants.
 
-   What the estimate covers. Of the laws: what the law leaves out, and the fastest changes of mass and stiffness
-   between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from point to point. A
-   change within a period makes the estimate large; vm_osc_within then integrates, in steps of at most a quarter of
-   the shortest panel. Of averaged equations with F: the error of their integration, of averaging, and of cos and cn
-   in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on phase and
-   amplitude at the start, its square, and a force that changes within a period, as in a resonance. For this
-   estimate F is called over a period at the start and at eight later times: a force that acts only for a short time
-   between these is not seen.
+   What the estimate covers. Of averaged solutions: what the solution leaves out, and the fastest changes of mass
+   and stiffness between 0 and t. These are examined panel by panel (for functions see vm_law_user), tables from
+   point to point. A change within a period makes the estimate large; vm_osc_within then integrates, in steps of at
+   most a quarter of the shortest panel. Of averaged equations with F: the error of their integration, of averaging,
+   and of cos and cn in place of the Ateb functions. Averaging leaves out the ripple within a period, its effect on
+   phase and amplitude at the start, its square, and a force that changes within a period, as in a resonance. For
+   this estimate F is called over a period at the start and at eight later times: a force that acts only for a short
+   time between these is not seen.
 
    How good the estimate is. Random problems (tests/test_routes.c) have alpha in [0, 8], q from 3e-3 to 0.1 and end
    at t = 3/q; some of them change only in a part of the run, or have tables with a step. The true error is below 3
@@ -9083,34 +9084,34 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 
 /* -- The table of routes -- */
 
-/* A route: without a force by its law, if it has one, else by its method of integration */
+/* The solution of averaged equations without a force at t, where the mean motion has come to *mean */
+typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+                                vm_osc_motion *motion);
+
+/* A route: without a force by its solution in closed form, if it has one, else by its method of integration */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
-    int (*law)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
-               vm_osc_motion *motion); /* solution of the averaged equations without a force; null: it has none */
-    vmi_osc_method method;             /* with rhs null: it cannot be integrated */
+    vmi_osc_solution solution; /* null: it has none */
+    vmi_osc_method method;     /* with rhs null: it cannot be integrated */
 } vmi_osc_route;
 
-/* The entry of a law, whose equations with a force, by rk45, are averaged ones; rhs null: there are none */
-VM_API vmi_osc_route vmi_osc_route_of_law(const char *name,
-                                          int (*law)(const vm_osc_plan *, int, const vmi_osc_wave *,
-                                                     const vmi_osc_mean *, vm_osc_motion *),
-                                          ode_rhs rhs)
+/* The entry of an averaged solution, whose equations with a force, by rk45, are rhs; null: there are none */
+VM_API vmi_osc_route vmi_osc_route_averaged(const char *name, vmi_osc_solution solution, ode_rhs rhs)
 {
     vmi_osc_route route;
     route.name = name;
-    route.law = law;
+    route.solution = solution;
     route.method = vmi_osc_method_rk45(rhs);
     route.method.averaged = 1;
     return route;
 }
 
 /* The entry of a route that always integrates */
-VM_API vmi_osc_route vmi_osc_route_of_method(const char *name, vmi_osc_method method, int direct)
+VM_API vmi_osc_route vmi_osc_route_integrated(const char *name, vmi_osc_method method, int direct)
 {
     vmi_osc_route route;
     route.name = name;
-    route.law = NULL;
+    route.solution = NULL;
     route.method = method;
     route.method.direct = direct;
     return route;
@@ -9123,14 +9124,14 @@ VM_API vmi_osc_route vmi_osc_route_of(int route)
     const vmi_osc_method rk45_direct = vmi_osc_method_rk45(vmi_osc_direct_rhs);
     const vmi_osc_method rk87_direct = vmi_osc_method_rk87(vmi_osc_direct_rhs);
     switch (route) {
-    case VM_ROUTE_TRIG: return vmi_osc_route_of_law("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_JACOBI: return vmi_osc_route_of_law("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_ATEB: return vmi_osc_route_of_law("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
-    case VM_ROUTE_SECOND: return vmi_osc_route_of_law("second-order law", vmi_osc_second_order, NULL);
-    case VM_ROUTE_VARIATION: return vmi_osc_route_of_method("variation of constants, rk45", variation, 0);
-    case VM_ROUTE_RK45: return vmi_osc_route_of_method("direct, rk45", rk45_direct, 1);
-    case VM_ROUTE_RK87: return vmi_osc_route_of_method("direct, rk87", rk87_direct, 1);
-    default: return vmi_osc_route_of_law("unknown route", NULL, NULL);
+    case VM_ROUTE_TRIG: return vmi_osc_route_averaged("trigonometric", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_JACOBI: return vmi_osc_route_averaged("Jacobi", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_ATEB: return vmi_osc_route_averaged("Ateb, first order", vmi_osc_first_order, vmi_osc_averaged_rhs);
+    case VM_ROUTE_SECOND: return vmi_osc_route_averaged("second-order law", vmi_osc_second_order, NULL);
+    case VM_ROUTE_VARIATION: return vmi_osc_route_integrated("variation of constants, rk45", variation, 0);
+    case VM_ROUTE_RK45: return vmi_osc_route_integrated("direct, rk45", rk45_direct, 1);
+    case VM_ROUTE_RK87: return vmi_osc_route_integrated("direct, rk87", rk87_direct, 1);
+    default: return vmi_osc_route_averaged("unknown route", NULL, NULL);
     }
 }
 
@@ -9185,24 +9186,24 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     entry = vmi_osc_route_of(route);
     if (p->problem.force && !entry.method.rhs) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
-    if (p->problem.force || !entry.law) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
+    if (p->problem.force || !entry.solution) return vmi_osc_integrate(p, route, &entry.method, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     w = vmi_osc_wave_of(p, route);
-    return entry.law(p, route, &w, &mean, motion);
+    return entry.solution(p, route, &w, &mean, motion);
 }
 
 /* -- The cheapest route -- */
 
-/* The route that integrates where no law is good enough: rk87 only for odd alpha, where the elastic force has all
-   derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
+/* The route that integrates where no averaged solution is good enough: rk87 only for odd alpha, where the elastic
+   force has all derivatives at x = 0, so that rk87 holds its order, and where F, which may have none, is missing */
 VM_API int vmi_osc_integrator(const vm_osc_problem *o)
 {
     const vm_real half = (o->alpha - 1) / 2;
     return !o->force && half == VM_FLOOR(half) ? VM_ROUTE_RK87 : VM_ROUTE_VARIATION;
 }
 
-/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no law is good enough */
+/* Motion at any time t (s) by integration, as vm_osc_plan_within does where no averaged solution is good enough */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const int route = vmi_osc_integrator(&p->problem);
