@@ -12,90 +12,101 @@
            return 0;
        }
 
-   WHAT THEY ARE
-     v = sa(1, alpha, s) and u = ca(alpha, 1, s) solve v' = u|u|^(alpha-1), u' = -2 v/(alpha + 1), v(0) = 0,
-     u(0) = 1 (275). So v^2 + |u|^(alpha+1) = 1 (279), and v^2 is an inverse incomplete beta function of s:
-     s = (1/2) B_(v^2)(1/2, 1/(alpha+1)) for 0 <= s <= Pi_alpha/2.
-     alpha = 1 gives sin and cos; alpha = 3 gives ca = cn(s/sqrt 2 | 1/2) and sa = sqrt 2 sn dn; alpha = 0 gives
-     sa a triangular wave and ca arcs of parabolas; for alpha to infinity sa tends to tanh s, on the scale of the
-     period to a square wave. In terms of the generalised sine, with p = (alpha+1)/alpha:
-     sa(1, alpha, s) = sin_(p,2)(s), ca(alpha, 1, s) = sin_(2,alpha+1)((Pi_alpha - 2 s)/(alpha+1)).
-
    CONVENTIONS
-     The variable comes first, then the real parameter alpha >= 0. Names and arguments are the dissertation's [1]:
-     sa here is always sa(1, alpha, .), ca always ca(alpha, 1, .), the pair that makes up x and x' of one
-     oscillator, x = A ca, x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa. All arguments are pure numbers.
+     The variable comes first, then the parameter alpha, any real number >= 0; results come last. All arguments are
+     pure numbers. Names are those of the dissertation [1]: sa always means sa(1, alpha, s), and ca always means
+     ca(alpha, 1, s). Both have the period 2 Pi_alpha. An oscillator m x'' + k x|x|^(alpha-1) = 0 with amplitude A
+     moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where omega = sqrt(k/m).
+
+   WHAT THE FUNCTIONS ARE
+     v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275). So
+     v^2 + |u|^(alpha+1) = 1 (279), and in the first quarter, 0 <= s <= Pi_alpha/2, v^2 is an inverse incomplete beta
+     function of s: s = (1/2) B_(v^2)(1/2, 1/(alpha+1)).
+     alpha = 0              sa is a triangular wave, ca consists of arcs of parabolas
+     alpha = 1              sa = sin, ca = cos
+     alpha = 3              sa = sqrt(2) sn dn and ca = cn of the argument s/sqrt(2) and the parameter 1/2
+     alpha to infinity      sa tends to tanh s, and on the scale of the period to a square wave
+     In terms of the generalised sine, with p = (alpha+1)/alpha,
+     sa = sin_(p,2)(s) and ca = sin_(2,alpha+1)((Pi_alpha - 2s)/(alpha+1)).
+
+   WHAT TO CALL
+     ateb_saca             sa and ca for one s and one alpha; ateb_sa and ateb_ca return one of them
+     ateb_pi               Pi_alpha, half the period
+     ateb_plan_init        where alpha stays: the plan is prepared once; then ateb_plan_saca, or ateb_plan_saca_array
+                           for many s. ateb_plan_init_to makes a shorter and quicker plan of less accuracy. A plan is
+                           plain data and may be a constant in flash; examples/ateb_plan prints one. On AVR copy it
+                           from there to RAM, by memcpy_P, before it is used.
+     ateb_phase            s from sa and ca, as atan2 gives an angle
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316)
+     ateb_integral_...     integrals from 0 to s
+     ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
+     ateb_beta...          beta function, incomplete beta function and its inverse
 
    ERRORS
-     alpha < 0, NaN and infinite arguments give NaN, as do parameters of beta functions that are not positive and
-     probabilities outside [0, 1]. Making a plan for such an alpha returns -1 and leaves the plan as it was. Nothing
-     else can fail. No allocation, no state; errno says nothing.
+     alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
+     outside 1e-4 to 1e5, and whatever else lies outside the domain that the comment of a function gives. A plan
+     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. No allocation, no state; errno says
+     nothing.
+
+   METHOD
+     s is reduced to the first quarter by Pi_alpha, which comes from a table of polynomials, or, where s is large or
+     close to a zero, from one polynomial in two or three words. There the incomplete beta function is inverted: an
+     approximation of sa is taken as exact, its s is computed by a continued fraction of 12 levels (float 6) and one
+     power, and Taylor's series leads to the given s. A plan has polynomials for two parts of a quarter: Taylor series
+     from (275), economised to the accuracy that is wanted.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
-                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN   the functions of the C library that are used; they are exact, so that
-                          results are the same everywhere where products and sums are not contracted
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where no bound below holds
+     VM_USE_FLOAT         float instead of double; the tests run both
+     VM_API               linkage of every function, default static inline
+     VM_INLINE            linkage of the functions that are fast only if they are inlined; VM_API makes smaller code
+                          with the same results
+     VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
+                          the functions of the C library that are used; define all four or none.
+                          They are exact, so that results are the same on every machine where the compiler does not
+                          contract products and sums
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
+                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
+                          take no RAM
+     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, where none of the bounds below holds
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
-     vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
+     zero. vm_self_check() returns 0 there, and 1 where all is well; a program may call it once when it starts.
+     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
+     below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
 
-   METHOD
-     Pi_alpha - (alpha + 1) from a table of polynomials, to 2^-66 (float 2^-36), or, where s is large or near to a
-     zero, Pi_alpha from one polynomial in two or three words. Below s = 0.55, and at the same distance from every
-     zero of sa, an approximation of sa is taken as exact and its s found; beyond it one of (1 - sa)/2, whose phase
-     is compared in logarithms. From there Taylor's series leads to s. So one inversion of the incomplete beta
-     function takes a continued fraction of 12 levels (float 6) and a power, (1 - sa^2)^(1/(alpha+1)), near the zeros
-     of ca three logarithms instead. What does not wait for Pi_alpha is made beside it.
-     A plan holds polynomials for two parts of a quarter, series from (275) economised to the accuracy that is wanted.
-
-   ACCURACY, measured (make test, points, scan), inputs taken as exact
-     sa, ca       absolute error <= 4 eps for |s| <= 1e9 (float 1e4); relative error <= 8 ulp for |s| <= 100
-                  Pi_alpha, for alpha = 0 and 1e-300 to 1e30. The largest found is 2.8 ulp. From one s to the next sa
-                  and ca step back by 2 ulp at most, by more than 1 in 20 of a million; sa^2 + |ca|^(alpha+1) - 1 is
-                  within 1.2 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros    lie where Pi_alpha in three words puts them, to a relative error of 2^-125 (float 2^-58), for alpha
-                  beyond 5e8 (float 2e4) and for plans in two, 2^-102 (float 2^-44). This times |s| and the slope
-                  comes on top of the relative error; it is felt where s is within an ulp of the zero.
-     Pi_alpha     <= 1 ulp, 0.5 found.
-     plan         <= 2 ulp, 1.93 found (float 1.97), for all of these s and alpha to 1e6; or the accuracy that was
-                  asked for
-     phase        within 4 ulp and what an ulp of sa and of ca moves it
+   ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
+     sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
+                            |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
+                            between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
+                            1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
+     the zeros              of sa and ca are right to a relative error of 2^-125 (float 2^-58); for alpha above 5e8
+                            (float 2e4) and for plans, of 2^-102 (float 2^-44). This error, times |s| and the slope,
+                            comes on top of the others. It is felt only where s is within an ulp of a zero.
+     Pi_alpha               <= 1 ulp
+     by a plan              <= 2 ulp for these s and alpha up to 1e6, or the absolute error that the plan was made for
+     phase                  <= 4 ulp and what one ulp of sa and of ca moves it
      beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
-     beta_inc     <= 30 ulp, typically 2, of p and of q
-     beta_inc_inv <= 16 ulp of x and of y, and what an ulp of the smaller of p and q moves them, 3 found typically
-     sa(n, m), ca(m, n)     <= 8 ulp, 2.2 found, but for an error of phase of 2^-102 |s| (float 2^-44)
-     integrals    some 10 ulp
+     beta_inc               <= 30 ulp of p and of q
+     beta_inc_inv           <= 16 ulp of x and of y, and what one ulp of the smaller of p and q moves them
+     sa(n, m), ca(m, n)     <= 8 ulp, apart from an error of the phase of 2^-102 |s| (float 2^-44 |s|)
+     integrals              some 10 ulp
 
-   COST, in units of the C library's sin (float: sinf) for |s| < 10, gcc 12 on two Xeons and an EPYC, where sin takes
-   7 to 9 ns and has fused multiply-adds whatever the flags; make bench shows it by alpha, docs/cost.md one of the runs
-                                              -O2         -O3 -march=native, contracted   float, -O2
-     Pi_alpha                                 1.2 to 1.7  0.9 to 1.2    1.1           2.2 to 2.4
-     sa+ca, any alpha, Pi_alpha included      8 to 14     7.5 to 12.5   8.3 to 11     15 to 24
-       for |s| < 1/2, times of sin there      7.5         6.4
-       the same for |s| > 128 Pi_alpha        27
-       on a zero of sa or ca, to an ulp       250
-     plan, alpha = 0, 1/2, 1, ..., 7          1.2 to 3.2  1 to 2.8      1 to 1.9      2.4 to 4.8
-       to 1e-4                                1.1 to 2.3  0.9 to 2.1    1 to 1.5      2.2 to 4.3
-       in arrays (with -fno-math-errno)       the same    0.23 to 1.1   0.6 to 0.8    the same
-     plan, any other alpha                    3.3 to 7.2  3 to 5.6      2.6 to 4      5.1 to 9.2
-     ateb_plan is 552 bytes (float 184), made in 15 us; stack up to 0.6 kB (float 0.4), 1.6 kB (0.6) while it is made.
-     ateb_phase 10 x sin, ateb_beta 0.7 us, ateb_beta_inc 1 us, its inverse 8 us, 35 us where a and b are some 1e4,
-     ateb_saca_nm 19 us.
+   COST
+     docs/cost.md has the times, docs/counts.md the instructions of each function. The direct call takes some ten
+     sines, a plan two to seven, in arrays one. An ateb_plan has 552 bytes (float 184). The largest stack frame is
+     below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; equation numbers like (277) are its, in
          corrected form where they are misprinted: (278), (280) mix up the indices and a sign, (279) lacks the bars.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
-     [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.8(iii) (quadratic transformations).
+     [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
+         transformations).
      [4] T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
      [5] C. Lanczos, Applied Analysis, Prentice-Hall 1956: economisation of power series.
      [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373.
@@ -108,12 +119,12 @@
        ateb_pi                        Pi_alpha, half the period of sa and ca, for alpha >= 0
 
      ateb/functions: the Ateb functions sa and ca for any real argument and any alpha >= 0
-       ateb_saca                      sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine, for any real s and alpha >= 0
+       ateb_saca                      sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine
        ateb_sa                        sa(1, alpha, s), the Ateb sine, alone
        ateb_ca                        ca(alpha, 1, s), the Ateb cosine, alone
 
      ateb/phase: the phase s that belongs to a pair of values sa and ca
-       ateb_phase                     The phase s with -Pi_alpha < s <= Pi_alpha to which sa and ca belong, for alpha from 0 to 1e30
+       ateb_phase                     The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha
 
      ateb/integrals: integrals of Ateb functions
        ateb_integral_sa2              The integral of sa(1, alpha, s)^2 from 0 to s
@@ -121,21 +132,21 @@
 
      ateb/plans: sa and ca for many arguments and one alpha
        ateb_plan_saca                 sa and ca of the argument s for the plan's alpha
-       ateb_plan_saca_array           sa and ca of n arguments s[0] ..
-       ateb_plan_init_to              Prepares a plan for alpha >= 0 with an absolute error of about `accuracy`, such as 1e-4 or 1e-8, in sa and ca; 0 means full accuracy
+       ateb_plan_saca_array           sa and ca of n arguments for the plan's alpha
+       ateb_plan_init_to              Prepares a plan for alpha >= 0 and a given accuracy
        ateb_plan_init                 Prepares a plan of full accuracy for alpha >= 0
 
      ateb/beta: beta functions, their inverses, and mean values of sa and ca
        ateb_beta                      The complete beta function B(a, b), for a and b from 1e-4 to 1e5
-       ateb_beta_inc_both             p = I_x(a, b) and q = 1 - p, the regularised incomplete beta function, from x and y = 1 - x
-       ateb_beta_inc                  I_x(a, b), the regularised incomplete beta function, for 0 <= x <= 1
-       ateb_beta_inc_inv_both         x with I_x(a, b) = p, and y = 1 - x and ln x, from p and q = 1 - p
-       ateb_beta_inc_inv              x with I_x(a, b) = p, the inverse of the regularised incomplete beta function, for 0 <= p <= 1
+       ateb_beta_inc_both             The regularised incomplete beta function p = I_x(a, b) and q = 1 - p
+       ateb_beta_inc                  The regularised incomplete beta function I_x(a, b), for 0 <= x <= 1
+       ateb_beta_inc_inv_both         The inverse of ateb_beta_inc_both, x with I_x(a, b) = p, and y = 1 - x and ln x
+       ateb_beta_inc_inv              The inverse of ateb_beta_inc, x with I_x(a, b) = p, for 0 <= p <= 1
        ateb_mean                      The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1
 
      ateb/two_indices: Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
-       ateb_pi_nm                     Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s), for indices of 0 or from 1e-4 to 1e5
-       ateb_saca_nm                   sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices, for any real s */
+       ateb_pi_nm                     Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s)
+       ateb_saca_nm                   sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices */
 #ifndef VARMASS_ATEB_H
 #define VARMASS_ATEB_H
 
@@ -1235,14 +1246,19 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 #endif
 /* ateb/inversion.h - inversion of the incomplete beta function, for sa and ca in the first quarter of the period
 
-   Let r be the distance of s from the zero of sa and d that from the zero of ca, so that r + d = Pi_alpha/2, and q =
-   1/(alpha + 1), v = sa, u = ca, w = v^2, x = 1 - w = u^(alpha+1), p = (1 - v)/2. Then
+   Symbols, for s in the first quarter and q = 1/(alpha + 1):
+     r, d    distances of s from the zero of sa and from the zero of ca; r + d = Pi_alpha/2
+     v, u    sa and ca
+     w, x    v^2 and 1 - w = u^(alpha+1)
+     p       (1 - v)/2
+   They satisfy two equations, the second by the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii):
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
-     2 q d = q B_x(q, 1/2) = u (1 + q T),  1 + q T = 2F1(1, 2q; 1 + q; p).
-   The second follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii). For r up to 0.55
-   (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p. At the change-over w < 0.303
-   and p < 0.251. Each solution is a guess v or p, taken as exact, whose r or d is computed; Taylor's series leads
-   from there to the given r or d. So there is one evaluation of 2F1, by a continued fraction, and one of a power.
+     2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
+
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p; at the
+   change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and its r (or d) is computed. It differs
+   little from the given one, and a Taylor series corrects v (or p) for the difference. So one continued fraction for
+   2F1 and one power are enough.
 
    Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
@@ -1251,7 +1267,7 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 /* Up to this distance from a zero of sa the first equation above is used, beyond it the second. */
 #define VMI_ATEB_CHANGE_OVER VM_C(0.55)
 
-/* Gauss's continued fraction [3, 15.7] is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
+/* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
    Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. These are the
@@ -1353,7 +1369,7 @@ typedef struct VM_TAG(vmi_ateb_base) {
     vm_real k, t;
 } vmi_ateb_base;
 
-/* The base from r and d, where z = 2 r - g and g = Pi_alpha - (alpha + 1), so that y = 1 - q z. It is taken from the
+/* The base from r and d, where z = 2 r - (Pi_alpha - (alpha + 1)), so that y = 1 - q z. It is taken from the
    smaller of r and d; for r < d y > 1/2. The low word of y counts: where alpha is large, a small change of y is a
    large one of X = y^(alpha+1). For y < 1/2 X is so small that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
@@ -1512,10 +1528,10 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
     *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
 }
 
-/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine, for any real s and alpha >= 0. Pure numbers. |sa| <=
-   1, |ca| <= 1; sa is odd in s and ca is even, to the last bit. Within 4 eps for |s| <= 1e9 (float 1e4); within 8 ulp
-   for |s| <= 100 Pi_alpha, next to the zeros too. NaN for alpha < 0, NaN and infinite arguments. Time: 8 to 14 sines.
-   Equations (275), (276). */
+/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. Any real s and alpha >= 0, pure numbers. |sa| <= 1,
+   |ca| <= 1; sa is odd in s and ca is even, to the last bit. Within 4 eps for |s| <= 1e9 (float 1e4); within 8 ulp
+   for |s| <= 100 Pi_alpha, next to the zeros too. NaN for alpha < 0, NaN and infinite arguments. Time: about 10
+   sines. Equations (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;
@@ -1913,10 +1929,11 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* The phase s with -Pi_alpha < s <= Pi_alpha to which sa and ca belong, for alpha from 0 to 1e30. The pair need not
-   satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for every lambda > 0.
-   So -x' sqrt((alpha+1)/2)/omega and x of an oscillator will do. 0 for sa = 0 <= ca. Within 4 ulp and what one ulp of
-   sa and of ca moves the phase. NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. Time: 10 sines. */
+/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and
+   1e30. The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same
+   phase for every lambda > 0. So -x' sqrt((alpha+1)/2)/omega and x of an oscillator will do. 0 for sa = 0 <= ca.
+   Within 4 ulp and what one ulp of sa and of ca moves the phase. NaN for alpha < 0, alpha > 1e30, NaN and infinite
+   arguments. Time: 10 sines. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -1980,9 +1997,10 @@ VM_API vm_real ateb_integral_ca(vm_real s, vm_real alpha)
        ateb_plan p;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
-   Method: r and d are the distances of s from the nearest zeros of sa and ca, q = 1/(alpha + 1). Up to a change-over,
+   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With
+   polynomials A and C, up to a change-over
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
-   beyond it, with other polynomials,
+   beyond it, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
@@ -2009,7 +2027,7 @@ typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
     vm_real quarter_parts[3]; /* its three parts, of which the first two have half of the digits or less */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| below it the products of quarter_parts and the number of quarters are exact */
+    vm_real longest;          /* for |s| below it products of quarter_parts and a number of quarters are exact */
     vm_real change_over;      /* the first part serves up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1, Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -2136,8 +2154,8 @@ VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
     return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
 }
 
-/* ateb_plan_saca without branches, for arrays: both parts are evaluated and one is selected. It needs twice_alpha >=
-   0 and |s| < p->longest; length is p->length or a larger even number. */
+/* ateb_plan_saca without branches, for arrays: both parts are evaluated and one is selected. It needs
+   twice_alpha >= 0 and |s| < p->longest; length is p->length or a larger even number. */
 VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
 {
     vmi_bits quarter;
@@ -2190,18 +2208,18 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
     else vmi_ateb_loop(p, 4, n, s, sa, ca);
 }
 
-/* Whether the registers are wide enough: in narrow ones both parts together take longer than a branch and one part. */
+/* Whether the registers are wide: in narrow ones both parts take longer than a branch and one part */
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
 #else
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* sa and ca of n arguments s[0] ... s[n - 1] for the plan's alpha. The arrays sa and ca have n elements each; s may
-   be one of them, otherwise they do not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may
-   depend on the place in the array. Time: about one sine an argument with gcc -O3 -march=native -fno-math-errno for
-   alpha = 0, 1/2, 1, ..., 7; else that of ateb_plan_saca. Blocks of 64 are copied, and arguments that are too long or
-   not finite are computed one by one. */
+/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each; s may be sa or ca,
+   otherwise they do not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend on the
+   place in the array. Time: about one sine an argument with gcc -O3 -march=native -fno-math-errno for alpha = 0, 1/2,
+   1, ..., 7; else that of ateb_plan_saca. Blocks of 64 arguments are copied; those that are too long or not finite
+   are computed one by one. */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -2278,7 +2296,7 @@ VM_API void vmi_ateb_remove_highest(vm_real *c, int k)
     }
 }
 
-/* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit [5]: writes to result a polynomial in tau/unit
+/* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
    with at most ATEB_PLAN_LENGTH terms, and returns how many it has. Its error is at most tolerance/limit where the
    terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
@@ -2323,7 +2341,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Fills the part of the plan that serves the reduction: the quarter period in pieces, and up to where they are exact */
+/* Sets what serves the reduction: the quarter period in pieces, and up to which s they are exact */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);
@@ -2334,9 +2352,9 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
     p->longest = p->quarter.hi * (vm_real)((1L << VM_MANT_DIG / 2) - 1);
 }
 
-/* Prepares a plan for alpha >= 0 with an absolute error of about `accuracy`, such as 1e-4 or 1e-8, in sa and ca; 0
-   means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or -1 for alpha < 0, NaN and
-   infinite alpha; then the plan stays as it was. Time: 15 us. */
+/* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
+   allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
+   -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. Time: 15 us. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
     /* Beyond the change-over sa comes from X, whose rounding errors count X/(2 sa) times. That is 0.33 for a
@@ -2378,8 +2396,8 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   Throughout y = 1 - x and q = 1 - p. The forms with _both take and return the complements too, which carry the
-   information where x is close to 1 or p is.
+   Throughout y = 1 - x and q = 1 - p. The functions with the suffix _both take and return y and q too, which keep
+   their digits where x or p is close to 1.
 
    Method: everything is done in logarithms of two words. With A = a + i, B = b + j, S = a + b + k, each at least 10,
    by Stirling's formula
@@ -2387,7 +2405,9 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
    where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). Nothing large cancels where the
-   whole is not large, and no product leaves the range, since i, j, k <= 10. Tests: tests/test_ateb.c. */
+   whole is not large, and no product leaves the range, since i, j, k <= 10.
+
+   Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
 #define VARMASS_ATEB_BETA_H
 
@@ -2426,6 +2446,7 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     const vm_two half_ln_2pi = {VM_C(-0.9189385175705), VM_C(-1.5634176619983e-8)};
 #endif
     vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, ln_SA, ln_SB, sum;
+    vm_real delta;
     int i, j, k;
     rise = vmi_beta_rise(&A, &i);
     rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
@@ -2439,7 +2460,8 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     sum = vmi_two_plus(sum, vmi_two_scaled(ln_SB, (vm_real)(k - i)));
     sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_times(vmi_two_plus(ln_x, ln_SA), a),
                                          vmi_two_times(vmi_two_plus(ln_y, ln_SB), b)));
-    return vmi_two_sum(sum.hi, sum.lo + (vmi_beta_stirling(S.hi) - vmi_beta_stirling(A.hi) - vmi_beta_stirling(B.hi)));
+    delta = vmi_beta_stirling(S.hi) - vmi_beta_stirling(A.hi) - vmi_beta_stirling(B.hi);
+    return vmi_two_sum(sum.hi, sum.lo + delta);
 }
 
 /* ln B(a, b) */
@@ -2467,17 +2489,17 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* I_x(a, b) B(a, b)/(x^a y^b) for a > 1 and x <= (a + 1)/(a + b + 2), by the continued fraction of Didonato and
-   Morris [6], evaluated from its end: 1/f_0, where f_n = constant + ratio/f_(n+1). All terms are positive but for the
-   last ones. excess = a y - b x, in which the digits of large a and b could cancel, is computed in two words. */
+   Morris, evaluated from its end: 1/f_0, where f_n = constant + ratio/f_(n+1). All terms are positive except
+   for the last ones. Where a and b are large, digits cancel in excess = a y - b x: it is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), vmi_smaller(x, y));
     const vm_real terms = 20 + digits / VM_SQRT(y) + 4 * VM_SQRT(vmi_larger(a, b));
     vm_real excess = (product.hi - b) + product.lo, f;
-    long m = 0; /* 2e7 at most */
+    long m = 0;
     if (x <= y) excess = (a - product.hi) - product.lo;
-    if (terms <= VM_C(1e8)) m = (long)terms; /* not for NaN */
+    if (terms <= VM_C(1e8)) m = (long)terms; /* terms is 2e7 at most, or NaN */
     f = (a + (vm_real)m) / 2;
     for (; m >= 0; m--) {
         const vm_real n = (vm_real)m, c = a + 2 * n, next = n + 1, share = (a + n) / (c + 1) * x;
@@ -2503,13 +2525,13 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* ln(1 - e^l) for l < 0 */
+/* ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). For k = 0 1 - e^l is -p, without loss of digits. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* ln(1 - e^l) is -e^l, which is tiny; or l is NaN */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* it is -e^l, which is tiny; or l is NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -2574,10 +2596,10 @@ VM_API int vmi_beta_is_split_of_1(vm_real x, vm_real y)
     return x >= 0 && y >= 0 && VM_FABS((x + y) - 1) <= 4 * VM_EPSILON;
 }
 
-/* p = I_x(a, b) and q = 1 - p, the regularised incomplete beta function, from x and y = 1 - x. The smaller of x and y
-   carries the digits. a and b from 1e-3 to 1e4, less accurately and slower from 1e-4 to 1e5. p and q within 30 ulp
-   each, typically 2. NaN for other a or b, for x or y below 0, and where x + y is not 1. Time: 120 sines. DLMF 8.17,
-   equation (273). */
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x, of
+   which the smaller carries the digits. a and b lie between 1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate
+   and slower. p and q within 30 ulp each. NaN for other a or b, for x or y below 0, and where x + y is not 1. Time:
+   120 sines. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     vmi_beta_point at;
@@ -2585,10 +2607,14 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
     *p = VM_NAN;
     *q = VM_NAN;
     if (!vmi_beta_is_in_domain(a, b) || !vmi_beta_is_split_of_1(x, y)) return;
-    if (x == 0 || y == 0) {
-        const int is_left_end = x == 0;
-        *p = (vm_real)!is_left_end;
-        *q = (vm_real)is_left_end;
+    if (x == 0) {
+        *p = 0;
+        *q = 1;
+        return;
+    }
+    if (y == 0) {
+        *p = 1;
+        *q = 0;
         return;
     }
     at.x = x;
@@ -2605,7 +2631,7 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
     *q = vmi_exp(ln_q.hi, ln_q.lo);
 }
 
-/* I_x(a, b), the regularised incomplete beta function, for 0 <= x <= 1.
+/* The regularised incomplete beta function I_x(a, b), for 0 <= x <= 1.
    Domain and accuracy are those of ateb_beta_inc_both. */
 VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
 {
@@ -2665,10 +2691,11 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* x with I_x(a, b) = p, and y = 1 - x and ln x, from p and q = 1 - p. The smaller of p and q carries the digits; ln x
-   says what x is where x underflows. a and b from 1e-3 to 1e4, less accurately and slower from 1e-4 to 1e5. Within 16
-   ulp of x, of y and of ln x, and what one ulp of the smaller of p and q moves them. NaN for other a or b, for p or q
-   below 0, and where p + q is not 1. Time: 1000 sines, 5000 where a and b are some 1e4. */
+/* The inverse of ateb_beta_inc_both, x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
+   q = 1 - p, of which the smaller carries the digits; ln x says what x is where x underflows. a and b lie between
+   1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate and slower. Within 16 ulp of x, of y and of ln x, and
+   what one ulp of the smaller of p and q moves them. NaN for other a or b, for p or q below 0, and where
+   p + q is not 1. Time: 1000 sines, 5000 where a and b are some 1e4. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -2693,7 +2720,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
     }
 }
 
-/* x with I_x(a, b) = p, the inverse of the regularised incomplete beta function, for 0 <= p <= 1.
+/* The inverse of ateb_beta_inc, x with I_x(a, b) = p, for 0 <= p <= 1.
    Domain and accuracy are those of ateb_beta_inc_inv_both. */
 VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 {
@@ -2703,7 +2730,7 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 }
 
 /* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need it.
-   Within 2 ulp. alpha up to 1e30, p and q up to 1e6; NaN beyond. Time: 150 sines. Equation (316). */
+   Within 2 ulp. alpha up to 1e30, p and q up to 1e6; NaN beyond. Time: 160 sines. Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 {
     const vm_real largest_alpha = VM_C(1e30), largest_power = VM_C(1e6);
@@ -2773,8 +2800,9 @@ VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
     return vmi_two_over(vmi_two_plus(vmi_ateb_half_beta(a, b), vmi_ateb_half_beta(b, a)), power);
 }
 
-/* Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s), for indices of 0 or from 1e-4 to 1e5.
-   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). Within 1 ulp. NaN for other indices. */
+/* Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s). Each index is 0 or lies between 1e-4 and 1e5.
+   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). Within 1 ulp. NaN for other indices. Time: 1000
+   sines. */
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
     if (!vmi_ateb_index_is_in_domain(n) || !vmi_ateb_index_is_in_domain(m)) return VM_NAN;
@@ -2791,9 +2819,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
     return vmi_exp(power.hi, power.lo);
 }
 
-/* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices, for any real s. n and m are 0 or from 1e-3 to
-   1e3, less accurately from 1e-4 to 1e5. Pure numbers. Within 8 ulp, apart from an error of the phase of 2^-102 |s|
-   (float 2^-44 |s|). NaN for other indices, NaN and infinite s. Time: 2500 sines. */
+/* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
+   between 1e-3 and 1e3, or, less accurately, between 1e-4 and 1e5. Pure numbers. Within 8 ulp, apart from an error of
+   the phase of 2^-102 |s| (float 2^-44 |s|). NaN for other indices, NaN and infinite s. Time: 2500 sines. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */

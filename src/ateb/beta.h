@@ -5,8 +5,8 @@
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   Throughout y = 1 - x and q = 1 - p. The forms with _both take and return the complements too, which carry the
-   information where x is close to 1 or p is.
+   Throughout y = 1 - x and q = 1 - p. The functions with the suffix _both take and return y and q too, which keep
+   their digits where x or p is close to 1.
 
    Method: everything is done in logarithms of two words. With A = a + i, B = b + j, S = a + b + k, each at least 10,
    by Stirling's formula
@@ -14,7 +14,9 @@
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
    where delta is the remainder of the formula and (a)_i = a (a + 1) ... (a + i - 1). Nothing large cancels where the
-   whole is not large, and no product leaves the range, since i, j, k <= 10. Tests: tests/test_ateb.c. */
+   whole is not large, and no product leaves the range, since i, j, k <= 10.
+
+   Source of the fraction: Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
 #define VARMASS_ATEB_BETA_H
 
@@ -59,6 +61,7 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     const vm_two half_ln_2pi = {VM_C(-0.9189385175705), VM_C(-1.5634176619983e-8)};
 #endif
     vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, ln_SA, ln_SB, sum;
+    vm_real delta;
     int i, j, k;
     rise = vmi_beta_rise(&A, &i);
     rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
@@ -72,7 +75,8 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     sum = vmi_two_plus(sum, vmi_two_scaled(ln_SB, (vm_real)(k - i)));
     sum = vmi_two_plus(sum, vmi_two_plus(vmi_two_times(vmi_two_plus(ln_x, ln_SA), a),
                                          vmi_two_times(vmi_two_plus(ln_y, ln_SB), b)));
-    return vmi_two_sum(sum.hi, sum.lo + (vmi_beta_stirling(S.hi) - vmi_beta_stirling(A.hi) - vmi_beta_stirling(B.hi)));
+    delta = vmi_beta_stirling(S.hi) - vmi_beta_stirling(A.hi) - vmi_beta_stirling(B.hi);
+    return vmi_two_sum(sum.hi, sum.lo + delta);
 }
 
 /* ln B(a, b) */
@@ -100,17 +104,17 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* I_x(a, b) B(a, b)/(x^a y^b) for a > 1 and x <= (a + 1)/(a + b + 2), by the continued fraction of Didonato and
-   Morris [6], evaluated from its end: 1/f_0, where f_n = constant + ratio/f_(n+1). All terms are positive but for the
-   last ones. excess = a y - b x, in which the digits of large a and b could cancel, is computed in two words. */
+   Morris, evaluated from its end: 1/f_0, where f_n = constant + ratio/f_(n+1). All terms are positive except
+   for the last ones. Where a and b are large, digits cancel in excess = a y - b x: it is computed in two words. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 10 : 5;
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), vmi_smaller(x, y));
     const vm_real terms = 20 + digits / VM_SQRT(y) + 4 * VM_SQRT(vmi_larger(a, b));
     vm_real excess = (product.hi - b) + product.lo, f;
-    long m = 0; /* 2e7 at most */
+    long m = 0;
     if (x <= y) excess = (a - product.hi) - product.lo;
-    if (terms <= VM_C(1e8)) m = (long)terms; /* not for NaN */
+    if (terms <= VM_C(1e8)) m = (long)terms; /* terms is 2e7 at most, or NaN */
     f = (a + (vm_real)m) / 2;
     for (; m >= 0; m--) {
         const vm_real n = (vm_real)m, c = a + 2 * n, next = n + 1, share = (a + n) / (c + 1) * x;
@@ -136,13 +140,13 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* ln(1 - e^l) for l < 0 */
+/* ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). For k = 0 1 - e^l is -p, without loss of digits. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
     vm_real p, p_lo;
     int k;
-    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* ln(1 - e^l) is -e^l, which is tiny; or l is NaN */
+    if (!(l.hi >= -2 * VM_C(0.6931471805599453) * VM_MANT_DIG)) { /* it is -e^l, which is tiny; or l is NaN */
         rest.hi = -vmi_exp(l.hi, 0);
         return rest;
     }
@@ -207,10 +211,10 @@ VM_API int vmi_beta_is_split_of_1(vm_real x, vm_real y)
     return x >= 0 && y >= 0 && VM_FABS((x + y) - 1) <= 4 * VM_EPSILON;
 }
 
-/* p = I_x(a, b) and q = 1 - p, the regularised incomplete beta function, from x and y = 1 - x. The smaller of x and y
-   carries the digits. a and b from 1e-3 to 1e4, less accurately and slower from 1e-4 to 1e5. p and q within 30 ulp
-   each, typically 2. NaN for other a or b, for x or y below 0, and where x + y is not 1. Time: 120 sines. DLMF 8.17,
-   equation (273). */
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x, of
+   which the smaller carries the digits. a and b lie between 1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate
+   and slower. p and q within 30 ulp each. NaN for other a or b, for x or y below 0, and where x + y is not 1. Time:
+   120 sines. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     vmi_beta_point at;
@@ -218,10 +222,14 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
     *p = VM_NAN;
     *q = VM_NAN;
     if (!vmi_beta_is_in_domain(a, b) || !vmi_beta_is_split_of_1(x, y)) return;
-    if (x == 0 || y == 0) {
-        const int is_left_end = x == 0;
-        *p = (vm_real)!is_left_end;
-        *q = (vm_real)is_left_end;
+    if (x == 0) {
+        *p = 0;
+        *q = 1;
+        return;
+    }
+    if (y == 0) {
+        *p = 1;
+        *q = 0;
         return;
     }
     at.x = x;
@@ -238,7 +246,7 @@ VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_re
     *q = vmi_exp(ln_q.hi, ln_q.lo);
 }
 
-/* I_x(a, b), the regularised incomplete beta function, for 0 <= x <= 1.
+/* The regularised incomplete beta function I_x(a, b), for 0 <= x <= 1.
    Domain and accuracy are those of ateb_beta_inc_both. */
 VM_API vm_real ateb_beta_inc(vm_real x, vm_real a, vm_real b)
 {
@@ -298,10 +306,11 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* x with I_x(a, b) = p, and y = 1 - x and ln x, from p and q = 1 - p. The smaller of p and q carries the digits; ln x
-   says what x is where x underflows. a and b from 1e-3 to 1e4, less accurately and slower from 1e-4 to 1e5. Within 16
-   ulp of x, of y and of ln x, and what one ulp of the smaller of p and q moves them. NaN for other a or b, for p or q
-   below 0, and where p + q is not 1. Time: 1000 sines, 5000 where a and b are some 1e4. */
+/* The inverse of ateb_beta_inc_both, x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
+   q = 1 - p, of which the smaller carries the digits; ln x says what x is where x underflows. a and b lie between
+   1e-3 and 1e4; from 1e-4 and up to 1e5 it is less accurate and slower. Within 16 ulp of x, of y and of ln x, and
+   what one ulp of the smaller of p and q moves them. NaN for other a or b, for p or q below 0, and where
+   p + q is not 1. Time: 1000 sines, 5000 where a and b are some 1e4. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -326,7 +335,7 @@ VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, v
     }
 }
 
-/* x with I_x(a, b) = p, the inverse of the regularised incomplete beta function, for 0 <= p <= 1.
+/* The inverse of ateb_beta_inc, x with I_x(a, b) = p, for 0 <= p <= 1.
    Domain and accuracy are those of ateb_beta_inc_inv_both. */
 VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 {
@@ -336,7 +345,7 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 }
 
 /* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need it.
-   Within 2 ulp. alpha up to 1e30, p and q up to 1e6; NaN beyond. Time: 150 sines. Equation (316). */
+   Within 2 ulp. alpha up to 1e30, p and q up to 1e6; NaN beyond. Time: 160 sines. Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q)
 {
     const vm_real largest_alpha = VM_C(1e30), largest_power = VM_C(1e6);

@@ -97,10 +97,10 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
     *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
 }
 
-/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine, for any real s and alpha >= 0. Pure numbers. |sa| <=
-   1, |ca| <= 1; sa is odd in s and ca is even, to the last bit. Within 4 eps for |s| <= 1e9 (float 1e4); within 8 ulp
-   for |s| <= 100 Pi_alpha, next to the zeros too. NaN for alpha < 0, NaN and infinite arguments. Time: 8 to 14 sines.
-   Equations (275), (276). */
+/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. Any real s and alpha >= 0, pure numbers. |sa| <= 1,
+   |ca| <= 1; sa is odd in s and ca is even, to the last bit. Within 4 eps for |s| <= 1e9 (float 1e4); within 8 ulp
+   for |s| <= 100 Pi_alpha, next to the zeros too. NaN for alpha < 0, NaN and infinite arguments. Time: about 10
+   sines. Equations (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;

@@ -1,13 +1,18 @@
 /* ateb/inversion.h - inversion of the incomplete beta function, for sa and ca in the first quarter of the period
 
-   Let r be the distance of s from the zero of sa and d that from the zero of ca, so that r + d = Pi_alpha/2, and q =
-   1/(alpha + 1), v = sa, u = ca, w = v^2, x = 1 - w = u^(alpha+1), p = (1 - v)/2. Then
+   Symbols, for s in the first quarter and q = 1/(alpha + 1):
+     r, d    distances of s from the zero of sa and from the zero of ca; r + d = Pi_alpha/2
+     v, u    sa and ca
+     w, x    v^2 and 1 - w = u^(alpha+1)
+     p       (1 - v)/2
+   They satisfy two equations, the second by the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii):
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
-     2 q d = q B_x(q, 1/2) = u (1 + q T),  1 + q T = 2F1(1, 2q; 1 + q; p).
-   The second follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii). For r up to 0.55
-   (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p. At the change-over w < 0.303
-   and p < 0.251. Each solution is a guess v or p, taken as exact, whose r or d is computed; Taylor's series leads
-   from there to the given r or d. So there is one evaluation of 2F1, by a continued fraction, and one of a power.
+     2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
+
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v, beyond it the second for p; at the
+   change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and its r (or d) is computed. It differs
+   little from the given one, and a Taylor series corrects v (or p) for the difference. So one continued fraction for
+   2F1 and one power are enough.
 
    Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
@@ -23,7 +28,7 @@
 /* Up to this distance from a zero of sa the first equation above is used, beyond it the second. */
 #define VMI_ATEB_CHANGE_OVER VM_C(0.55)
 
-/* Gauss's continued fraction [3, 15.7] is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
+/* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
    Two levels gain 7 bits or more for z < 0.303. e_j tends to z/4, which gives a start for the last Y. These are the
@@ -125,7 +130,7 @@ typedef struct VM_TAG(vmi_ateb_base) {
     vm_real k, t;
 } vmi_ateb_base;
 
-/* The base from r and d, where z = 2 r - g and g = Pi_alpha - (alpha + 1), so that y = 1 - q z. It is taken from the
+/* The base from r and d, where z = 2 r - (Pi_alpha - (alpha + 1)), so that y = 1 - q z. It is taken from the
    smaller of r and d; for r < d y > 1/2. The low word of y counts: where alpha is large, a small change of y is a
    large one of X = y^(alpha+1). For y < 1/2 X is so small that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)

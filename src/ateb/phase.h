@@ -71,10 +71,11 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* The phase s with -Pi_alpha < s <= Pi_alpha to which sa and ca belong, for alpha from 0 to 1e30. The pair need not
-   satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for every lambda > 0.
-   So -x' sqrt((alpha+1)/2)/omega and x of an oscillator will do. 0 for sa = 0 <= ca. Within 4 ulp and what one ulp of
-   sa and of ca moves the phase. NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. Time: 10 sines. */
+/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and
+   1e30. The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same
+   phase for every lambda > 0. So -x' sqrt((alpha+1)/2)/omega and x of an oscillator will do. 0 for sa = 0 <= ca.
+   Within 4 ulp and what one ulp of sa and of ca moves the phase. NaN for alpha < 0, alpha > 1e30, NaN and infinite
+   arguments. Time: 10 sines. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;

@@ -7,9 +7,10 @@
        ateb_plan p;
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
-   Method: r and d are the distances of s from the nearest zeros of sa and ca, q = 1/(alpha + 1). Up to a change-over,
+   Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). With
+   polynomials A and C, up to a change-over
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
-   beyond it, with other polynomials,
+   beyond it, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
@@ -46,7 +47,7 @@ typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
     vm_real quarter_parts[3]; /* its three parts, of which the first two have half of the digits or less */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| below it the products of quarter_parts and the number of quarters are exact */
+    vm_real longest;          /* for |s| below it products of quarter_parts and a number of quarters are exact */
     vm_real change_over;      /* the first part serves up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1, Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -173,8 +174,8 @@ VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
     return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
 }
 
-/* ateb_plan_saca without branches, for arrays: both parts are evaluated and one is selected. It needs twice_alpha >=
-   0 and |s| < p->longest; length is p->length or a larger even number. */
+/* ateb_plan_saca without branches, for arrays: both parts are evaluated and one is selected. It needs
+   twice_alpha >= 0 and |s| < p->longest; length is p->length or a larger even number. */
 VM_INLINE void vmi_ateb_plan_both(const ateb_plan *p, int length, vm_real s, vm_real *sa, vm_real *ca)
 {
     vmi_bits quarter;
@@ -227,18 +228,18 @@ VM_INLINE void vmi_ateb_loop_of_length(const ateb_plan *p, int n, const vm_real 
     else vmi_ateb_loop(p, 4, n, s, sa, ca);
 }
 
-/* Whether the registers are wide enough: in narrow ones both parts together take longer than a branch and one part. */
+/* Whether the registers are wide: in narrow ones both parts take longer than a branch and one part */
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
 #else
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* sa and ca of n arguments s[0] ... s[n - 1] for the plan's alpha. The arrays sa and ca have n elements each; s may
-   be one of them, otherwise they do not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may
-   depend on the place in the array. Time: about one sine an argument with gcc -O3 -march=native -fno-math-errno for
-   alpha = 0, 1/2, 1, ..., 7; else that of ateb_plan_saca. Blocks of 64 are copied, and arguments that are too long or
-   not finite are computed one by one. */
+/* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each; s may be sa or ca,
+   otherwise they do not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend on the
+   place in the array. Time: about one sine an argument with gcc -O3 -march=native -fno-math-errno for alpha = 0, 1/2,
+   1, ..., 7; else that of ateb_plan_saca. Blocks of 64 arguments are copied; those that are too long or not finite
+   are computed one by one. */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     enum { BLOCK = 64 };
@@ -315,7 +316,7 @@ VM_API void vmi_ateb_remove_highest(vm_real *c, int k)
     }
 }
 
-/* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit [5]: writes to result a polynomial in tau/unit
+/* Economises c_1 + c_2 tau + c_3 tau^2 + ... for 0 <= tau <= limit: writes to result a polynomial in tau/unit
    with at most ATEB_PLAN_LENGTH terms, and returns how many it has. Its error is at most tolerance/limit where the
    terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
@@ -360,7 +361,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Fills the part of the plan that serves the reduction: the quarter period in pieces, and up to where they are exact */
+/* Sets what serves the reduction: the quarter period in pieces, and up to which s they are exact */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = vmi_ateb_fine_quarter(c);
@@ -371,9 +372,9 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
     p->longest = p->quarter.hi * (vm_real)((1L << VM_MANT_DIG / 2) - 1);
 }
 
-/* Prepares a plan for alpha >= 0 with an absolute error of about `accuracy`, such as 1e-4 or 1e-8, in sa and ca; 0
-   means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or -1 for alpha < 0, NaN and
-   infinite alpha; then the plan stays as it was. Time: 15 us. */
+/* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
+   allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
+   -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. Time: 15 us. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
     /* Beyond the change-over sa comes from X, whose rounding errors count X/(2 sa) times. That is 0.33 for a

@@ -60,8 +60,9 @@ VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
     return vmi_two_over(vmi_two_plus(vmi_ateb_half_beta(a, b), vmi_ateb_half_beta(b, a)), power);
 }
 
-/* Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s), for indices of 0 or from 1e-4 to 1e5.
-   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). Within 1 ulp. NaN for other indices. */
+/* Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s). Each index is 0 or lies between 1e-4 and 1e5.
+   Pi(n, m) = B(1/(n+1), 1/(m+1)); Pi(1, alpha) is ateb_pi(alpha). Within 1 ulp. NaN for other indices. Time: 1000
+   sines. */
 VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
 {
     if (!vmi_ateb_index_is_in_domain(n) || !vmi_ateb_index_is_in_domain(m)) return VM_NAN;
@@ -78,9 +79,9 @@ VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
     return vmi_exp(power.hi, power.lo);
 }
 
-/* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices, for any real s. n and m are 0 or from 1e-3 to
-   1e3, less accurately from 1e-4 to 1e5. Pure numbers. Within 8 ulp, apart from an error of the phase of 2^-102 |s|
-   (float 2^-44 |s|). NaN for other indices, NaN and infinite s. Time: 2500 sines. */
+/* sa(n, m, s) and ca(m, n, s), the Ateb functions with two indices. s is any real number; each index is 0 or lies
+   between 1e-3 and 1e3, or, less accurately, between 1e-4 and 1e5. Pure numbers. Within 8 ulp, apart from an error of
+   the phase of 2^-102 |s| (float 2^-44 |s|). NaN for other indices, NaN and infinite s. Time: 2500 sines. */
 VM_API void ateb_saca_nm(vm_real s, vm_real n, vm_real m, vm_real *sa, vm_real *ca)
 {
     vm_real a, b, rest, r, d; /* r and d: the distances of s from the nearest zeros of sa and ca */
