@@ -712,7 +712,7 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
        vm_real period = 2 * ateb_pi(3);
 
    Two methods: a table of polynomials for Pi_alpha - (alpha + 1), which is quick and enough for most arguments, and
-   one polynomial of degree 33 (float 17) in two or three words. Below n = alpha + 1 and q = 1/n.
+   one polynomial of degree 33 (float 17) in two or three words. In the comments n = alpha + 1 and q = 1/n.
    The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
@@ -774,8 +774,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* The polynomial of vmi_ateb_coefficient in two words. The coefficients from the one at TWO_WORDS on are small enough
-   for one word. Each coefficient exceeds the sum of the terms behind it, so that the high words need two operations a
-   step. */
+   for one word. Each coefficient exceeds the sum of the terms behind it, so that two operations a step are enough for
+   the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -1046,7 +1046,7 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 
 /* g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66 (float
    2^-36). It is a polynomial in the distance h of q from the nearest multiple of 1/32. The low word may be as large
-   as 2^-13: the caller adds it up. */
+   as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
@@ -1072,7 +1072,7 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* What the functions need of alpha. Each low word is known too; it may exceed an ulp of its high word. */
+/* What the functions need of alpha. A low word may exceed an ulp of its high word where a function says so. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -1094,8 +1094,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets g and quarter, whose low words may be as large as 2^-13. An error of Pi_alpha is as large an error of the
-   phase, however large Pi_alpha is; the sum of n and g keeps it small for a large alpha too. */
+/* Sets g and quarter, whose low words may be as large as 2^-13. The phase has the absolute error of
+   Pi_alpha, however large Pi_alpha is; as a sum of n and g it has a small one for a large alpha too. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -1461,8 +1461,8 @@ typedef struct VM_TAG(vmi_ateb_place) {
 } vmi_ateb_place;
 
 /* The rest of s > 0 beyond the nearest multiple of the quarter period, for an s that is large or close to a zero.
-   c->quarter is replaced by one in two words that are right to 2^-102 (float 2^-44). Where the rest is so small that
-   the error of these would be felt, three words are used. */
+   c->quarter is replaced by two words that are right to 2^-102 (float 2^-44). Where the rest is so small that their
+   error would be felt, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
@@ -1482,10 +1482,10 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 /* a for the weight 1, b for the weight 0. A condition would become a branch, which is mispredicted half the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* The place of s >= 0, by the shortest of three ways. For s <= (alpha + 1)/2 s is r itself, which then does not have
-   to wait for Pi_alpha. Up to 128 (alpha + 1) the quick quarter period of c does, unless s is close to a zero: its
-   products with the number of quarters are exact. Else s is reduced finely. In the second way the quarters are
-   counted by the high word, so that the rest may be a little longer than half a quarter. */
+/* The place of s >= 0, by the quickest of three ways. 1. For s <= (alpha + 1)/2, s lies in the first quarter, and r =
+   s does not have to wait for Pi_alpha. 2. For s <= 128 (alpha + 1), the quick quarter period of c is enough, unless
+   s is close to a zero. Its products with the number of quarters are exact. The number comes from its high word
+   alone, so that the rest may be a little longer than half a quarter. 3. Any other s is reduced finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
     const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1500,7 +1500,7 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
         at.d = (c->quarter.hi - s) + c->quarter.lo;
         return at;
     }
-    if (is_coarse) {
+    if (is_coarse) { /* a quotient that is rounded to an integer counts the quarters in its last bits */
         const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
         const vm_real shifted = vmi_rounded(s / c->quarter.hi + to_integer);
         const vm_real count = vmi_rounded(shifted - to_integer);

@@ -30,8 +30,8 @@ typedef struct VM_TAG(vmi_ateb_place) {
 } vmi_ateb_place;
 
 /* The rest of s > 0 beyond the nearest multiple of the quarter period, for an s that is large or close to a zero.
-   c->quarter is replaced by one in two words that are right to 2^-102 (float 2^-44). Where the rest is so small that
-   the error of these would be felt, three words are used. */
+   c->quarter is replaced by two words that are right to 2^-102 (float 2^-44). Where the rest is so small that their
+   error would be felt, three words are used. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* 2^-44, 2^-16 */
@@ -51,10 +51,10 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 /* a for the weight 1, b for the weight 0. A condition would become a branch, which is mispredicted half the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* The place of s >= 0, by the shortest of three ways. For s <= (alpha + 1)/2 s is r itself, which then does not have
-   to wait for Pi_alpha. Up to 128 (alpha + 1) the quick quarter period of c does, unless s is close to a zero: its
-   products with the number of quarters are exact. Else s is reduced finely. In the second way the quarters are
-   counted by the high word, so that the rest may be a little longer than half a quarter. */
+/* The place of s >= 0, by the quickest of three ways. 1. For s <= (alpha + 1)/2, s lies in the first quarter, and r =
+   s does not have to wait for Pi_alpha. 2. For s <= 128 (alpha + 1), the quick quarter period of c is enough, unless
+   s is close to a zero. Its products with the number of quarters are exact. The number comes from its high word
+   alone, so that the rest may be a little longer than half a quarter. 3. Any other s is reduced finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
     const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;
@@ -69,7 +69,7 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
         at.d = (c->quarter.hi - s) + c->quarter.lo;
         return at;
     }
-    if (is_coarse) {
+    if (is_coarse) { /* a quotient that is rounded to an integer counts the quarters in its last bits */
         const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
         const vm_real shifted = vmi_rounded(s / c->quarter.hi + to_integer);
         const vm_real count = vmi_rounded(shifted - to_integer);

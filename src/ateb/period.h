@@ -7,7 +7,7 @@
        vm_real period = 2 * ateb_pi(3);
 
    Two methods: a table of polynomials for Pi_alpha - (alpha + 1), which is quick and enough for most arguments, and
-   one polynomial of degree 33 (float 17) in two or three words. Below n = alpha + 1 and q = 1/n.
+   one polynomial of degree 33 (float 17) in two or three words. In the comments n = alpha + 1 and q = 1/n.
    The tables are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
@@ -74,8 +74,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* The polynomial of vmi_ateb_coefficient in two words. The coefficients from the one at TWO_WORDS on are small enough
-   for one word. Each coefficient exceeds the sum of the terms behind it, so that the high words need two operations a
-   step. */
+   for one word. Each coefficient exceeds the sum of the terms behind it, so that two operations a step are enough for
+   the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -346,7 +346,7 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
 
 /* g(q) = Pi_alpha - (alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute error below 2^-66 (float
    2^-36). It is a polynomial in the distance h of q from the nearest multiple of 1/32. The low word may be as large
-   as 2^-13: the caller adds it up. */
+   as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
@@ -372,7 +372,7 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* What the functions need of alpha. Each low word is known too; it may exceed an ulp of its high word. */
+/* What the functions need of alpha. A low word may exceed an ulp of its high word where a function says so. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -394,8 +394,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets g and quarter, whose low words may be as large as 2^-13. An error of Pi_alpha is as large an error of the
-   phase, however large Pi_alpha is; the sum of n and g keeps it small for a large alpha too. */
+/* Sets g and quarter, whose low words may be as large as 2^-13. The phase has the absolute error of
+   Pi_alpha, however large Pi_alpha is; as a sum of n and g it has a small one for a large alpha too. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
