@@ -130,7 +130,5 @@
 #include "base/self_check.h"
 #include "integrators/rk4.h"
 #include "integrators/adaptive.h"
-#include "integrators/dense.h"
-#include "integrators/events.h"
 
 #endif

@@ -5,7 +5,7 @@
 #include "../base/real.h"
 #include "../base/status.h"
 #include "../base/zero.h"
-#include "../integrators/dense.h"
+#include "../integrators/adaptive.h"
 #include "../integrators/runs.h"
 #include "slow.h"
 
