@@ -35,8 +35,8 @@ enum {
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
 
-/* A right-hand side writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
-   the pointer that the caller gave to the integrator. */
+/* A right-hand side writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx
+   is the pointer that the caller gave to the integrator. */
 typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 
 /* The text of a status of this header. */

@@ -28,8 +28,8 @@ enum {
     ODE_RESTART = 2 /* it ends the step there, calls `change`, and begins a new step */
 };
 
-/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events that the options
-   point at. He sets the fields from g to states; the integrator sets the others. */
+/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events that the
+   options point at. He sets the fields from g to states; the integrator sets the others. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are looked for */
     void *ctx;            /* given to g and to change */

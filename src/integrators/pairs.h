@@ -71,8 +71,8 @@ VM_INLINE vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
 #define VMI_WORST VM_C(1e4) /* larger errors, in tolerances, count as this one */
 
-/* Takes up an error e of component i, whose state goes from y to z: *worst becomes the largest error over its tolerance
-   so far, and *bad becomes NaN if e or z is not finite, since x - x is 0 or NaN. */
+/* Takes up an error e of component i, whose state goes from y to z: *worst becomes the largest error over its
+   tolerance so far, and *bad becomes NaN if e or z is not finite, since x - x is 0 or NaN. */
 VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
 {
     const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));

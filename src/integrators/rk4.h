@@ -112,25 +112,25 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
     return status;
 }
 
-/* Makes one step of size h, of either sign, from time t by the classical method: y, n numbers, becomes y(t + h). f gets
-   ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE, and in the
-   last three cases y is as it was. */
+/* One step of size h, of either sign, by the classical Runge-Kutta method. y, n numbers, is the state at time t and
+   becomes that at t + h. f gets ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED
+   or ODE_NOT_FINITE, and in the last three cases y is as it was. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Makes `steps` equal steps from *t to t_end by the classical method. y, n numbers, becomes y(t_end), and *t is t_end
-   exactly. Where f stops the run or something is not finite, y and *t are those of the last complete step. Returns as
-   rk4_step does. */
+/* Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method. y, n numbers, becomes the
+   state at t_end, and *t becomes t_end exactly. Where f stops the run or something is not finite, y and *t are those
+   of the last complete step. Returns as rk4_step does. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* Makes `steps` equal steps as rk4_solve does, but with compensated summation [3]: the state is y + y_low, so that the
-   roundings of millions of steps do not add up. y_low has n numbers, which are zero at first. */
+/* Equal steps with compensated summation, so that roundings do not add up. They are those of rk4_solve, but the state
+   is y + y_low [3]. y_low has n numbers, which are zero at first. It pays where there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {

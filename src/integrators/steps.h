@@ -279,8 +279,8 @@ VM_INLINE void vmi_choose_size(const vmi_rk_pair *pair, const vmi_trial *trial, 
     }
 }
 
-/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or until a look for stiffness is due.
-   Returns a status. */
+/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or until a look for stiffness is
+   due. Returns a status. */
 VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
 {
     const rk45_options o = s->options;
