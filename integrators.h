@@ -735,6 +735,8 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
+enum { VMI_RK45 = 45, VMI_RK87 = 87 }; /* methods: see pair_list.h */
+
 /* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
@@ -750,6 +752,7 @@ typedef struct VM_TAG(vmi_rk_system) {
 /* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
    directly, by pair_list.h, because they must be inlined into the loop over the steps. */
 typedef struct VM_TAG(vmi_rk_pair) {
+    int method;           /* tells the pairs apart: VMI_RK45, VMI_RK87 */
     int order;            /* of the state after a step. That of the error estimate is one less. */
     int stages;           /* evaluations of f that make the new state and the error estimate */
     int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
@@ -766,11 +769,20 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
+/* Linkage of descriptors and of the parts of vmi_advance. Inlining makes the descriptors constants, and each part is
+   called in one place only. So the code becomes smaller too, and they are inlined even where VM_INLINE, for the sake of
+   size, does not inline. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
+#define VMI_FOLDED static inline __attribute__((always_inline))
+#else
+#define VMI_FOLDED VM_INLINE
+#endif
+
 /* The part of work with f at the end of a step */
-VM_INLINE int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
+VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
 /* The smallest rtol */
-VM_INLINE vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
+VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* In the stages of a pair: h times a coefficient, and an evaluation of f. h is folded into the coefficients and the
    newest k comes last in every sum, so that the chain from one evaluation of f to the next is a multiplication and an
@@ -825,7 +837,6 @@ typedef struct VM_TAG(rk45) {
     int n;                /* number of components */
     rk45_options options; /* with the defaults in place of zeros */
     /* The fields from here on are internal. */
-    int method; /* VMI_RK45 or VMI_RK87: the pair that made the run */
     vmi_rk_pair pair;
     vm_real *work;
     vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2 ... */
@@ -842,7 +853,6 @@ typedef struct VM_TAG(rk45) {
     int stiff_misses;      /* looks since the last of them */
 } rk45;
 
-enum { VMI_RK45 = 45, VMI_RK87 = 87 };                  /* methods: see pair_list.h */
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
@@ -881,8 +891,8 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
 }
 
 /* rk45_init for any pair */
-VMI_APART int vmi_init(rk45 *s, int method, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0,
-                       const vm_real *y0, const rk45_options *options_or_NULL, vm_real *work)
+VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                       const rk45_options *options_or_NULL, vm_real *work)
 {
     const rk45_options o = vmi_defaults(vmi_least_rtol(pair), options_or_NULL);
     int i;
@@ -896,7 +906,6 @@ VMI_APART int vmi_init(rk45 *s, int method, const vmi_rk_pair *pair, ode_rhs f, 
         o.events[i].slack = 0;
     }
     vmi_init_fields(s, f, ctx, n, t0, work);
-    s->method = method;
     s->pair = *pair;
     s->options = o;
     s->h = o.h0;
@@ -965,7 +974,7 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 /* y(t) for t within the last step of a run by `method`, whose continuous extension is ready */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
-    if (!s || !y || s->method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
     if (t == s->t) vmi_copy(s->n, s->y, y);
     else vmi_inside(s, vmi_place_of(s, t), y);
     return ODE_OK;
@@ -979,7 +988,7 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
         const int status = vmi_extend(s);
         if (status) return status;
     }
-    return vmi_interpolate_ready(s, s->method, t, y);
+    return vmi_interpolate_ready(s, s->pair.method, t, y);
 }
 
 #endif
@@ -1059,7 +1068,7 @@ typedef int32_t vmi_signed_bits;
 
 /* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
    conditions to 1.1e-14 */
-VM_INLINE int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m;
@@ -1091,7 +1100,7 @@ VM_INLINE int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_re
 }
 
 /* The largest error of a component over its tolerance, by the difference of orders 5 and 4 */
-VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
@@ -1140,9 +1149,10 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 }
 
 /* The descriptor of rk45 */
-VM_INLINE vmi_rk_pair vmi_rk45_pair(void)
+VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;
+    pair.method = VMI_RK45;
     pair.order = 5;
     pair.stages = 7;
     pair.last_is_first = 1;
@@ -1168,7 +1178,7 @@ VM_INLINE vmi_rk_pair vmi_rk45_pair(void)
 
 /* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
    stages, differences of k, which are exact, keep the roundings small. */
-VM_INLINE int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m;
@@ -1199,7 +1209,7 @@ VM_INLINE int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lon
 }
 
 /* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
-VM_INLINE int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m;
@@ -1261,7 +1271,7 @@ VM_INLINE int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, 
 }
 
 /* The stages of a step, for vmi_make_stages */
-VM_INLINE int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
     if (stopped) return stopped;
@@ -1285,7 +1295,7 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
 
 /* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
    do, whichever is larger */
-VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m;
@@ -1460,9 +1470,10 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 }
 
 /* The descriptor of rk87 */
-VM_INLINE vmi_rk_pair vmi_rk87_pair(void)
+VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;
+    pair.method = VMI_RK87;
     pair.order = 8;
     pair.stages = 13;
     pair.last_is_first = 0;
@@ -1488,7 +1499,7 @@ VM_INLINE vmi_rk_pair vmi_rk87_pair(void)
 #define VMI_MOST_OWN 14 /* the most k_i that a step of any pair makes, without those of the continuous extension */
 
 /* The descriptor of a pair */
-VM_INLINE vmi_rk_pair vmi_pair_of(int method)
+VMI_FOLDED vmi_rk_pair vmi_pair_of(int method)
 {
     switch (method) {
     case VMI_RK87: return vmi_rk87_pair();
@@ -1498,7 +1509,7 @@ VM_INLINE vmi_rk_pair vmi_pair_of(int method)
 }
 
 /* Stages 2, 3 ... of a step from t to t_new = t + h: part VMI_Z becomes the new state. Returns what f returns. */
-VM_INLINE int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     switch (method) {
     case VMI_RK87: return vmi_rk87_stages(sys, t, t_new, h, evals);
@@ -1508,7 +1519,7 @@ VM_INLINE int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real 
 }
 
 /* The largest error of a component over its tolerance; NaN where anything is not finite */
-VM_INLINE vm_real vmi_step_error(int method, const rk45_options *o, vmi_rk_system sys, vm_real h)
+VMI_FOLDED vm_real vmi_step_error(int method, const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     switch (method) {
     case VMI_RK87: return vmi_rk87_error(o, sys, h);
@@ -1634,7 +1645,7 @@ typedef struct VM_TAG(vmi_progress) {
 } vmi_progress;
 
 /* Where the run is before the loop */
-VM_INLINE vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
+VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
     p.direction = vmi_direction(s, t_end);
@@ -1660,7 +1671,7 @@ VM_INLINE vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 }
 
 /* Stores where the run is after the loop */
-VM_INLINE void vmi_store_progress(rk45 *s, const vmi_progress *p)
+VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
 {
     s->t = p->t;
     s->t_low = p->t_low;
@@ -1695,7 +1706,7 @@ typedef struct VM_TAG(vmi_trial) {
 
 /* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns the
    status that keeps it from being tried, if any. */
-VM_INLINE int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
+VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
 {
     const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
     vm_real h_to_t_new;
@@ -1725,7 +1736,7 @@ VM_INLINE int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Goes back to where the last accepted step began, which missed the tolerance */
-VM_INLINE void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
+VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 {
     vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
     p->t = p->t_missed;
@@ -1740,7 +1751,7 @@ VM_INLINE void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 
 /* Rejects a step, because its error is above the tolerance, or NaN. Returns the status with which the run ends if no
    shorter step can be tried; then a step before that missed the tolerance is dropped as well. */
-VM_INLINE int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
+VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
     p->rejected++;
@@ -1777,11 +1788,11 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 
 /* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays,
    which the processor can predict: it does not wait for the error before it goes on. */
-VM_INLINE void vmi_choose_size(const vmi_rk_pair *pair, const vmi_trial *trial, vm_real error, vmi_progress *p)
+VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
-    if (!(error < pair->keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
-    factor = vmi_factor(pair->order, error, p->inverse_error);
+    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
+    factor = vmi_factor(order, error, p->inverse_error);
     if (p->failure && factor > 1) factor = 1;
     if (!trial->last) {
         p->h_next = trial->h * factor;
@@ -1832,7 +1843,7 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
             p.t_missed_low = p.t_low;
         }
         error = VMI_LARGER(error, VMI_LEAST_ERROR);
-        vmi_choose_size(&pair, &trial, error, &p);
+        vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);
         p.inverse_error = 1 / error;
         vmi_copy(sys.n, y, sys.w + VMI_Y_OLD * sys.m);
         vmi_copy(sys.n, z, y);
@@ -2272,11 +2283,10 @@ VM_API int vmi_events(rk45 *s)
 
 /* rk45_init for any pair. f and n are set once more where the caller's compiler sees them, so that it can inline f in
    the steps. */
-VM_INLINE int vmi_ode_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
-    const vmi_rk_pair pair = vmi_pair_of(method);
-    const int status = vmi_init(s, method, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
+    const int status = vmi_init(s, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
     if (status >= 0) {
         s->f = f;
         s->n = n;
@@ -2403,7 +2413,7 @@ VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int 
 VM_INLINE int vmi_step(rk45 *s, int method)
 {
     vm_real t_end = VM_MAX;
-    if (!s || s->method != method) return ODE_BAD_ARGUMENT;
+    if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
     if (s->h < 0) t_end = -VM_MAX;
     if (s->t == t_end) return ODE_STEP_TOO_SMALL;
     s->attempts = -1;
@@ -2413,7 +2423,7 @@ VM_INLINE int vmi_step(rk45 *s, int method)
 /* rk45_solve_with for any pair */
 VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
-    if (!s || !VM_IS_FINITE(t_end) || s->method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
     return vmi_run(s, method, f, n, t_end, 0);
 }
@@ -2461,7 +2471,7 @@ typedef rk45 rk87;
    all defaults. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
-    const vmi_rk_pair pair = vmi_pair_of(VMI_RK45);
+    const vmi_rk_pair pair = vmi_rk45_pair();
     return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
 }
 
@@ -2471,14 +2481,14 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
-    return vmi_ode_init(s, VMI_RK45, f, ctx, n, t0, y0, options_or_NULL, work);
+    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
 /* Begins a run by rk87, as rk45_init does by rk45. work has RK87_WORK(n) numbers; rtol is at least 256 eps. */
 VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk87_options *options_or_NULL, vm_real *work)
 {
-    return vmi_ode_init(s, VMI_RK87, f, ctx, n, t0, y0, options_or_NULL, work);
+    return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
 /* Goes on with rk45 from another time or state, such as after a jump. The step size and the counters are kept. y, n
@@ -2527,7 +2537,7 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
    run there, ODE_RHS_STOPPED, or not be finite, ODE_NOT_FINITE, though the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
-    if (!s || s->method != VMI_RK87) return ODE_BAD_ARGUMENT;
+    if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
     return vmi_interpolate(s, t, y);
 }
 

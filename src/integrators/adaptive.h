@@ -27,8 +27,9 @@
 #include "loop.h"
 #include "ode.h"
 #include "options.h"
-#include "pair_list.h"
 #include "pairs.h"
+#include "rk45_pair.h"
+#include "rk87_pair.h"
 #include "runs.h"
 
 #define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
@@ -42,7 +43,7 @@ typedef rk45 rk87;
    all defaults. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
-    const vmi_rk_pair pair = vmi_pair_of(VMI_RK45);
+    const vmi_rk_pair pair = vmi_rk45_pair();
     return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
 }
 
@@ -52,14 +53,14 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
-    return vmi_ode_init(s, VMI_RK45, f, ctx, n, t0, y0, options_or_NULL, work);
+    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
 /* Begins a run by rk87, as rk45_init does by rk45. work has RK87_WORK(n) numbers; rtol is at least 256 eps. */
 VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk87_options *options_or_NULL, vm_real *work)
 {
-    return vmi_ode_init(s, VMI_RK87, f, ctx, n, t0, y0, options_or_NULL, work);
+    return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
 }
 
 /* Goes on with rk45 from another time or state, such as after a jump. The step size and the counters are kept. y, n
@@ -108,7 +109,7 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
    run there, ODE_RHS_STOPPED, or not be finite, ODE_NOT_FINITE, though the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
-    if (!s || s->method != VMI_RK87) return ODE_BAD_ARGUMENT;
+    if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
     return vmi_interpolate(s, t, y);
 }
 

@@ -40,7 +40,7 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 /* y(t) for t within the last step of a run by `method`, whose continuous extension is ready */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
-    if (!s || !y || s->method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
     if (t == s->t) vmi_copy(s->n, s->y, y);
     else vmi_inside(s, vmi_place_of(s, t), y);
     return ODE_OK;
@@ -54,7 +54,7 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
         const int status = vmi_extend(s);
         if (status) return status;
     }
-    return vmi_interpolate_ready(s, s->method, t, y);
+    return vmi_interpolate_ready(s, s->pair.method, t, y);
 }
 
 #endif

@@ -16,11 +16,10 @@
 
 /* rk45_init for any pair. f and n are set once more where the caller's compiler sees them, so that it can inline f in
    the steps. */
-VM_INLINE int vmi_ode_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                            const rk45_options *options_or_NULL, vm_real *work)
 {
-    const vmi_rk_pair pair = vmi_pair_of(method);
-    const int status = vmi_init(s, method, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
+    const int status = vmi_init(s, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
     if (status >= 0) {
         s->f = f;
         s->n = n;
@@ -147,7 +146,7 @@ VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int 
 VM_INLINE int vmi_step(rk45 *s, int method)
 {
     vm_real t_end = VM_MAX;
-    if (!s || s->method != method) return ODE_BAD_ARGUMENT;
+    if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
     if (s->h < 0) t_end = -VM_MAX;
     if (s->t == t_end) return ODE_STEP_TOO_SMALL;
     s->attempts = -1;
@@ -157,7 +156,7 @@ VM_INLINE int vmi_step(rk45 *s, int method)
 /* rk45_solve_with for any pair */
 VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
-    if (!s || !VM_IS_FINITE(t_end) || s->method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
     return vmi_run(s, method, f, n, t_end, 0);
 }

@@ -16,7 +16,7 @@
 #define VMI_MOST_OWN 14 /* the most k_i that a step of any pair makes, without those of the continuous extension */
 
 /* The descriptor of a pair */
-VM_INLINE vmi_rk_pair vmi_pair_of(int method)
+VMI_FOLDED vmi_rk_pair vmi_pair_of(int method)
 {
     switch (method) {
     case VMI_RK87: return vmi_rk87_pair();
@@ -26,7 +26,7 @@ VM_INLINE vmi_rk_pair vmi_pair_of(int method)
 }
 
 /* Stages 2, 3 ... of a step from t to t_new = t + h: part VMI_Z becomes the new state. Returns what f returns. */
-VM_INLINE int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     switch (method) {
     case VMI_RK87: return vmi_rk87_stages(sys, t, t_new, h, evals);
@@ -36,7 +36,7 @@ VM_INLINE int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real 
 }
 
 /* The largest error of a component over its tolerance; NaN where anything is not finite */
-VM_INLINE vm_real vmi_step_error(int method, const rk45_options *o, vmi_rk_system sys, vm_real h)
+VMI_FOLDED vm_real vmi_step_error(int method, const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     switch (method) {
     case VMI_RK87: return vmi_rk87_error(o, sys, h);

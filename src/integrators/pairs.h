@@ -18,6 +18,8 @@
 
 struct VM_TAG(rk45);
 
+enum { VMI_RK45 = 45, VMI_RK87 = 87 }; /* methods: see pair_list.h */
+
 /* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
@@ -33,6 +35,7 @@ typedef struct VM_TAG(vmi_rk_system) {
 /* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
    directly, by pair_list.h, because they must be inlined into the loop over the steps. */
 typedef struct VM_TAG(vmi_rk_pair) {
+    int method;           /* tells the pairs apart: VMI_RK45, VMI_RK87 */
     int order;            /* of the state after a step. That of the error estimate is one less. */
     int stages;           /* evaluations of f that make the new state and the error estimate */
     int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
@@ -49,11 +52,20 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
+/* Linkage of descriptors and of the parts of vmi_advance. Inlining makes the descriptors constants, and each part is
+   called in one place only. So the code becomes smaller too, and they are inlined even where VM_INLINE, for the sake of
+   size, does not inline. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
+#define VMI_FOLDED static inline __attribute__((always_inline))
+#else
+#define VMI_FOLDED VM_INLINE
+#endif
+
 /* The part of work with f at the end of a step */
-VM_INLINE int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
+VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
 /* The smallest rtol */
-VM_INLINE vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
+VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* In the stages of a pair: h times a coefficient, and an evaluation of f. h is folded into the coefficients and the
    newest k comes last in every sum, so that the chain from one evaluation of f to the next is a multiplication and an

@@ -14,7 +14,7 @@
 
 /* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
    conditions to 1.1e-14 */
-VM_INLINE int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m;
@@ -46,7 +46,7 @@ VM_INLINE int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_re
 }
 
 /* The largest error of a component over its tolerance, by the difference of orders 5 and 4 */
-VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
@@ -95,9 +95,10 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
 }
 
 /* The descriptor of rk45 */
-VM_INLINE vmi_rk_pair vmi_rk45_pair(void)
+VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;
+    pair.method = VMI_RK45;
     pair.order = 5;
     pair.stages = 7;
     pair.last_is_first = 1;

@@ -16,7 +16,7 @@
 
 /* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
    stages, differences of k, which are exact, keep the roundings small. */
-VM_INLINE int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m;
@@ -47,7 +47,7 @@ VM_INLINE int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lon
 }
 
 /* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
-VM_INLINE int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m;
@@ -109,7 +109,7 @@ VM_INLINE int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, 
 }
 
 /* The stages of a step, for vmi_make_stages */
-VM_INLINE int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
     if (stopped) return stopped;
@@ -133,7 +133,7 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
 
 /* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
    do, whichever is larger */
-VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
+VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
     const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m;
@@ -308,9 +308,10 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
 }
 
 /* The descriptor of rk87 */
-VM_INLINE vmi_rk_pair vmi_rk87_pair(void)
+VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;
+    pair.method = VMI_RK87;
     pair.order = 8;
     pair.stages = 13;
     pair.last_is_first = 0;

@@ -30,7 +30,6 @@ typedef struct VM_TAG(rk45) {
     int n;                /* number of components */
     rk45_options options; /* with the defaults in place of zeros */
     /* The fields from here on are internal. */
-    int method; /* VMI_RK45 or VMI_RK87: the pair that made the run */
     vmi_rk_pair pair;
     vm_real *work;
     vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2 ... */
@@ -47,7 +46,6 @@ typedef struct VM_TAG(rk45) {
     int stiff_misses;      /* looks since the last of them */
 } rk45;
 
-enum { VMI_RK45 = 45, VMI_RK87 = 87 };                  /* methods: see pair_list.h */
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
@@ -86,8 +84,8 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
 }
 
 /* rk45_init for any pair */
-VMI_APART int vmi_init(rk45 *s, int method, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0,
-                       const vm_real *y0, const rk45_options *options_or_NULL, vm_real *work)
+VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                       const rk45_options *options_or_NULL, vm_real *work)
 {
     const rk45_options o = vmi_defaults(vmi_least_rtol(pair), options_or_NULL);
     int i;
@@ -101,7 +99,6 @@ VMI_APART int vmi_init(rk45 *s, int method, const vmi_rk_pair *pair, ode_rhs f, 
         o.events[i].slack = 0;
     }
     vmi_init_fields(s, f, ctx, n, t0, work);
-    s->method = method;
     s->pair = *pair;
     s->options = o;
     s->h = o.h0;

@@ -123,7 +123,7 @@ typedef struct VM_TAG(vmi_progress) {
 } vmi_progress;
 
 /* Where the run is before the loop */
-VM_INLINE vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
+VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
     p.direction = vmi_direction(s, t_end);
@@ -149,7 +149,7 @@ VM_INLINE vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 }
 
 /* Stores where the run is after the loop */
-VM_INLINE void vmi_store_progress(rk45 *s, const vmi_progress *p)
+VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
 {
     s->t = p->t;
     s->t_low = p->t_low;
@@ -184,7 +184,7 @@ typedef struct VM_TAG(vmi_trial) {
 
 /* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns the
    status that keeps it from being tried, if any. */
-VM_INLINE int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
+VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
 {
     const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
     vm_real h_to_t_new;
@@ -214,7 +214,7 @@ VM_INLINE int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Goes back to where the last accepted step began, which missed the tolerance */
-VM_INLINE void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
+VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 {
     vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
     p->t = p->t_missed;
@@ -229,7 +229,7 @@ VM_INLINE void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 
 /* Rejects a step, because its error is above the tolerance, or NaN. Returns the status with which the run ends if no
    shorter step can be tried; then a step before that missed the tolerance is dropped as well. */
-VM_INLINE int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
+VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
     p->rejected++;
@@ -266,11 +266,11 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 
 /* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays,
    which the processor can predict: it does not wait for the error before it goes on. */
-VM_INLINE void vmi_choose_size(const vmi_rk_pair *pair, const vmi_trial *trial, vm_real error, vmi_progress *p)
+VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
-    if (!(error < pair->keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
-    factor = vmi_factor(pair->order, error, p->inverse_error);
+    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
+    factor = vmi_factor(order, error, p->inverse_error);
     if (p->failure && factor > 1) factor = 1;
     if (!trial->last) {
         p->h_next = trial->h * factor;
@@ -321,7 +321,7 @@ VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end,
             p.t_missed_low = p.t_low;
         }
         error = VMI_LARGER(error, VMI_LEAST_ERROR);
-        vmi_choose_size(&pair, &trial, error, &p);
+        vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);
         p.inverse_error = 1 / error;
         vmi_copy(sys.n, y, sys.w + VMI_Y_OLD * sys.m);
         vmi_copy(sys.n, z, y);

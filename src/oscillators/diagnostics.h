@@ -5,7 +5,7 @@
 #include "../base/real.h"
 #include "../base/status.h"
 #include "../base/zero.h"
-#include "../integrators/adaptive.h"
+#include "../integrators/dense.h"
 #include "../integrators/runs.h"
 #include "slow.h"
 
@@ -79,8 +79,7 @@ typedef struct VM_TAG(vmi_step_motion) {
 VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 {
     const vmi_step_motion *m = (const vmi_step_motion *)step;
-    const int status = m->s->method == VMI_RK45 ? rk45_interpolate(m->s, t, m->buffer)
-                                                : rk87_interpolate(m->s, t, m->buffer);
+    const int status = vmi_interpolate(m->s, t, m->buffer);
     *x = status ? VM_NAN : m->buffer[m->x];
     *v = status ? VM_NAN : m->buffer[m->v];
 }
