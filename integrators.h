@@ -735,8 +735,6 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
-enum { VMI_RK45 = 45, VMI_RK87 = 87 }; /* methods: see pair_list.h */
-
 /* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
@@ -752,7 +750,7 @@ typedef struct VM_TAG(vmi_rk_system) {
 /* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
    directly, by pair_list.h, because they must be inlined into the loop over the steps. */
 typedef struct VM_TAG(vmi_rk_pair) {
-    int method;           /* tells the pairs apart: VMI_RK45, VMI_RK87 */
+    int method;           /* tells the pairs apart: VMI_RK45 ... */
     int order;            /* of the state after a step. That of the error estimate is one less. */
     int stages;           /* evaluations of f that make the new state and the error estimate */
     int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
@@ -1066,6 +1064,8 @@ typedef int32_t vmi_signed_bits;
 #ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
 #define VARMASS_INTEGRATORS_RK45_PAIR_H
 
+enum { VMI_RK45 = 45 }; /* the method */
+
 /* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
    conditions to 1.1e-14 */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
@@ -1175,6 +1175,8 @@ VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
 #define VARMASS_INTEGRATORS_RK87_PAIR_H
+
+enum { VMI_RK87 = 87 }; /* the method */
 
 /* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
    stages, differences of k, which are exact, keep the roundings small. */

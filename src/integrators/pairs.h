@@ -18,8 +18,6 @@
 
 struct VM_TAG(rk45);
 
-enum { VMI_RK45 = 45, VMI_RK87 = 87 }; /* methods: see pair_list.h */
-
 /* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
@@ -35,7 +33,7 @@ typedef struct VM_TAG(vmi_rk_system) {
 /* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
    directly, by pair_list.h, because they must be inlined into the loop over the steps. */
 typedef struct VM_TAG(vmi_rk_pair) {
-    int method;           /* tells the pairs apart: VMI_RK45, VMI_RK87 */
+    int method;           /* tells the pairs apart: VMI_RK45 ... */
     int order;            /* of the state after a step. That of the error estimate is one less. */
     int stages;           /* evaluations of f that make the new state and the error estimate */
     int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */

@@ -12,6 +12,8 @@
 #include "pairs.h"
 #include "runs.h"
 
+enum { VMI_RK45 = 45 }; /* the method */
+
 /* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
    conditions to 1.1e-14 */
 VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)

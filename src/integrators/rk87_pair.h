@@ -14,6 +14,8 @@
 #include "pairs.h"
 #include "runs.h"
 
+enum { VMI_RK87 = 87 }; /* the method */
+
 /* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
    stages, differences of k, which are exact, keep the roundings small. */
 VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
