@@ -2,6 +2,7 @@
 # the system's package manager where it may, and says so where it may not.
 #
 #   make headers  write the four headers from src/                make part PARTS="mechanics/jumps"   build/parts/jumps.h
+#   make parts-table   lines and flash of each chapter taken alone, docs/parts.md
 #   make run      build and run the examples, draw their figures        make bench   time everything (minutes)
 #   make bench-quick   the same, roughly       make bench-count   count instructions       make cost   write docs/cost.md
 #   make test     all tests                                             make lint    strict warnings, gcc and clang
@@ -30,7 +31,12 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi ateb integrators events coincidences varmass dissertation scenes drum rotation jumps jump_equations streams slow rotor lagrange oscillator routes scene_effects scene_streams hard refusals ladder
+TESTS = jacobi ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
+    jump_equations torque_free streams flow flow1 flow2 drum drum_shaft lambert broken_rotor broken_rotor_stability \
+    lagrange lagrange_jump pendulum constant_mass laws averaging routes ladder van_der_pol jeffcott pair forced \
+    diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
+    dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
+    refusals_scenes null_pointers
 SCRIPTS = headers parts snippets options avr plans package scene_cost golden sweep errata documents first_steps languages readme fuzz hard_cases sanitize
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%) $(TESTS:%=build/tests/contracted/%)
@@ -49,6 +55,11 @@ PARTS = mechanics/jumps
 part:
 	@mkdir -p build && echo '*' >build/.gitignore
 	sh src/part.sh build/parts/$(notdir $(firstword $(PARTS))).h $(PARTS)
+
+# docs/parts.md: lines and flash of each chapter taken alone
+parts-table:
+	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
+	sh src/parts_table.sh build >build/parts.md && mv build/parts.md docs/parts.md
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures

@@ -101,8 +101,8 @@
      [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373.
 
    INDEX
-     base/self_check: whether this compiler and processor keep the rules of floating-point arithmetic
-       vm_self_check                  1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers are made for
+     base/self_check: whether this compiler and this processor compute as varmass needs
+       vm_self_check                  Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong
 
      ateb/period: the quarter period of the Ateb functions
        ateb_pi                        Pi_alpha = B(1/(alpha + 1), 1/2) (277), alpha >= 0
@@ -139,7 +139,15 @@
 #ifndef VARMASS_ATEB_H
 #define VARMASS_ATEB_H
 
-/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+/* base/real.h - the number type, the macros that a user may set, the functions of the C library
+
+   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
+   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+
+       vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
+
+   Tests: tests/test_headers.sh, tests/test_options.sh. */
 #ifndef VARMASS_BASE_REAL_H
 #define VARMASS_BASE_REAL_H
 
@@ -162,23 +170,23 @@
 #endif
 
 #ifndef VM_API
-#define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
+#define VM_API static inline /* linkage of every function; CUDA, for example, needs static inline __host__ __device__ */
 #if !defined(VM_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define VM_INLINE static inline __attribute__((always_inline)) /* of what must be inlined for speed */
+#define VM_INLINE static inline __attribute__((always_inline)) /* linkage of functions that are fast only if inlined */
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* which is enough for the results */
+#define VM_INLINE VM_API /* slower, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
-#define VM_C(x) x##f            /* a constant */
-#define VM_LIBM(name) name##f   /* a function of the C library */
-#define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
+#define VM_C(x) x##f            /* the constant x as a vm_real */
+#define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
+#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
-#define VM_MIN FLT_MIN /* normal */
+#define VM_MIN FLT_MIN /* the smallest normal number */
 #define VM_MANT_DIG FLT_MANT_DIG
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
@@ -191,32 +199,33 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
 #endif
 
-/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+/* -fsingle-precision-constant makes constants shorter than vm_real. This array then has -1 elements, which is an
+   error. */
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
 #error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
 #elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
 #include <avr/pgmspace.h>
-#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_TABLE static const PROGMEM /* tables stay in flash, which an ordinary read cannot reach */
 #define VM_READ(x) pgm_read_float(&(x))
 #elif !defined(VM_TABLE)
 #define VM_TABLE static const /* storage of every table */
-#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
+#define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
+#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* gcc's inline code for "x = copysign(x, y)" gives y here */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -227,29 +236,45 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
+/* |x| with the sign of y, which may be -0 */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
+    const int negative = y < 0 || (y == 0 && 1 / y < 0);
     x = VM_FABS(x);
-    return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
+    if (negative) x = -x;
+    return x;
 }
 
+/* The larger and the smaller of two numbers; b where one of them is NaN */
+VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
+VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
+
+/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define VMI_APART \
-    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#define VMI_APART static __attribute__((noinline, unused))
 #else
 #define VMI_APART VM_API
 #endif
 
 #endif
-/* base/sums.h - exact sums: numbers in two words */
+/* base/sums.h - sums without rounding error, numbers in two words
+
+   A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
+   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+
+       vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
+
+   Tests: tests/test_jacobi.c, tests/test_headers.sh. */
 #ifndef VARMASS_BASE_SUMS_H
 #define VARMASS_BASE_SUMS_H
 
+/* The number hi + lo, where |lo| is at most half an ulp of hi */
 typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
-} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+} vm_two;
 
-/* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
+/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
+   variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -260,7 +285,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b exactly (Knuth) */
+/* a + b as an exact pair (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -271,7 +296,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b exactly, for |a| >= |b| (Dekker) */
+/* a + b as an exact pair, for |a| >= |b| (Dekker) */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -280,6 +305,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
+/* The pair hi, lo as it is */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -289,16 +315,26 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and processor keep the rules of floating-point arithmetic */
+/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
+   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+
+       if (!vm_self_check()) return 1; // once, when the program starts
+
+   Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
+   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
     const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
-    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* Dekker's sum of third and eps */
     const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
     const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
     const vm_real product = vmi_rounded(third * above + 0);
@@ -307,8 +343,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and roots are rounded to nearest. Where a compiler divides by way of a reciprocal, some of the
-   quotients here that should be 1 become 1 - eps/2. */
+/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -321,7 +357,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
+   kept with more digits than vm_real has */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -330,7 +367,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -340,9 +377,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
-   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
-   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+/* Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong. It returns
+   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
+   processor takes subnormal numbers for zero. It takes about 100 operations; call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -352,25 +389,31 @@ VM_API int vm_self_check(void)
 }
 
 #endif
-/* base/bits.h - the bits of a number, scaling by powers of two */
+/* base/bits.h - the bits of a number, and products with powers of two
+
+   A vm_real is stored as a sign, an exponent and a mantissa. The functions here read and write these bits as an
+   integer, and multiply by 2^k without a function of the C library, so that every machine gives the same bits.
+
+       vm_real y = vmi_ldexp(3, 4); // 3 * 2^4 = 48
+
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_BASE_BITS_H
 #define VARMASS_BASE_BITS_H
 
 #include <stdint.h>
 #include <string.h>
 
-/* Logarithm, exponential and power with a low word. No branch but where a result is subnormal, no function of the C
-   library, so that they are the same everywhere and loops over them vectorise. Tables: tests/gen/elementary.py. */
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* of the mantissa */
-#define VMI_BIAS 1023     /* of the exponent */
+#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
+/* The bits of x as an integer */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -378,6 +421,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
+/* The number that has these bits */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -385,20 +429,27 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once, for |x| from 2^-2 to 4 or 0; for any x, if x 2^(k/2) is a normal number */
+/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
+   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
-    const int bounded = k > limit ? limit : k < -limit ? -limit : k, half = bounded / 2, rest = bounded - half;
+    int half, rest;
+    if (k > limit) k = limit;
+    if (k < -limit) k = -limit;
+    half = k / 2;
+    rest = k - half;
     return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
-    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
-        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
+        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
+        const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
         y = (sum.hi + (sum.lo + y_lo)) - large;
         y_lo = 0;
@@ -406,9 +457,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
-   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
-   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
+/* The bits of a number as a signed integer, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -418,19 +467,29 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 #endif
-/* base/words.h - products, quotients and roots in two and three words */
+/* base/words.h - products, quotients and roots with two and three times the digits
+
+   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
+   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
+   Errors are relative to the result of a product, quotient or root, and to the larger term of a sum.
+
+       vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
+
+   Source: Dekker, Numer. Math. 18 (1971). Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_WORDS_H
 #define VARMASS_BASE_WORDS_H
 
-/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
+/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
 #define VM_SPLIT VM_C(4097.0)
 #endif
 
+/* a b as an exact pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor underflows. A fused
+   multiply-add gives it where the processor has one; else both factors are split into halves, with the same result.
+   "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the unrounded product into a later
+   sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -446,44 +505,46 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
-   rest in two words, |rest| <= q/2 but for a rounding, accurate to 2^-(2p) x. From 2^(p-1) quarters on the argument
-   holds no phase: rest 0, quarter 0. */
+/* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
+   apart from rounding, with an error of 2^-(2p) x, and in *quarter this multiple modulo 4. Beyond 2^(p-1) quarter
+   periods the digits of x say nothing about the phase: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
-    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
+    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the product from overflowing */
     vm_two p;
     *quarter = 0;
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
     *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
     p = vmi_two_product(j, q.hi * scale);
-    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* the difference is exact */
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi has no rounding error */
     p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
     return vmi_two(p.hi / scale, p.lo / scale);
 }
 
-/* x without the second half of its digits */
+/* x with the second half of its digits set to zero */
 VM_API vm_real vmi_head(vm_real x)
 {
     const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
+/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
+/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
+/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -491,12 +552,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
-   is below 2^-(3p - 4) */
+/* The number hi + mid + lo, where each word is below an ulp of the word before it. The relative error of each
+   operation below is less than 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
+/* a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -507,6 +569,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
+/* x + y */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -514,6 +577,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
+/* x y */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -523,6 +587,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
+/* x / y by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -534,15 +599,16 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
+/* x^4 */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* x times a power of two */
+/* x times a power of two, without rounding */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a: one of one word, each of two corrections brings another */
+/* The square root of a: the root of the first word and two corrections by Newton's method, each of which adds a word */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -555,7 +621,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* pi/2, words 0, 1 and 2 */
+/* pi/2 in three words */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -567,33 +633,42 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* a - root^2 */
+/* a - root^2 without loss of digits, for root = sqrt(a) rounded */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The square root of a + a_lo */
+/* The square root of a + a_lo in two words, where a_lo is below an ulp of a */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
     const vm_real root = vmi_rounded(VM_SQRT(a));
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
+/* x, or the bound that it lies beyond; NaN stays NaN */
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
-    const vm_real below = x > high ? high : x;
-    return below < low ? low : below;
+    if (x > high) x = high;
+    if (x < low) x = low;
+    return x;
 }
 
-/* x times a power of two; x - y */
+/* x times a power of two, without rounding */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
+
+/* x - y */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
-VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
+/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+VM_API vm_two vmi_two_root(vm_two x)
+{
+    if (x.hi > 0) return vmi_root(x.hi, x.lo);
+    return vmi_two(0, 0);
+}
 
+/* -x */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -601,6 +676,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
+/* x / 2 */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -608,6 +684,7 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
+/* x times factor, a number of one word */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
@@ -1383,21 +1460,26 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 }
 
 #endif
-/* base/elementary.h - logarithm, exponential, power, sine, cosine, arctangent, the same bits on every machine */
+/* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
+
+   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
+   operations alone. Most of them return a low word too, so that a power has all its digits. They have no branch but
+   where a result is subnormal, so that a compiler can vectorise loops over them.
+
+       vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
+
+   The tables and polynomials are computed by tests/gen/elementary.py. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
 #include <stdint.h>
 
-/* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
-   1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
-VM_API vm_two vmi_log(vm_real x)
+/* Constants of vmi_log for the interval `row` of 32: column 0 is 1/c, columns 1 and 2 are ln c in two words, the
+   first a multiple of 2^-42 (float 2^-16) as the first word of ln 2 is, so that k ln 2 + ln c has no rounding error */
+VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
-    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
     VM_TABLE vm_real table[32][3] = {
-        /* 1/c, ln c: the high words are multiples of 2^-42, as ln2_hi */
         {VM_C(1.4189453125), VM_C(-0.34991385797093244037), VM_C(1.0263080618141573753e-13)},
         {VM_C(1.375), VM_C(-0.31845373111855224124), VM_C(1.7625431312172662057e-14)},
         {VM_C(1.3330078125), VM_C(-0.28743790201951924246), VM_C(-8.7770524478057945722e-14)},
@@ -1431,54 +1513,68 @@ VM_API vm_two vmi_log(vm_real x)
         {VM_C(0.7216796875), VM_C(0.32617388465132535202), VM_C(-7.4032069124645893097e-14)},
         {VM_C(0.7099609375), VM_C(0.34254532806585302751), VM_C(8.0700749411504883334e-14)}};
 #else
+    VM_TABLE vm_real table[32][3] = {
+        {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
+        {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
+        {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
+        {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
+        {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
+        {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
+        {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
+        {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
+        {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
+        {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
+        {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
+        {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
+        {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
+        {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+        {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
+        {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
+        {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
+        {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
+        {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
+        {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
+        {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
+        {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
+        {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
+        {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
+        {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
+        {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
+        {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
+        {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
+        {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
+        {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
+        {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
+        {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
+#endif
+    return VM_READ(table[row][column]);
+}
+
+/* ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). x = 2^k z, where z lies
+   between 0.708 and 1.417. With c close to z and r = z/c - 1, ln x = k ln 2 + ln c + ln(1 + r). 1/c has few digits,
+   so that the square of the first half of r is exact. c is 1 where z is within 0.01 of 1. */
+VM_API vm_two vmi_log(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
     const vmi_bits least_z = UINT32_C(0x3f355556), half_tail = UINT32_C(0x4000);
     const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
-    VM_TABLE vm_real table[32][3] = {/* 1/c, ln c: the high words are multiples of 2^-16, as ln2_hi */
-                                     {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
-                                     {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
-                                     {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
-                                     {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
-                                     {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
-                                     {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
-                                     {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
-                                     {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
-                                     {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
-                                     {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
-                                     {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
-                                     {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
-                                     {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
-                                     {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
-                                     {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
-                                     {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
-                                     {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
-                                     {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
-                                     {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
-                                     {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
-                                     {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
-                                     {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
-                                     {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
-                                     {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
-                                     {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
-                                     {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
-                                     {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
-                                     {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
-                                     {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
-                                     {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
-                                     {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
-                                     {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
 #endif
     const int subnormal = x < VM_MIN;
+    const vm_real normal = subnormal ? x * (4 / VM_EPSILON) : x;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
-    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
+    const vmi_bits above = vmi_to_bits(normal) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
-    const vm_real by_c = VM_READ(table[row][0]);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
+    const vm_real by_c = vmi_log_constant(row, 0);
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* without rounding errors */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
-    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
     const vm_real rr = r.hi * r.hi;
 #if VM_MANT_DIG > 24
@@ -1491,14 +1587,15 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
     const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
 #endif
-    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + vmi_log_constant(row, 2)) +
                         (r.lo - r_tail * (r.hi + r_head) / 2);
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 for |x| < 0.34,
-   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
-   r^3 E(r) with the square of the head of r exact. */
+/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. It needs |x| <= 1500 (float 200) and |x_lo|
+   at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where k = 0, p
+   alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the square of
+   the first half of r is exact. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -1534,21 +1631,23 @@ VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
     return sum.hi;
 }
 
-/* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
+/* e^(x + x_lo) within 0.53 ulp, subnormal results included, for any x and |x_lo| at most an ulp of x */
 VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
     const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
-    const vm_real inside = x > least ? x < largest ? x : largest : least; /* of NaN too */
+    const vm_real inside = vmi_smaller(vmi_larger(x, least), largest); /* NaN becomes least */
     vm_real p_lo, p;
     vm_two y;
     int k;
-    p = vmi_exp_core(inside, x == inside ? x_lo : 0, &k, &p_lo);
+    if (x != inside) x_lo = 0;
+    p = vmi_exp_core(inside, x_lo, &k, &p_lo);
     y = vmi_fast_two_sum(1, p);
-    return x == x ? vmi_ldexp_two(y.hi, y.lo + p_lo, k) : x;
+    if (x != x) return x;
+    return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+/* x^y for x > 0 within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -1559,15 +1658,16 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* atan(y/x) for x, y >= 0, not both 0: within 1 ulp. |argument of the series| <= tan(pi/8). */
+/* atan(y/x) within 1 ulp for x, y >= 0 that are not both 0. The angle is reduced by pi/2 and pi/4 until the tangent
+   is at most tan(pi/8), where the polynomial A is used. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
     const int steep = y > x;
-    const vm_real low = steep ? x : y, high = steep ? y : x;
+    const vm_real low = vmi_smaller(x, y), high = vmi_larger(y, x);
     const int middle = low > VM_C(0.4142135623730950488) * high;
     const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
-    vm_real angle, rest;
+    vm_real angle;
 #if VM_MANT_DIG > 24
     const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
     const vm_real A23 = VM_C(-0.142857141959989442) + t * VM_C(0.111111066814559886);
@@ -1579,12 +1679,13 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
     const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
 #endif
-    rest = z + z * (t * A) + (middle ? half_pi.mid / 2 : 0);
-    angle = middle ? half_pi.hi / 2 + rest : rest;
-    return steep ? (half_pi.hi - angle) + half_pi.mid : angle;
+    angle = z + z * (t * A);
+    if (middle) angle = half_pi.hi / 2 + (angle + half_pi.mid / 2);
+    if (steep) angle = (half_pi.hi - angle) + half_pi.mid;
+    return angle;
 }
 
-/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
+/* The sine and the cosine of z, |z| <= 0.79, within 0.55 ulp, where z.lo is at most an ulp of z.hi */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -1605,9 +1706,14 @@ VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
     *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
 }
 
-/* The integer next to x, |x| < 2^15; 0 for NaN */
-VM_INLINE int vmi_nearest(vm_real x) { return x == x ? (int)(x + VM_COPYSIGN(VM_C(0.5), x)) : 0; }
+/* The integer nearest to x, |x| < 2^15; 0 for NaN */
+VM_INLINE int vmi_nearest(vm_real x)
+{
+    if (x != x) return 0;
+    return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
+}
 
+/* ln x of a number in two words */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -1615,7 +1721,7 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* sin and cos of any x, reduced by pi/2 in two words; NaN for infinite x */
+/* The sine and the cosine of any x, reduced by pi/2 in two words; NaN for infinite x */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1623,17 +1729,22 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
     if (!VM_IS_FINITE(x)) s = c = VM_NAN;
-    *sine = quarter & 1 ? c : s;
-    *cosine = quarter & 1 ? s : c;
+    *sine = s;
+    *cosine = c;
+    if (quarter & 1) {
+        *sine = c;
+        *cosine = s;
+    }
     if (quarter & 2) *sine = -*sine;
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
     if (x < 0) *sine = -*sine;
 }
 
-/* atan2(y, x), within 2 ulp; 0 for x = y = 0 */
+/* The angle of the point (x, y), between -pi and pi, within 2 ulp; 0 for x = y = 0 */
 VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 {
-    vm_real angle = x == 0 && y == 0 ? 0 : vmi_arctan(VM_FABS(y), VM_FABS(x));
+    vm_real angle = 0;
+    if (x != 0 || y != 0) angle = vmi_arctan(VM_FABS(y), VM_FABS(x));
     if (x < 0) angle = VM_PI - angle;
     return VM_COPYSIGN(angle, y);
 }

@@ -119,8 +119,8 @@
          condition of all coefficients here.
 
    INDEX
-     base/self_check: whether this compiler and processor keep the rules of floating-point arithmetic
-       vm_self_check                  1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers are made for
+     base/self_check: whether this compiler and this processor compute as varmass needs
+       vm_self_check                  Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong
 
      integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
        ode_strerror                   The text of a status of this header
@@ -147,7 +147,15 @@
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
-/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+/* base/real.h - the number type, the macros that a user may set, the functions of the C library
+
+   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
+   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+
+       vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
+
+   Tests: tests/test_headers.sh, tests/test_options.sh. */
 #ifndef VARMASS_BASE_REAL_H
 #define VARMASS_BASE_REAL_H
 
@@ -170,23 +178,23 @@
 #endif
 
 #ifndef VM_API
-#define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
+#define VM_API static inline /* linkage of every function; CUDA, for example, needs static inline __host__ __device__ */
 #if !defined(VM_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define VM_INLINE static inline __attribute__((always_inline)) /* of what must be inlined for speed */
+#define VM_INLINE static inline __attribute__((always_inline)) /* linkage of functions that are fast only if inlined */
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* which is enough for the results */
+#define VM_INLINE VM_API /* slower, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
-#define VM_C(x) x##f            /* a constant */
-#define VM_LIBM(name) name##f   /* a function of the C library */
-#define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
+#define VM_C(x) x##f            /* the constant x as a vm_real */
+#define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
+#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
-#define VM_MIN FLT_MIN /* normal */
+#define VM_MIN FLT_MIN /* the smallest normal number */
 #define VM_MANT_DIG FLT_MANT_DIG
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
@@ -199,32 +207,33 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
 #endif
 
-/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+/* -fsingle-precision-constant makes constants shorter than vm_real. This array then has -1 elements, which is an
+   error. */
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
 #error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
 #elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
 #include <avr/pgmspace.h>
-#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_TABLE static const PROGMEM /* tables stay in flash, which an ordinary read cannot reach */
 #define VM_READ(x) pgm_read_float(&(x))
 #elif !defined(VM_TABLE)
 #define VM_TABLE static const /* storage of every table */
-#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
+#define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
+#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* gcc's inline code for "x = copysign(x, y)" gives y here */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -235,29 +244,45 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
+/* |x| with the sign of y, which may be -0 */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
+    const int negative = y < 0 || (y == 0 && 1 / y < 0);
     x = VM_FABS(x);
-    return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
+    if (negative) x = -x;
+    return x;
 }
 
+/* The larger and the smaller of two numbers; b where one of them is NaN */
+VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
+VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
+
+/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define VMI_APART \
-    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#define VMI_APART static __attribute__((noinline, unused))
 #else
 #define VMI_APART VM_API
 #endif
 
 #endif
-/* base/sums.h - exact sums: numbers in two words */
+/* base/sums.h - sums without rounding error, numbers in two words
+
+   A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
+   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+
+       vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
+
+   Tests: tests/test_jacobi.c, tests/test_headers.sh. */
 #ifndef VARMASS_BASE_SUMS_H
 #define VARMASS_BASE_SUMS_H
 
+/* The number hi + lo, where |lo| is at most half an ulp of hi */
 typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
-} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+} vm_two;
 
-/* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
+/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
+   variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -268,7 +293,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b exactly (Knuth) */
+/* a + b as an exact pair (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -279,7 +304,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b exactly, for |a| >= |b| (Dekker) */
+/* a + b as an exact pair, for |a| >= |b| (Dekker) */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -288,6 +313,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
+/* The pair hi, lo as it is */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -297,16 +323,26 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and processor keep the rules of floating-point arithmetic */
+/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
+   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+
+       if (!vm_self_check()) return 1; // once, when the program starts
+
+   Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
+   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
     const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
-    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* Dekker's sum of third and eps */
     const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
     const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
     const vm_real product = vmi_rounded(third * above + 0);
@@ -315,8 +351,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and roots are rounded to nearest. Where a compiler divides by way of a reciprocal, some of the
-   quotients here that should be 1 become 1 - eps/2. */
+/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -329,7 +365,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
+   kept with more digits than vm_real has */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -338,7 +375,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -348,9 +385,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
-   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
-   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+/* Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong. It returns
+   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
+   processor takes subnormal numbers for zero. It takes about 100 operations; call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -990,25 +1027,31 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 }
 
 #endif
-/* base/bits.h - the bits of a number, scaling by powers of two */
+/* base/bits.h - the bits of a number, and products with powers of two
+
+   A vm_real is stored as a sign, an exponent and a mantissa. The functions here read and write these bits as an
+   integer, and multiply by 2^k without a function of the C library, so that every machine gives the same bits.
+
+       vm_real y = vmi_ldexp(3, 4); // 3 * 2^4 = 48
+
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_BASE_BITS_H
 #define VARMASS_BASE_BITS_H
 
 #include <stdint.h>
 #include <string.h>
 
-/* Logarithm, exponential and power with a low word. No branch but where a result is subnormal, no function of the C
-   library, so that they are the same everywhere and loops over them vectorise. Tables: tests/gen/elementary.py. */
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* of the mantissa */
-#define VMI_BIAS 1023     /* of the exponent */
+#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
+/* The bits of x as an integer */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -1016,6 +1059,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
+/* The number that has these bits */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -1023,20 +1067,27 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once, for |x| from 2^-2 to 4 or 0; for any x, if x 2^(k/2) is a normal number */
+/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
+   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
-    const int bounded = k > limit ? limit : k < -limit ? -limit : k, half = bounded / 2, rest = bounded - half;
+    int half, rest;
+    if (k > limit) k = limit;
+    if (k < -limit) k = -limit;
+    half = k / 2;
+    rest = k - half;
     return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
-    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
-        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
+        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
+        const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
         y = (sum.hi + (sum.lo + y_lo)) - large;
         y_lo = 0;
@@ -1044,9 +1095,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
-   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
-   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
+/* The bits of a number as a signed integer, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)

@@ -79,57 +79,65 @@
      [5] DLMF, 23.9 (Laurent series of Weierstrass' function), 22.6 (duplication).
 
    INDEX
-     base/self_check: whether this compiler and processor keep the rules of floating-point arithmetic
-       vm_self_check                  1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers are made for
+     base/self_check: whether this compiler and this processor compute as varmass needs
+       vm_self_check                  Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong
 
      jacobi/integrals: complete elliptic integrals K and E
-       jacobi_K_m1                    Documented with jacobi_K
-       jacobi_E_m1                    Documented with jacobi_K
-       jacobi_K                       Complete elliptic integrals of the first and second kind, K(m) and E(m), m <= 1
-       jacobi_E                       Documented with jacobi_K
-       jacobi_kpK                     k'K(k^2) = sqrt(1 - m) K(m), the left side of (307)
+       jacobi_K_m1                    K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0
+       jacobi_E_m1                    E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0
+       jacobi_K                       K(m), the complete elliptic integral of the first kind, a quarter of the period of sn and cn, for m <= 1
+       jacobi_E                       E(m), the complete elliptic integral of the second kind, for m <= 1
+       jacobi_kpK                     k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1
 
-     jacobi/functions: sn, cn, dn and their quotients
-       jacobi_sncndn                  sn, cn, dn (u | m) for any real u and m <= 1
-       jacobi_sncndn_m1               Documented with jacobi_sncndn
-       jacobi_cd                      Documented with jacobi_sn
-       jacobi_sd                      Documented with jacobi_sn
-       jacobi_nd                      Documented with jacobi_sn
-       jacobi_sc                      Documented with jacobi_sn
-       jacobi_dc                      Documented with jacobi_sn
-       jacobi_nc                      Documented with jacobi_sn
-       jacobi_cs                      Documented with jacobi_sn
-       jacobi_ds                      Documented with jacobi_sn
-       jacobi_ns                      Documented with jacobi_sn
-       jacobi_sn                      The twelve functions one by one
-       jacobi_cn                      Documented with jacobi_sn
-       jacobi_dn                      Documented with jacobi_sn
+     jacobi/functions: the elliptic functions sn, cn, dn and their quotients
+       jacobi_sncndn                  sn, cn and dn of the argument u for the parameter m = k^2 <= 1
+       jacobi_sncndn_m1               sn, cn and dn for the complementary parameter m1 = 1 - m >= 0
+       jacobi_cd                      cd(u | m) = cn/dn
+       jacobi_sd                      sd(u | m) = sn/dn
+       jacobi_nd                      nd(u | m) = 1/dn
+       jacobi_sc                      sc(u | m) = sn/cn
+       jacobi_dc                      dc(u | m) = dn/cn
+       jacobi_nc                      nc(u | m) = 1/cn
+       jacobi_cs                      cs(u | m) = cn/sn
+       jacobi_ds                      ds(u | m) = dn/sn
+       jacobi_ns                      ns(u | m) = 1/sn
+       jacobi_sn                      sn(u | m) alone
+       jacobi_cn                      cn(u | m) alone
+       jacobi_dn                      dn(u | m) alone
 
-     jacobi/amplitude: the amplitude am
-       jacobi_am                      Jacobi's amplitude
+     jacobi/amplitude: the amplitude am, the angle whose sine is sn
+       jacobi_am                      Jacobi's amplitude am(u | m) in radians
 
-     jacobi/plans: sn, cn, dn for many arguments and one parameter
-       jacobi_plan_init               Prepares m (or m1)
-       jacobi_plan_init_m1            Documented with jacobi_plan_init
-       jacobi_plan_sncndn             As jacobi_sncndn, for the plan's m
-       jacobi_plan_sncndn_array       The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u
+     jacobi/plans: sn, cn and dn for many arguments and one parameter
+       jacobi_plan_init               Prepares a plan for the parameter m = k^2 <= 1
+       jacobi_plan_init_m1            Prepares a plan for the complementary parameter m1 = 1 - m >= 0
+       jacobi_plan_sncndn             sn, cn and dn of the argument u for the plan's parameter
+       jacobi_plan_sncndn_array       sn, cn and dn of n arguments u[0] ..
 
-     jacobi/modulus: the parameter from K or from k' K
-       jacobi_solve_kpK               The modulus solver
-       jacobi_solve_kpK_m1            Documented with jacobi_solve_kpK
-       jacobi_solve_K_m1              Documented with jacobi_solve_K
-       jacobi_solve_K                 The inverse of K
+     jacobi/modulus: the parameter m from the quarter period
+       jacobi_solve_kpK               The parameter m whose k' K(m) is c, for c >= 0
+       jacobi_solve_kpK_m1            The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits
+       jacobi_solve_K_m1              The complementary parameter 1 - m of jacobi_solve_K, with all its digits
+       jacobi_solve_K                 The parameter m whose quarter period K(m) is c, for c >= 0
 
-     jacobi/means: mean values of powers of cn
-       jacobi_cn_means                Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408)
+     jacobi/means: mean values of cn^2, cn^4 and cn^6 over a period
+       jacobi_cn_means                Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1
 
-     jacobi/descending: sn, cn, dn and K by the arithmetic-geometric mean, for comparison
-       jacobi_agm_sncndn              The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted
-       jacobi_agm_K                   Documented with jacobi_agm_sncndn */
+     jacobi/descending: sn, cn, dn and K by the arithmetic-geometric mean
+       jacobi_agm_sncndn              sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1
+       jacobi_agm_K                   K(m) by the arithmetic-geometric mean, for m <= 1 */
 #ifndef VARMASS_JACOBI_H
 #define VARMASS_JACOBI_H
 
-/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+/* base/real.h - the number type, the macros that a user may set, the functions of the C library
+
+   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
+   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+
+       vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
+
+   Tests: tests/test_headers.sh, tests/test_options.sh. */
 #ifndef VARMASS_BASE_REAL_H
 #define VARMASS_BASE_REAL_H
 
@@ -152,23 +160,23 @@
 #endif
 
 #ifndef VM_API
-#define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
+#define VM_API static inline /* linkage of every function; CUDA, for example, needs static inline __host__ __device__ */
 #if !defined(VM_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define VM_INLINE static inline __attribute__((always_inline)) /* of what must be inlined for speed */
+#define VM_INLINE static inline __attribute__((always_inline)) /* linkage of functions that are fast only if inlined */
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* which is enough for the results */
+#define VM_INLINE VM_API /* slower, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
-#define VM_C(x) x##f            /* a constant */
-#define VM_LIBM(name) name##f   /* a function of the C library */
-#define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
+#define VM_C(x) x##f            /* the constant x as a vm_real */
+#define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
+#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
-#define VM_MIN FLT_MIN /* normal */
+#define VM_MIN FLT_MIN /* the smallest normal number */
 #define VM_MANT_DIG FLT_MANT_DIG
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
@@ -181,32 +189,33 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
 #endif
 
-/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+/* -fsingle-precision-constant makes constants shorter than vm_real. This array then has -1 elements, which is an
+   error. */
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
 #error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
 #elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
 #include <avr/pgmspace.h>
-#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_TABLE static const PROGMEM /* tables stay in flash, which an ordinary read cannot reach */
 #define VM_READ(x) pgm_read_float(&(x))
 #elif !defined(VM_TABLE)
 #define VM_TABLE static const /* storage of every table */
-#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
+#define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
+#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* gcc's inline code for "x = copysign(x, y)" gives y here */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -217,29 +226,45 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
+/* |x| with the sign of y, which may be -0 */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
+    const int negative = y < 0 || (y == 0 && 1 / y < 0);
     x = VM_FABS(x);
-    return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
+    if (negative) x = -x;
+    return x;
 }
 
+/* The larger and the smaller of two numbers; b where one of them is NaN */
+VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
+VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
+
+/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define VMI_APART \
-    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#define VMI_APART static __attribute__((noinline, unused))
 #else
 #define VMI_APART VM_API
 #endif
 
 #endif
-/* base/sums.h - exact sums: numbers in two words */
+/* base/sums.h - sums without rounding error, numbers in two words
+
+   A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
+   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+
+       vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
+
+   Tests: tests/test_jacobi.c, tests/test_headers.sh. */
 #ifndef VARMASS_BASE_SUMS_H
 #define VARMASS_BASE_SUMS_H
 
+/* The number hi + lo, where |lo| is at most half an ulp of hi */
 typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
-} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+} vm_two;
 
-/* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
+/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
+   variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -250,7 +275,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b exactly (Knuth) */
+/* a + b as an exact pair (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -261,7 +286,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b exactly, for |a| >= |b| (Dekker) */
+/* a + b as an exact pair, for |a| >= |b| (Dekker) */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -270,6 +295,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
+/* The pair hi, lo as it is */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -279,16 +305,26 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and processor keep the rules of floating-point arithmetic */
+/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
+   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+
+       if (!vm_self_check()) return 1; // once, when the program starts
+
+   Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
-/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
+   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
     const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
-    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* Dekker's sum of third and eps */
     const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
     const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
     const vm_real product = vmi_rounded(third * above + 0);
@@ -297,8 +333,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and roots are rounded to nearest. Where a compiler divides by way of a reciprocal, some of the
-   quotients here that should be 1 become 1 - eps/2. */
+/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -311,7 +347,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
+   kept with more digits than vm_real has */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -320,7 +357,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -330,9 +367,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
-   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
-   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+/* Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong. It returns
+   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
+   processor takes subnormal numbers for zero. It takes about 100 operations; call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -342,25 +379,31 @@ VM_API int vm_self_check(void)
 }
 
 #endif
-/* base/bits.h - the bits of a number, scaling by powers of two */
+/* base/bits.h - the bits of a number, and products with powers of two
+
+   A vm_real is stored as a sign, an exponent and a mantissa. The functions here read and write these bits as an
+   integer, and multiply by 2^k without a function of the C library, so that every machine gives the same bits.
+
+       vm_real y = vmi_ldexp(3, 4); // 3 * 2^4 = 48
+
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_BASE_BITS_H
 #define VARMASS_BASE_BITS_H
 
 #include <stdint.h>
 #include <string.h>
 
-/* Logarithm, exponential and power with a low word. No branch but where a result is subnormal, no function of the C
-   library, so that they are the same everywhere and loops over them vectorise. Tables: tests/gen/elementary.py. */
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* of the mantissa */
-#define VMI_BIAS 1023     /* of the exponent */
+#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
+/* The bits of x as an integer */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -368,6 +411,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
+/* The number that has these bits */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -375,20 +419,27 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once, for |x| from 2^-2 to 4 or 0; for any x, if x 2^(k/2) is a normal number */
+/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
+   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
-    const int bounded = k > limit ? limit : k < -limit ? -limit : k, half = bounded / 2, rest = bounded - half;
+    int half, rest;
+    if (k > limit) k = limit;
+    if (k < -limit) k = -limit;
+    half = k / 2;
+    rest = k - half;
     return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
-    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
-        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
+        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
+        const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
         y = (sum.hi + (sum.lo + y_lo)) - large;
         y_lo = 0;
@@ -396,9 +447,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
-   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
-   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
+/* The bits of a number as a signed integer, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
@@ -408,19 +457,29 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 #endif
-/* base/words.h - products, quotients and roots in two and three words */
+/* base/words.h - products, quotients and roots with two and three times the digits
+
+   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
+   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
+   Errors are relative to the result of a product, quotient or root, and to the larger term of a sum.
+
+       vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
+
+   Source: Dekker, Numer. Math. 18 (1971). Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_WORDS_H
 #define VARMASS_BASE_WORDS_H
 
-/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
+/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
 #define VM_SPLIT VM_C(4097.0)
 #endif
 
+/* a b as an exact pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor underflows. A fused
+   multiply-add gives it where the processor has one; else both factors are split into halves, with the same result.
+   "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the unrounded product into a later
+   sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -436,44 +495,46 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
-   rest in two words, |rest| <= q/2 but for a rounding, accurate to 2^-(2p) x. From 2^(p-1) quarters on the argument
-   holds no phase: rest 0, quarter 0. */
+/* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
+   apart from rounding, with an error of 2^-(2p) x, and in *quarter this multiple modulo 4. Beyond 2^(p-1) quarter
+   periods the digits of x say nothing about the phase: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
-    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
+    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the product from overflowing */
     vm_two p;
     *quarter = 0;
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
     *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
     p = vmi_two_product(j, q.hi * scale);
-    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* the difference is exact */
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi has no rounding error */
     p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
     return vmi_two(p.hi / scale, p.lo / scale);
 }
 
-/* x without the second half of its digits */
+/* x with the second half of its digits set to zero */
 VM_API vm_real vmi_head(vm_real x)
 {
     const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
+/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
+/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
+/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -481,12 +542,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
-   is below 2^-(3p - 4) */
+/* The number hi + mid + lo, where each word is below an ulp of the word before it. The relative error of each
+   operation below is less than 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
+/* a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -497,6 +559,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
+/* x + y */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -504,6 +567,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
+/* x y */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -513,6 +577,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
+/* x / y by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -524,15 +589,16 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
+/* x^4 */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* x times a power of two */
+/* x times a power of two, without rounding */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a: one of one word, each of two corrections brings another */
+/* The square root of a: the root of the first word and two corrections by Newton's method, each of which adds a word */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -545,7 +611,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* pi/2, words 0, 1 and 2 */
+/* pi/2 in three words */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -557,33 +623,42 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* a - root^2 */
+/* a - root^2 without loss of digits, for root = sqrt(a) rounded */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The square root of a + a_lo */
+/* The square root of a + a_lo in two words, where a_lo is below an ulp of a */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
     const vm_real root = vmi_rounded(VM_SQRT(a));
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
+/* x, or the bound that it lies beyond; NaN stays NaN */
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
-    const vm_real below = x > high ? high : x;
-    return below < low ? low : below;
+    if (x > high) x = high;
+    if (x < low) x = low;
+    return x;
 }
 
-/* x times a power of two; x - y */
+/* x times a power of two, without rounding */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
+
+/* x - y */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
-VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
+/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+VM_API vm_two vmi_two_root(vm_two x)
+{
+    if (x.hi > 0) return vmi_root(x.hi, x.lo);
+    return vmi_two(0, 0);
+}
 
+/* -x */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -591,6 +666,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
+/* x / 2 */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -598,6 +674,7 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
+/* x times factor, a number of one word */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
@@ -605,21 +682,26 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 }
 
 #endif
-/* base/elementary.h - logarithm, exponential, power, sine, cosine, arctangent, the same bits on every machine */
+/* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
+
+   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
+   operations alone. Most of them return a low word too, so that a power has all its digits. They have no branch but
+   where a result is subnormal, so that a compiler can vectorise loops over them.
+
+       vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
+
+   The tables and polynomials are computed by tests/gen/elementary.py. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
 #include <stdint.h>
 
-/* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
-   1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
-VM_API vm_two vmi_log(vm_real x)
+/* Constants of vmi_log for the interval `row` of 32: column 0 is 1/c, columns 1 and 2 are ln c in two words, the
+   first a multiple of 2^-42 (float 2^-16) as the first word of ln 2 is, so that k ln 2 + ln c has no rounding error */
+VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
-    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
     VM_TABLE vm_real table[32][3] = {
-        /* 1/c, ln c: the high words are multiples of 2^-42, as ln2_hi */
         {VM_C(1.4189453125), VM_C(-0.34991385797093244037), VM_C(1.0263080618141573753e-13)},
         {VM_C(1.375), VM_C(-0.31845373111855224124), VM_C(1.7625431312172662057e-14)},
         {VM_C(1.3330078125), VM_C(-0.28743790201951924246), VM_C(-8.7770524478057945722e-14)},
@@ -653,54 +735,68 @@ VM_API vm_two vmi_log(vm_real x)
         {VM_C(0.7216796875), VM_C(0.32617388465132535202), VM_C(-7.4032069124645893097e-14)},
         {VM_C(0.7099609375), VM_C(0.34254532806585302751), VM_C(8.0700749411504883334e-14)}};
 #else
+    VM_TABLE vm_real table[32][3] = {
+        {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
+        {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
+        {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
+        {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
+        {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
+        {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
+        {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
+        {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
+        {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
+        {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
+        {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
+        {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
+        {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
+        {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+        {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
+        {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
+        {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
+        {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
+        {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
+        {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
+        {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
+        {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
+        {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
+        {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
+        {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
+        {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
+        {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
+        {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
+        {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
+        {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
+        {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
+        {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
+#endif
+    return VM_READ(table[row][column]);
+}
+
+/* ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). x = 2^k z, where z lies
+   between 0.708 and 1.417. With c close to z and r = z/c - 1, ln x = k ln 2 + ln c + ln(1 + r). 1/c has few digits,
+   so that the square of the first half of r is exact. c is 1 where z is within 0.01 of 1. */
+VM_API vm_two vmi_log(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
     const vmi_bits least_z = UINT32_C(0x3f355556), half_tail = UINT32_C(0x4000);
     const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
-    VM_TABLE vm_real table[32][3] = {/* 1/c, ln c: the high words are multiples of 2^-16, as ln2_hi */
-                                     {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
-                                     {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
-                                     {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
-                                     {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
-                                     {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
-                                     {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
-                                     {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
-                                     {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
-                                     {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
-                                     {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
-                                     {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
-                                     {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
-                                     {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
-                                     {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
-                                     {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
-                                     {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
-                                     {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
-                                     {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
-                                     {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
-                                     {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
-                                     {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
-                                     {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
-                                     {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
-                                     {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
-                                     {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
-                                     {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
-                                     {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
-                                     {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
-                                     {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
-                                     {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
-                                     {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
-                                     {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
 #endif
     const int subnormal = x < VM_MIN;
+    const vm_real normal = subnormal ? x * (4 / VM_EPSILON) : x;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
-    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
+    const vmi_bits above = vmi_to_bits(normal) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
-    const vm_real by_c = VM_READ(table[row][0]);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
+    const vm_real by_c = vmi_log_constant(row, 0);
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* without rounding errors */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
-    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
     const vm_real rr = r.hi * r.hi;
 #if VM_MANT_DIG > 24
@@ -713,14 +809,15 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
     const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
 #endif
-    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + vmi_log_constant(row, 2)) +
                         (r.lo - r_tail * (r.hi + r_head) / 2);
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 for |x| < 0.34,
-   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
-   r^3 E(r) with the square of the head of r exact. */
+/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. It needs |x| <= 1500 (float 200) and |x_lo|
+   at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where k = 0, p
+   alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the square of
+   the first half of r is exact. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -756,21 +853,23 @@ VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
     return sum.hi;
 }
 
-/* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
+/* e^(x + x_lo) within 0.53 ulp, subnormal results included, for any x and |x_lo| at most an ulp of x */
 VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
     const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
-    const vm_real inside = x > least ? x < largest ? x : largest : least; /* of NaN too */
+    const vm_real inside = vmi_smaller(vmi_larger(x, least), largest); /* NaN becomes least */
     vm_real p_lo, p;
     vm_two y;
     int k;
-    p = vmi_exp_core(inside, x == inside ? x_lo : 0, &k, &p_lo);
+    if (x != inside) x_lo = 0;
+    p = vmi_exp_core(inside, x_lo, &k, &p_lo);
     y = vmi_fast_two_sum(1, p);
-    return x == x ? vmi_ldexp_two(y.hi, y.lo + p_lo, k) : x;
+    if (x != x) return x;
+    return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+/* x^y for x > 0 within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -781,15 +880,16 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* atan(y/x) for x, y >= 0, not both 0: within 1 ulp. |argument of the series| <= tan(pi/8). */
+/* atan(y/x) within 1 ulp for x, y >= 0 that are not both 0. The angle is reduced by pi/2 and pi/4 until the tangent
+   is at most tan(pi/8), where the polynomial A is used. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
     const int steep = y > x;
-    const vm_real low = steep ? x : y, high = steep ? y : x;
+    const vm_real low = vmi_smaller(x, y), high = vmi_larger(y, x);
     const int middle = low > VM_C(0.4142135623730950488) * high;
     const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
-    vm_real angle, rest;
+    vm_real angle;
 #if VM_MANT_DIG > 24
     const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
     const vm_real A23 = VM_C(-0.142857141959989442) + t * VM_C(0.111111066814559886);
@@ -801,12 +901,13 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
     const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
 #endif
-    rest = z + z * (t * A) + (middle ? half_pi.mid / 2 : 0);
-    angle = middle ? half_pi.hi / 2 + rest : rest;
-    return steep ? (half_pi.hi - angle) + half_pi.mid : angle;
+    angle = z + z * (t * A);
+    if (middle) angle = half_pi.hi / 2 + (angle + half_pi.mid / 2);
+    if (steep) angle = (half_pi.hi - angle) + half_pi.mid;
+    return angle;
 }
 
-/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
+/* The sine and the cosine of z, |z| <= 0.79, within 0.55 ulp, where z.lo is at most an ulp of z.hi */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -827,9 +928,14 @@ VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
     *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
 }
 
-/* The integer next to x, |x| < 2^15; 0 for NaN */
-VM_INLINE int vmi_nearest(vm_real x) { return x == x ? (int)(x + VM_COPYSIGN(VM_C(0.5), x)) : 0; }
+/* The integer nearest to x, |x| < 2^15; 0 for NaN */
+VM_INLINE int vmi_nearest(vm_real x)
+{
+    if (x != x) return 0;
+    return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
+}
 
+/* ln x of a number in two words */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -837,7 +943,7 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* sin and cos of any x, reduced by pi/2 in two words; NaN for infinite x */
+/* The sine and the cosine of any x, reduced by pi/2 in two words; NaN for infinite x */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -845,38 +951,55 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
     if (!VM_IS_FINITE(x)) s = c = VM_NAN;
-    *sine = quarter & 1 ? c : s;
-    *cosine = quarter & 1 ? s : c;
+    *sine = s;
+    *cosine = c;
+    if (quarter & 1) {
+        *sine = c;
+        *cosine = s;
+    }
     if (quarter & 2) *sine = -*sine;
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
     if (x < 0) *sine = -*sine;
 }
 
-/* atan2(y, x), within 2 ulp; 0 for x = y = 0 */
+/* The angle of the point (x, y), between -pi and pi, within 2 ulp; 0 for x = y = 0 */
 VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 {
-    vm_real angle = x == 0 && y == 0 ? 0 : vmi_arctan(VM_FABS(y), VM_FABS(x));
+    vm_real angle = 0;
+    if (x != 0 || y != 0) angle = vmi_arctan(VM_FABS(y), VM_FABS(x));
     if (x < 0) angle = VM_PI - angle;
     return VM_COPYSIGN(angle, y);
 }
 
 #endif
-/* jacobi/agm.h - the arithmetic-geometric mean */
+/* jacobi/agm.h - the arithmetic-geometric mean and the quarter period from it
+
+   a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic and their geometric mean. Both
+   tend to the same limit, agm(1, k'), and K = pi/(2 agm(1, k')). The number of right digits doubles in each step.
+   Here the mean is computed in one, two and three words: in one for comparison (jacobi/descending.h), in two and
+   three to reduce arguments next to a zero of an elliptic function (jacobi/reduction.h).
+
+       vmi_three K = vmi_K_three_words(VM_C(0.7), 0); // K(0.3) with three times the digits
+
+   Equations: DLMF 19.8. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_AGM_H
 #define VARMASS_JACOBI_AGM_H
 
-/* 1 - m < 0, NaN or infinite */
+/* 1 where no elliptic function has the complementary parameter m1 = 1 - m: negative, NaN or infinite */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
-#define VMI_LADDER 16 /* levels; 13 are needed at m1 = 5e-324 */
 
+/* Levels of the ladder below; the smallest m1 > 0, 5e-324, needs 13. */
+#define VMI_LADDER 16
+
+/* The numbers a_n, b_n of all steps, from which sn, cn, dn are computed step by step back */
 typedef struct VM_TAG(vmi_ladder) {
-    int n;                                /* last level */
+    int n;                                /* the last level */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 of the last level */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 at the last level */
 } vmi_ladder;
 
-/* agm(1, b0) climbed until k_n^2 = (c_n/a_n)^2 <= eps/4, or for so many steps: there sn differs from sin by at most
-   eps/60, and a_n from its limit by c_n^2/(4 a_n) <= eps/16 a_n. b0 > 0, finite. */
+/* Computes agm(1, b0), b0 > 0 and finite, in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4: there sn
+   differs from the sine by at most eps/60, and a_n from the limit by at most eps/16 of it. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -892,14 +1015,16 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
     l->n = n;
 }
 
-/* K in three words, for plans and for arguments next to a multiple of it: relative error < 2^-(3p - 12) */
+/* K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0. Plans need it, and
+   arguments next to a multiple of K. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
-    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* keeps the square of b from under- and overflow */
-    const vm_real lift = m1 < tiny ? 1 / tiny : m1 > 1 / tiny ? VM_EPSILON : 1;
-    vmi_three a = vmi_three_words(1, 0, 0);
-    vmi_three b = vmi_three_sqrt(vmi_three_words(m1 * lift * lift, m1_lo * lift * lift, 0));
-    vm_real c;
+    const vm_real tiny = VM_EPSILON * VM_EPSILON;
+    vm_real lift = 1, c; /* lift keeps the square root's words from underflow and overflow */
+    vmi_three a = vmi_three_words(1, 0, 0), b;
+    if (m1 < tiny) lift = 1 / tiny;
+    if (m1 > 1 / tiny) lift = VM_EPSILON;
+    b = vmi_three_sqrt(vmi_three_words(m1 * lift * lift, m1_lo * lift * lift, 0));
     b = vmi_three_scaled(b, 1 / lift);
     do {
         const vmi_three sum = vmi_three_plus(a, b);
@@ -910,17 +1035,20 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-/* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
-   x = (c/s)^2, which leaves a relative error of x eps/8 < 2^-85 (float 2^-41), and less than an eighth of an eps of
-   sn, cn, dn/k', whose slope in u is max(1, k'). m1 > 0. */
+/* agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is the series agm(s + c, s - c) =
+   s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2. It leaves a relative error of x eps/8 < 2^-85 (float 2^-41). For the
+   argument u this changes sn, cn and dn/k', whose slope is at most max(1, k'), by less than eps/8. */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
-    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
-    const vm_two kp = vmi_two(root.hi / lift, root.lo / lift);
-    const vm_real slope = kp.hi > 1 ? kp.hi : 1;
-    vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
+    vm_real lift = 1, slope; /* lift keeps the square root's words from underflow */
+    vm_two root, kp, a, b, p;
+    if (m1 < tiny) lift = 1 / tiny;
+    root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
+    kp = vmi_two(root.hi / lift, root.lo / lift);
+    slope = vmi_larger(kp.hi, 1);
+    a = vmi_two_sum(1, kp.hi);
+    b = vmi_root(kp.hi, kp.lo);
     a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
     for (;;) {
         const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;
@@ -937,13 +1065,24 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 }
 
 #endif
-/* jacobi/integrals.h - complete elliptic integrals K and E */
+/* jacobi/integrals.h - complete elliptic integrals K and E
+
+   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x). The argument is
+   the parameter m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1 - m, which keeps its
+   digits where m is close to 1. Between m = -33.5 and m = 0.971 both are series after one or two steps of the
+   arithmetic-geometric mean; outside they are sums with the logarithm of k' = sqrt(1 - m).
+
+       vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
+
+   Equation (307) and DLMF 19. The polynomials are computed by tests/gen/jacobi_coefficients.py. Tests:
+   tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_INTEGRALS_H
 #define VARMASS_JACOBI_INTEGRALS_H
 
+/* 1 where K and E are computed by series, 0 where by logarithms */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
-/* ln(4/k') for m1 < 1, ln(4 k') for m1 > 1 */
+/* ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1, in two words */
 VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
 {
 #if VM_MANT_DIG > 24
@@ -957,8 +1096,8 @@ VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
     return vmi_two(sum.hi, sum.lo + (ln4_lo + half * (L.lo + m1_lo / m1)));
 }
 
-/* K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)) for l = ln(4/k'), c = 1 - m <= 1/2, A and B fitted together: relative
-   error 2^-58 (float 2^-30) */
+/* K for 1 - m = c <= 1/2 and l = ln(4/k'), with a relative error of 2^-58 (float 2^-30):
+   K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)), where the polynomials A and B were fitted together */
 VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
 {
     const vm_real cc = c * c, head = vmi_head(c), tail = c - head;
@@ -984,7 +1123,7 @@ VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
     return vmi_fast_two_sum(sum.hi, sum.lo + (l.lo + middle));
 }
 
-/* E - 1 likewise, as c (l A(c) - B(c)): error 2^-56 (float 2^-29) */
+/* E - 1 for 1 - m = c <= 1/2 and l = ln(4/k'), with an error of 2^-56 (float 2^-29): E - 1 = c (l A(c) - B(c)) */
 VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 {
     const vm_real cc = c * c;
@@ -1008,8 +1147,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295: S, with an error of x S of 2^-60 (float 2^-31).
-   After one step of the AGM before, k' -> 2 sqrt(k')/(1 + k'), it covers VMI_MIDDLE. */
+/* S of K = pi/(1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.0295; the error of x S is 2^-60 (float 2^-31).
+   After a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'), this covers all of
+   VMI_MIDDLE. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1023,7 +1163,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* E = (pi/4) (1 + k') (1 + x S(x)), the same x, but up to 0.503: x S, error 2^-58.7 (float 2^-32.5) */
+/* x S of E = (pi/4) (1 + k') (1 + x S(x)), x = ((1 - k')/(1 + k'))^2 <= 0.503, with an error of 2^-58.7 (float
+   2^-32.5) */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -1045,8 +1186,9 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* By the series after two steps of the AGM, 2 pi (1 + x S)/(1 + f)^2, x = ((1 - f)/(1 + f))^4, f^2 = k'; for m near 1
-   and m < -33.5 by logarithms, there by k'K(m) = K(mu) with 1 - mu = 1/(1 - m) */
+/* K for 1 - m = m1 + m1_lo. In the middle by two steps of the arithmetic-geometric mean and the series: K = 2 pi (1 +
+   x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m near 1 by logarithms; for m < -33.5 too, since k'
+   K(m) = K(mu) with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -1060,14 +1202,15 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
-    K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
+    K = vmi_K_by_log(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo));
     if (m1 < 1) return K.hi;
     root = vmi_root(m1, m1_lo);
     quotient = K.hi / root.hi;
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* By the series in k1 = (1 - k')/(1 + k'), or by logarithms; for m < -33.5 by E(m) = k'E(mu) */
+/* E for 1 - m = m1 + m1_lo: in the middle by the series, for m near 1 by logarithms, for m < -33.5 by E(m) = k' E(mu)
+   with 1 - mu = 1/(1 - m) */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1076,39 +1219,44 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') where it counts, for m < -15 */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* m1_lo/(2 k') for m < -15, elsewhere it is too small to matter */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return 1;
-    rest = vmi_E_rest(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo).hi);
+    rest = vmi_E_rest(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo).hi);
     if (m1 < 1) return 1 + rest;
     root = vmi_root(m1, m1_lo);
     return root.hi + (root.lo + root.hi * rest);
 }
 
-/* Documented with jacobi_K. */
+/* K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0.
+   See jacobi_K; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
 
-/* Documented with jacobi_K. */
+/* E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0.
+   See jacobi_E; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
-/* Complete elliptic integrals of the first and second kind, K(m) and E(m), m <= 1. */
+/* K(m), the complete elliptic integral of the first kind, a quarter of the period of sn and cn, for m <= 1.
+   Within 2 ulp. Infinite at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_K(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_K(m1.hi, m1.lo);
 }
 
-/* Documented with jacobi_K. */
+/* E(m), the complete elliptic integral of the second kind, for m <= 1.
+   Within 2 ulp. 1 at m = 1; NaN for m > 1 and for infinite m. DLMF 19.2.8. */
 VM_API vm_real jacobi_E(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_E(m1.hi, m1.lo);
 }
 
-/* k'K(k^2) = sqrt(1 - m) K(m), the left side of (307): falls from infinity (m -> -infinity) to 0 (m = 1). */
+/* k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1.
+   It falls from infinity for m towards -infinity to 0 at m = 1. NaN for m > 1 and for infinite m. */
 VM_API vm_real jacobi_kpK(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1119,31 +1267,42 @@ VM_API vm_real jacobi_kpK(vm_real m)
 }
 
 #endif
-/* jacobi/theta.h - theta functions */
+/* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
+
+   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so
+   on. Here the four are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
+   subtraction loses digits, so that each has a small relative error. Near 0 (VMI_NEAR) they come from the Laurent
+   series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that is at
+   most 0.003.
+
+   Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
-/* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
+/* What the theta functions far from 0 need of m; see vmi_far_prepare */
 typedef struct VM_TAG(vmi_theta_form) {
-    vm_real kp, kp_lo; /* k' = sqrt(1 - m) */
-    vm_real q, defect; /* the nome of 1 - m or 1/(1 - m), and 1 - (phase per unit of argument) */
-    vm_real f[3], g[2], scale[2];
+    vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
+    vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
+    vm_real defect;    /* 1 - (phase per unit of the argument) */
+    vm_real f[3], g[2], scale[2]; /* coefficients */
 } vmi_theta_form;
 
+/* The forms: the series near 0; theta functions with the nome of 1 - m (m near 1), or of 1/(1 - m) (m < -20) */
 enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
+
+/* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions but for a common factor, so that pq = theta_p/theta_q: each relatively accurate, since no
-   difference loses digits */
+/* Neville's theta functions times a common factor: the elliptic function pq is p/q for any two letters p and q */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-/* v^2 max(1, 1 - m) up to which the Laurent series serves: all |v| <= K/2 for -21.5 < m < 0.955 */
+/* The Laurent series is used for v^2 max(1, 1 - m) up to this number: for all |v| <= K/2 if -21.5 < m < 0.955 */
 #define VMI_NEAR VM_C(2.2)
 
-/* Terms 1 to 3 of theta cs^2(w) = 1 + c_1 + c_2 + ..., theta = w^2; cs^2(w) + (2 - m)/3 is Weierstrass' function of
-   w, whence [5]
+/* The terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2. Since
+   cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
      c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
 VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 {
@@ -1153,14 +1312,14 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
     c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
 }
 
-/* By this series at w = v/4 to the ninth term (float: the fifth) and two duplications, where no difference occurs but
-   in c and f, far from their zeros: if b/a = sc^2(w),
+/* The theta functions near 0: the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
+   Subtractions occur only in c and f, far from their zeros. If b/a = sc^2(w),
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
-     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
+     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2.   */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
     vmi_thetas theta;
-    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* w2 may underflow where r does not */
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* not m1 * w2, which may underflow */
     vm_real c[4], more, a, f, g, b, s, aa, rb;
 #if VM_MANT_DIG > 24
     vm_real c22;
@@ -1178,7 +1337,7 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 #endif
     a = 1 + ((c[1] + (c[2] + c[3])) + more);
     f = a * a - r * w2;
-    g = a * ((a + w2) * (a + r)); /* sc^2(2w) = 4 w^2 g/f^2 = b/a from here on */
+    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2, which is called b/a below */
     b = 4 * w2 * g;
     s = 4 * r * g;
     a = f * f;
@@ -1191,20 +1350,22 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Far from 0, where c <= 0.05: theta functions of the imaginary argument i z, z = u agm(1, k), with the nome q of
-   c = 1 - m, or reciprocal, z = k'u agm(1, k) with that of c = 1/(1 - m), by sn(u | m) = sd(k'u | m/(m - 1))/k' and
-   its kin. The coefficients: with X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
+/* Prepares the theta functions far from 0. For m near 1 they have the imaginary argument i z, z = u agm(1, k), and
+   the nome q of c = 1 - m; for m < -20 (the reciprocal form) z = k' u agm(1, k), and q is the nome of c = 1/(1 - m),
+   since sn(u | m) = sd(k' u | m/(m - 1))/k'. In both cases c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2
+   = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
-     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X;
-   what is left out is below 1e-18. f carries the factor between d and n, so that f0 is near 1/2, and scale is near 1
-   but for 1/k': a simple number and a small part, rounded once. One step of the AGM from 1 and k reaches (1 + k)/2
-   and the parameter x. */
+     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
+   The terms that are left out are below 1e-18. f contains the factor between d and n, so that f0 is near 1/2. scale
+   is near 1 apart from 1/k'. One step of the arithmetic-geometric mean from 1 and k reaches (1 + k)/2 and the
+   parameter x. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
-    const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
+    const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
     const vm_real half = c / (2 * (1 + root)), k1 = 2 * half / (1 + root), x = k1 * k1;
-    const vm_two kp = m1 > 1 ? vmi_root(m1, m1_lo) : vmi_two(VM_SQRT(m1), 0);
+    vm_two kp = vmi_two(VM_SQRT(m1), 0);
     vm_real q2, q4, q6, even, odd, f0, share;
+    if (m1 > 1) kp = vmi_root(m1, m1_lo);
     t->kp = kp.hi;
     t->kp_lo = kp.lo;
     t->q = k1 / 4 * (1 + x * (VM_C(0.25) + x * (VM_C(0.1328125) + x * VM_C(0.087890625))));
@@ -1222,16 +1383,19 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     t->g[0] = 2 * q4;
     t->g[1] = 4 * q2;
     t->scale[1] = 1 + 2 * half / ((1 + fourth) * fourth);
-    t->scale[0] = m1 > 1 ? (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi : t->scale[1];
+    t->scale[0] = t->scale[1];
+    if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-it) is 0: tanh is 1, sech 0 */
+/* Arguments at m = 1 are cut to this number: from there on tanh is 1 and 1/cosh is 0. */
+#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
 
-/* All four by 2 exp(-z), which makes sinh z 1 - exp(-2z) and cosh z 1 + exp(-2z); |argument| <= VMI_LONGEST */
+/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2 exp(-z), so that sinh z
+   becomes 1 - exp(-2z) and cosh z becomes 1 + exp(-2z). */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
-    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* q: then X <= sqrt(q)/2 is negligible */
+    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* a nome below this changes no result: X <= sqrt(q)/2 < eps */
     const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
     const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
     vm_real p, p_lo, power, root, less, e, X, XX, P, Q, E, O, d, n;
@@ -1241,30 +1405,38 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     root = power + power * p;       /* exp(-z) */
     less = (1 - power) - power * p; /* 1 - exp(-z) */
     e = root * root;
-    X = t->q > tiny ? t->q * ((e + 1 / e) / 2) : 0;
+    X = 0;
+    if (t->q > tiny) X = t->q * ((e + 1 / e) / 2);
     XX = X * X;
-    P = t->f[2] * XX; /* less f0 */
+    P = t->f[2] * XX; /* without f0 */
     Q = t->f[1] * X;
-    E = t->g[1] * XX - t->g[0]; /* less 1 */
+    E = t->g[1] * XX - t->g[0]; /* without 1 */
     O = 2 * X;
     d = root * (1 + (E + O));
     n = (1 + e) * (t->f[0] + (P + Q));
     theta.s = sign * (t->scale[0] * (less * (1 + root) * (t->f[0] + (P - Q))));
     theta.c = t->scale[1] * (root * (1 + (E - O)));
-    theta.d = reciprocal ? n : d;
-    theta.n = reciprocal ? d : n;
+    theta.d = d;
+    theta.n = n;
+    if (reciprocal) {
+        theta.d = n;
+        theta.n = d;
+    }
     return theta;
 }
 
+/* The theta functions far from 0 of one v and one m */
 VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
     vmi_far_prepare(&t, m1, m1_lo);
-    return vmi_theta_far(&t, m1 > 1, m1 > 1 ? vmi_two_times(v, vmi_two(t.kp, t.kp_lo)) : v);
+    if (m1 > 1) v = vmi_two_times(v, vmi_two(t.kp, t.kp_lo));
+    return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* The thetas so many quarters on: at one s, c, d, n become c, -k's, k'n, d; at two s and c change their sign. With no
-   branch, which would be mispredicted every other time: products with 0 and +-1. */
+/* The theta functions at an argument longer by so many quarter periods. One quarter turns s, c, d, n into c, -k's,
+   k'n, d; two change the signs of s and c. Products with 0, 1 and -1 replace a branch, which would be mispredicted
+   half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
@@ -1279,24 +1451,32 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* dn lies between 1 and bound */
+/* sn, cn and dn from the theta functions; dn is kept between 1 and bound */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    const vm_real low = bound < 1 ? bound : 1, high = bound > 1 ? bound : 1, per_n = 1 / theta.n;
-    *sn = vmi_clamp(theta.s, -theta.n, theta.n) * per_n; /* n (1/n) rounds to 1 at most */
+    const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;
+    *sn = vmi_clamp(theta.s, -theta.n, theta.n) * per_n; /* |sn| <= 1, since n (1/n) rounds to at most 1 */
     *cn = vmi_clamp(theta.c, -theta.n, theta.n) * per_n;
     *dn = vmi_clamp(theta.d * per_n, low, high);
 }
 
 #endif
-/* jacobi/reduction.h - the argument of an elliptic function as a fraction of the quarter period */
+/* jacobi/reduction.h - reduces the argument of an elliptic function by its quarter period
+
+   u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart from rounding. v needs a
+   small relative error, for next to a zero sn is v itself. Therefore K is taken with as many words as the distance
+   from the next zero asks for: a short form (one word and corrections), two words, three words.
+
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
 #define VARMASS_JACOBI_REDUCTION_H
 
-#define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0)) /* 2^30, 2^13 */
+/* Multiples of K below this number (2^30, float 2^13) are exact for K in short pieces. */
+#define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* K as three pieces so short that a product with j < VMI_EXACT_QUARTERS is exact, and a last word: multiples of
-   2^(e-21), 2^(e-44), 2^(e-67) where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)) */
+/* K as three pieces and a last word. The pieces are so short that their products with a whole number below
+   VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and 2^(e-67), where 2^e <= K < 2^(e+1)
+   (float 2^(e-9), 2^(e-20), 2^(e-31)). */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
     const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
@@ -1311,34 +1491,38 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[3] = K.hi;
 }
 
+/* The sum of three terms in two words */
 VM_INLINE vm_two vmi_two_terms(vmi_three x)
 {
     const vm_two sum = vmi_two_sum(x.hi, x.mid);
     return vmi_two_sum(sum.hi, sum.lo + x.lo);
 }
 
-/* u less the next multiple of K in pieces, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K and per_K = 1/K, and
-   which multiple it is; so that loops over it vectorise */
+/* u minus the nearest multiple of K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. K is given in pieces and
+   per_K = 1/K. The last bits of *quarters say which multiple it was. Loops over this function can be vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
     vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: a multiple of 2^-p K, below K */
+    rest.hi = (u - j * K[0]) - j * K[1]; /* no rounding error: a multiple of 2^-p K below K */
     rest.mid = -j * K[2];
     rest.lo = -j * K[3];
-    *quarters = vmi_to_bits(shifted); /* its last bits count */
+    *quarters = vmi_to_bits(shifted); /* the last bits of the sum are j */
     return rest;
 }
 
-/* u less a multiple of K; which multiple, in the last bits of *quarters. For 0 < u < 2.5 K, VMI_MIDDLE, kp = k': two
-   steps of the AGM reach (1 + f)^2/4 with f^2 = k' and the parameter x, so that u (1 + f)^2 has the quarter period
-   2 pi (1 + x S); the series and its rounding errors are small. The heads of k' and f are multiples of 2^-23 and
-   2^-24 (float 2^-8, 2^-9), so that their squares, (1 + f)^2 of them and its product with the head of u are exact.
-   Within an eps of the result if that is no less than u/64, else NaN. */
+/* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
+#define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
+
+/* u minus a multiple of K, and which multiple in the last bits of *quarters, for 0 < u < 2.5 K where VMI_MIDDLE(m1)
+   holds; kp is k'. The result is within eps of its size; where it is below u/64, and digits would be lost, it is NaN.
+   Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
+   2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
+   2^-8, 2^-9), so that their squares, (1 + f)^2 of them, and the product of this with the head of u are exact. */
 VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
-    const vm_real grid = VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0), half_grid = grid / 2;
+    const vm_real grid = VMI_REDUCTION_GRID, half_grid = grid / 2;
     const vm_real f = VM_SQRT(kp), kp_head = vmi_rounded(kp + grid) - grid;
     const vm_real f_head = vmi_rounded(f + half_grid) - half_grid;
     const vm_real kp_tail = ((m1 - kp_head * kp_head) + m1_lo) / (kp + kp_head);
@@ -1347,17 +1531,19 @@ VM_INLINE vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* added, not branched on, which would be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* used as a number: a branch would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
     if (phase < 2 * half_pi.hi) return u;
     *quarters = (vmi_bits)(1 + second);
-    return VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi ? rest / (rate_head + rate_tail) : VM_NAN;
+    if (!(VM_FABS(rest) * 64 > phase && phase < 10 * half_pi.hi)) return VM_NAN;
+    return rest / (rate_head + rate_tail);
 }
 
-/* The same in two words for any u > 0 and m1 > 0, by the period in two words, in three for less than 128 K and next
-   to a multiple */
+/* u minus the nearest multiple of K in two words, and which multiple in the last bits of *quarters, for any u > 0 and
+   m1 > 0. The period is taken in two words; next to a multiple, below 128 K, in three. Where u is so long that no
+   digit of the phase is left, the result is 0. */
 VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1369,15 +1555,15 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
     vm_two phase, whole, rest, error;
     vm_real v;
     *quarters = 0;
-    if (!(count < 1 / VM_EPSILON)) return vmi_two(0, 0); /* no phase is left */
+    if (!(count < 1 / VM_EPSILON)) return vmi_two(0, 0);
     *quarters = vmi_to_bits(shifted);
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* by count's rounding, from K/(16 eps) on */
+    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* for u > K/(16 eps), by the rounding of count */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
-        *quarters += side < 0 ? (vmi_bits)3 : (vmi_bits)1;
+        *quarters += (vmi_bits)(side < 0 ? 3 : 1);
     }
     if (VM_FABS(rest.hi) < size * next && count < 128) {
         vm_real K[4];
@@ -1385,13 +1571,13 @@ VM_API vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *qu
         return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* |v| < 2 there: the low word is not asked for */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* |v| < 2 there, and no caller needs the low word */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* The same for any u >= 0 and m, NaN where one is refused; reach < 30 for u < 2.5 K. The result's low word, if it has
-   one, is *v_lo. */
+/* u minus the nearest multiple of K for any u >= 0 and m1, NaN where one of them is refused. The low word of the
+   result goes to *v_lo, the last bits of the multiple to *quarters. reach < 30 says that u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {
@@ -1406,94 +1592,129 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real reac
         *v_lo = v.lo;
         return v.hi;
     }
-    return m1 != 0 ? VM_NAN : u > VMI_LONGEST ? VMI_LONGEST : u;
+    if (m1 != 0) return VM_NAN;
+    if (u > VMI_LONGEST) return VMI_LONGEST;
+    return u;
 }
 
 #endif
-/* jacobi/functions.h - sn, cn, dn and their quotients */
+/* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
+
+   sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
+   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They solve the oscillators with cubic springs and
+   turn the torque-free body. Who needs one m for many u prepares a plan (jacobi/plans.h).
+
+       vm_real sn, cn, dn;
+       jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
+
+   Method: near 0 by a series (vmi_theta_near), far from 0 by theta functions, after reduction by the quarter period.
+   DLMF 22. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
-/* The thetas of u, relatively accurate, for 1 - m = m1 + m1_lo, and what dn cannot pass; NaN where u or m is refused.
-   Near 0 nothing is reduced, and neither K nor k' is asked for. */
+/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error; NaN where u or m is refused.
+   *bound is a limit that dn cannot pass. Near 0 neither K nor k' is needed. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* (2u/K)^2, roughly */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* beyond k', and dn(K/2) is before */
+    *bound = m1; /* here dn lies between 1 and sqrt(k'), and m1 lies beyond sqrt(k') */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, reach, &v_lo, &quarters);
-    if (v * v * (m1 > 1 ? m1 : 1) > VMI_NEAR) theta = vmi_theta_far_unprepared(vmi_two(v, v_lo), m1, m1_lo);
+    if (v * v * vmi_larger(m1, 1) > VMI_NEAR) theta = vmi_theta_far_unprepared(vmi_two(v, v_lo), m1, m1_lo);
     else theta = vmi_theta_near(v, m1);
     theta = vmi_theta_shift(theta, *bound, quarters);
     theta.s *= VM_COPYSIGN((vm_real)1, u);
     return theta;
 }
 
+/* sn, cn and dn for 1 - m = m1 + m1_lo */
 VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less, where K - u and k' have some more */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* one rounding less than by 1/n */
 }
 
-/* sn, cn, dn (u | m) for any real u and m <= 1. |sn|, |cn| <= 1, dn between 1 and sqrt(1 - m); sn is odd, cn and dn
-   are even in u, to the bit. */
+/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. Pure numbers. |sn| <= 1, |cn| <= 1, dn lies between
+   1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. Within 8 ulp for |u| <= 100 K, next to the
+   zeros too, and within 4 eps of the largest value for |u| <= 1e9 (float 1e4). NaN for m > 1 and for infinite
+   arguments; at m = 1 sn = tanh, cn = dn = 1/cosh. Time: 5 sines for |u| <= 2 K. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     vmi_sncndn(u, m1.hi, m1.lo, sn, cn, dn);
 }
 
-/* Documented with jacobi_sncndn. */
+/* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
+   See jacobi_sncndn; m1 keeps its digits where m is close to 1. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1, 0, sn, cn, dn);
 }
 
-/* theta_p/theta_q; equal ones, which may both have underflown at m = 1, make 1 */
+/* The theta function named s, c, d or n */
+VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
+{
+    if (name == 's') return t.s;
+    if (name == 'c') return t.c;
+    if (name == 'd') return t.d;
+    return t.n;
+}
+
+/* The quotient pq = theta_p/theta_q. At m = 1 both may have underflowed to the same number: then it is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
     const vm_two m1 = vmi_two_sum(1, -m);
     const vmi_thetas t = vmi_thetas_of(u, m1.hi, m1.lo, &bound);
-    const vm_real above = p == 's' ? t.s : p == 'c' ? t.c : p == 'd' ? t.d : t.n;
-    const vm_real below = q == 's' ? t.s : q == 'c' ? t.c : t.d; /* sn, cn, dn go another way */
-    return above == below ? 1 : above / below;
+    const vm_real above = vmi_theta_named(t, p), below = vmi_theta_named(t, q);
+    if (above == below) return 1;
+    return above / below;
 }
 
-/* Documented with jacobi_sn. */
+/* cd(u | m) = cn/dn.
+   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_cd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 'd'); }
 
-/* Documented with jacobi_sn. */
+/* sd(u | m) = sn/dn.
+   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_sd(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'd'); }
 
-/* Documented with jacobi_sn. */
+/* nd(u | m) = 1/dn.
+   Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_nd(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'd'); }
 
-/* Documented with jacobi_sn. */
+/* sc(u | m) = sn/cn.
+   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_sc(vm_real u, vm_real m) { return vmi_quotient(u, m, 's', 'c'); }
 
-/* Documented with jacobi_sn. */
+/* dc(u | m) = dn/cn.
+   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_dc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 'c'); }
 
-/* Documented with jacobi_sn. */
+/* nc(u | m) = 1/cn.
+   Infinite at odd multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_nc(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 'c'); }
 
-/* Documented with jacobi_sn. */
+/* cs(u | m) = cn/sn.
+   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_cs(vm_real u, vm_real m) { return vmi_quotient(u, m, 'c', 's'); }
 
-/* Documented with jacobi_sn. */
+/* ds(u | m) = dn/sn.
+   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_ds(vm_real u, vm_real m) { return vmi_quotient(u, m, 'd', 's'); }
 
-/* Documented with jacobi_sn. */
+/* ns(u | m) = 1/sn.
+   Infinite at even multiples of K. Within 8 ulp for |u| <= 100 K; domain as jacobi_sncndn. */
 VM_API vm_real jacobi_ns(vm_real u, vm_real m) { return vmi_quotient(u, m, 'n', 's'); }
 
-/* The twelve functions one by one: jacobi_pq = theta_p/theta_q, infinite at its poles, within 8 ulp as sn, cn, dn. */
+/* sn(u | m) alone.
+   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
 VM_API vm_real jacobi_sn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1501,7 +1722,8 @@ VM_API vm_real jacobi_sn(vm_real u, vm_real m)
     return sn;
 }
 
-/* Documented with jacobi_sn. */
+/* cn(u | m) alone.
+   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
 VM_API vm_real jacobi_cn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1509,7 +1731,8 @@ VM_API vm_real jacobi_cn(vm_real u, vm_real m)
     return cn;
 }
 
-/* Documented with jacobi_sn. */
+/* dn(u | m) alone.
+   Domain and accuracy are those of jacobi_sncndn, which computes all three in the same time. */
 VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 {
     vm_real sn, cn, dn;
@@ -1518,13 +1741,17 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 }
 
 #endif
-/* jacobi/amplitude.h - the amplitude am */
+/* jacobi/amplitude.h - the amplitude am, the angle whose sine is sn
+
+       vm_real angle = jacobi_am(VM_C(1.2), VM_C(0.3)); // sin(angle) = sn(1.2 | 0.3)
+
+   DLMF 22.16. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_AMPLITUDE_H
 #define VARMASS_JACOBI_AMPLITUDE_H
 
-/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 4 ulp), am(u + 2K) = am(u) + pi.
-   Radians, within 8 ulp for |u| <= 100 K. */
-/* j pi + atan(sn/cn), j the multiple of 2K next to u */
+/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. It is odd, continuous and rising
+   (apart from 4 ulp), and am(u + 2K) = am(u) + pi. Within 8 ulp for |u| <= 100 K. NaN for m > 1 and for infinite
+   arguments. Method: j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1539,7 +1766,10 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta.c < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
+    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides */
+        if (turns > j) j += 1;
+        else j -= 1;
+    }
     am = vmi_arctan(VM_FABS(theta.s), VM_FABS(theta.c));
     if ((theta.s < 0) != (theta.c < 0)) am = -am;
     p = vmi_two_product(j, 2 * half_pi.hi);
@@ -1547,21 +1777,31 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 }
 
 #endif
-/* jacobi/plans.h - sn, cn, dn for many arguments and one parameter */
+/* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
+
+   A plan holds what depends on m alone: the quarter period in pieces and polynomials in place of the series. Each
+   call then takes about two sines; arrays take half of one where the compiler vectorises the loop. A plan is plain
+   data: it may be copied, and it may be a constant in flash.
+
+       jacobi_plan p;
+       if (jacobi_plan_init(&p, VM_C(0.3)) == 0) jacobi_plan_sncndn(&p, VM_C(1.2), &sn, &cn, &dn);
+
+   Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/jacobi_plan.c. */
 #ifndef VARMASS_JACOBI_PLANS_H
 #define VARMASS_JACOBI_PLANS_H
 
 #include <string.h>
 
+/* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
+    int form;            /* VMI_NEAR_FORM, which uses a and b, or VMI_HYPERBOLIC or VMI_RECIPROCAL, which use theta */
     vm_real m1;          /* 1 - m */
-    vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
+    vm_real K[4], per_K; /* the quarter period in three short pieces and a last word (0 at m = 1), and 1/K */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
-    vmi_theta_form theta;               /* k' is there in any case */
+    vmi_theta_form theta;               /* the field kp, k', is there in every form */
 } jacobi_plan;
 
-/* p(y) = 1 + c_1 y + c_2 y^2 + ... */
+/* 1 + c[0] y + c[1] y^2 + ..., VMI_TERMS terms */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -1573,10 +1813,11 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
     return 1 + y * (low + y4 * high);
 }
 
-enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 }; /* what is left out is below eps/500 at a plan's K/2 */
+/* Terms of the series from which a plan's polynomials are made; the terms that are left out are below eps/500 at K/2 */
+enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
-/* The polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^.. by one of degree VMI_TERMS, for 0 <= t <= 1: its highest
-   power is time and again replaced by what Chebyshev's polynomial of that degree has below it */
+/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by one of degree VMI_TERMS for 0 <= t
+   <= 1. Each step removes the highest power by subtracting a multiple of Chebyshev's polynomial of that degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
     int n, k;
@@ -1589,7 +1830,8 @@ VM_API void vmi_shorten(vm_real *c)
     }
 }
 
-/* The series of a = theta cs^2(w) and of its kin -theta d(cs^2)/d theta, at w = v/2, in powers of v^2 <= longest^2 */
+/* Fills p->a and p->b: the coefficients of w^2 cs^2(w) and of -theta d(cs^2)/d theta, theta = w^2, at w = v/2 in
+   powers of v^2, for |v| <= longest */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -1611,6 +1853,7 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
+/* Prepares 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -1624,25 +1867,31 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
         vmi_pieces(K, p->K);
         p->per_K = 1 / K.hi;
     }
-    is_near = m1 > 0 && K.hi * K.hi / 4 * (m1 > 1 ? m1 : 1) <= VMI_NEAR;
-    p->form = is_near ? VMI_NEAR_FORM : m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
-    if (is_near) vmi_plan_prepare(p, K.hi / 2);
-    else vmi_far_prepare(&p->theta, m1, m1_lo);
+    is_near = m1 > 0 && K.hi * K.hi / 4 * vmi_larger(m1, 1) <= VMI_NEAR;
+    if (is_near) {
+        p->form = VMI_NEAR_FORM;
+        vmi_plan_prepare(p, K.hi / 2);
+    } else {
+        p->form = m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
+        vmi_far_prepare(&p->theta, m1, m1_lo);
+    }
     return 0;
 }
 
-/* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
+/* Prepares a plan for the parameter m = k^2 <= 1.
+   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. Time: about 200 sines. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_plan_init(p, m1.hi, m1.lo);
 }
 
-/* Documented with jacobi_plan_init. */
+/* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
+   See jacobi_plan_init; m1 keeps its digits where m is close to 1. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a',
-   since sc^2 of w has the derivative 2 sc nc dc */
+/* The theta functions near 0 by the plan's polynomials a and b at w = v/2 and one duplication. theta_s is v b, since
+   the derivative of sc^2 is 2 sc nc dc. Compare vmi_theta_near. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -1654,7 +1903,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* One point u from |u| = j K + rest; no branch where form is known to the compiler */
+/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of quarters are j. There is no branch where the
+   compiler knows the form. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -1666,7 +1916,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = v.hi > -VMI_LONGEST ? v.hi < VMI_LONGEST ? v.hi : VMI_LONGEST : -VMI_LONGEST; /* NaN stays in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is still in v.lo */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -1674,21 +1924,25 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Any argument u >= 0 that is too long for K in pieces */
+/* u minus the nearest multiple of K for u >= 0 that is too long for K in pieces, or for m = 1 */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
     vm_two v;
     int quarter;
     *quarters = 0;
-    if (p->per_K == 0) return vmi_three_words(u > VMI_LONGEST ? VMI_LONGEST : u, 0, 0); /* m = 1 */
+    if (p->per_K == 0) { /* m = 1: no period */
+        const vm_real cut = u > VMI_LONGEST ? VMI_LONGEST : u;
+        return vmi_three_words(cut, 0, 0);
+    }
     if (!VM_IS_FINITE(u)) return vmi_three_words(VM_NAN, 0, 0);
     v = vmi_reduce(u, K, &quarter);
     *quarters = (vmi_bits)quarter;
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
-/* As jacobi_sncndn, for the plan's m. */
+/* sn, cn and dn of the argument u for the plan's parameter.
+   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. Time: 1.5 to 5 sines. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -1701,14 +1955,13 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
-    if (*sn == 0) {
-        /* not almost */
+    if (*sn == 0) { /* then cn and dn are exactly 1 or -1 */
         *cn = VM_COPYSIGN((vm_real)1, *cn);
         *dn = 1;
     }
 }
 
-/* For |u| < VMI_EXACT_QUARTERS K a loop that compilers vectorise */
+/* All n arguments, each |u| < VMI_EXACT_QUARTERS K, in a loop that compilers vectorise */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
@@ -1720,19 +1973,20 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
     }
     if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
-        if (sn[i] == 0) {
-            /* not almost */
+        if (sn[i] == 0) { /* then cn and dn are exactly 1 or -1 */
             cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
             dn[i] = 1;
         }
 }
 
-/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. Where the compiler
-   fuses multiplications and additions, the last bits may depend on the place in the array. */
+/* sn, cn and dn of n arguments u[0] ... u[n - 1] for the plan's parameter. The arrays sn, cn, dn have n elements each
+   and overlap neither each other nor u. Values as jacobi_plan_sncndn; where the compiler fuses multiplications and
+   additions, the last bits may depend on the place in the array. Time: about half a sine an argument with gcc -O3
+   -march=native. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
-    const jacobi_plan local = *p; /* the compiler sees that no element of the arrays is a part of it */
+    const jacobi_plan local = *p; /* the compiler can see that the arrays do not overlap this copy */
     int i, any_far = 0;
     for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
     if (any_far)
@@ -1743,12 +1997,21 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 }
 
 #endif
-/* jacobi/modulus.h - the parameter from K or from k' K */
+/* jacobi/modulus.h - the parameter m from the quarter period
+
+   Solves K(m) = c and k' K(m) = c for m. The second is equation (307), which gives the Jacobi function whose period
+   is that of a strongly nonlinear oscillator. Both have one solution for each c > 0.
+
+       vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
+
+   Method: Newton's method for the logarithm of the nome; in the middle a fixed-point iteration for the nome itself.
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
-/* m = 16 q R, R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4, from (1 - R)/q, which rounds less; |q| <= 0.1. With
-   b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
+/* (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses no digits
+   for small q. With b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 -
+   q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
     const vm_real y = q * q, y2 = y * y, theta3 = 1 + 2 * (q + y2 * (1 + y2 * q));
@@ -1756,14 +2019,15 @@ VM_API vm_real vmi_theta_loss(vm_real q)
     return rho * ((1 + b) * (1 + b * b));
 }
 
-/* A parameter by its nome q, which is that of m where circular, else exp(-L - L_lo) and that of 1 - m, or where
-   upside that of 1/(1 - m) */
+/* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
-    int circular, upside;
-    vm_real q, L, L_lo;
+    int circular;        /* 1: q is the nome of m */
+    int upside;          /* for circular = 0; 0: q is the nome of 1 - m, 1: of 1/(1 - m) */
+    vm_real q, L, L_lo;  /* the nome; for circular = 0 it is exp(-L - L_lo) */
 } vmi_solution;
 
-/* theta_4(q)^2 = 2 c/pi: the nome of k'K = c, minus that of K = c, for c within K(-1) and K(1/2) */
+/* The nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of k' K = c, and -q that of K
+   = c. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1771,15 +2035,16 @@ VM_API vm_real vmi_solve_middle(vm_real c)
     const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4)/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
-    for (i = 0; i < 6; i++)
-        q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q); /* each 3 digits more */
+    for (i = 0; i < 6; i++) /* each step adds 3 digits */
+        q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q);
     return q;
 }
 
-#define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5)) /* Newton's next step is below an eps */
+/* After a step of Newton's method that is shorter than this the error is below eps. */
+#define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* L = -ln q with K = L theta_3(q)^2/2 = c, c >= K(1/2): Newton's method for lambda = 2c - L = 2c (1 - theta_3^-2),
-   0 <= lambda < 0.57, from 0, where seven steps do */
+/* L = -ln q for c >= K(1/2), where K = L theta_3(q)^2/2 = c. Newton's method for lambda = 2c - L = 2c (1 -
+   theta_3^-2), 0 <= lambda < 0.57, starts at 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -1796,15 +2061,16 @@ VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
     s->L_lo = L.lo;
 }
 
-/* ln(1 + x), 0 <= x < 0.0019 */
+/* ln(1 + x) for 0 <= x < 0.0019 by its series */
 VM_API vm_real vmi_small_log(vm_real x)
 {
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* L with k'K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, 0 < c <= K(-1): Newton's method for
+/* L = -ln q for 0 < c <= K(-1), where k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c. Newton's method for
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
-   convex and rising, from above the root, where seven steps do; the last residual in two words */
+   whose left side is convex and rising. It starts above the solution and needs at most seven steps. The residual is
+   computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -1825,8 +2091,9 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* The parameter with k'K = c > 0, or with K = c: k'K of m is K of m/(m - 1), whose complement is 1/(1 - m). From
-   c = 1000 on 1 - m is 0 or infinite in double precision, in single precision before. */
+/* The parameter with k' K = c, or with K = c where inverse_of_K is 1, for c > 0. Both are one problem, since k' K(m)
+   is K(m/(m - 1)). For c > 1000 (float: much earlier) 1 - m underflows to 0 or overflows, so that c = 1000 serves for
+   all. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
@@ -1835,8 +2102,10 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     s.circular = c >= least && c <= most;
     s.upside = (c > most) != inverse_of_K;
     s.q = s.L = s.L_lo = 0;
-    if (s.circular) s.q = inverse_of_K ? -vmi_solve_middle(c) : vmi_solve_middle(c);
-    else {
+    if (s.circular) {
+        s.q = vmi_solve_middle(c);
+        if (inverse_of_K) s.q = -s.q;
+    } else {
         if (c > most) vmi_solve_high(c, &s);
         else vmi_solve_low(c, &s);
         s.q = vmi_exp(-s.L, -s.L_lo);
@@ -1844,7 +2113,7 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* 1 - m; 16 q and 1/(16 q) as exponentials, since q may underflow where they do not */
+/* 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where they do not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -1854,16 +2123,19 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     if (s->circular) return 1 - 16 * s->q * ratio;
     sum = vmi_two_sum(4 * ln2.hi, -s->L);
     sum = vmi_fast_two_sum(sum.hi, sum.lo + (4 * ln2.lo - s->L_lo));
-    return s->upside ? vmi_exp(-sum.hi, -sum.lo) / ratio : vmi_exp(sum.hi, sum.lo) * ratio;
+    if (s->upside) return vmi_exp(-sum.hi, -sum.lo) / ratio;
+    return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
+/* m of the solution */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));
     return 1 - vmi_solution_m1(s);
 }
 
-/* The modulus solver: the one m (or m1) with k'K(k^2) = c, for any c >= 0; m < 0 for c > pi/2. */
+/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m < 0 for c > pi/2, m = 1 for c = 0. Within
+   8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -1873,7 +2145,8 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* Documented with jacobi_solve_kpK. */
+/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits.
+   c >= 0; NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -1883,7 +2156,8 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* Documented with jacobi_solve_K. */
+/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits.
+   c >= 0, infinite for c = 0; NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
@@ -1893,7 +2167,9 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The inverse of K: the one m (or m1) with K(m) = c, for any c >= 0; m < 0 for c < pi/2. */
+/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
+   m < 0 for c < pi/2, -infinity for c = 0. Within 8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and
+   infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;
@@ -1903,17 +2179,24 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 }
 
 #endif
-/* jacobi/means.h - mean values of powers of cn */
+/* jacobi/means.h - mean values of cn^2, cn^4 and cn^6 over a period
+
+   Averaged equations of oscillators with a cubic spring need these means: equations (383), (384), (408).
+
+       vm_real C2, C4, C6;
+       jacobi_cn_means(VM_C(0.5), &C2, &C4, &C6);
+
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MEANS_H
 #define VARMASS_JACOBI_MEANS_H
 
-/* From the nome q of m, |q| <= 0.1, where the recurrences of (384), (408) divide 0 by 0: with d = 1/2 - C2 = q S,
-   m = 16 q R, both recurrences are divided by m on paper. */
+/* The means from the nome q of m, |q| <= 0.1. The recurrences (384), (408) would divide 0 by 0 at m = 0; here both
+   are divided by m on paper, with 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
-    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y)),
-                  high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
+    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y));
+    const vm_real high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
     const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
     const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* d/m */
     const vm_real eta = (loss + q * series) / (256 * R * R);           /* (delta - 1/16)/m */
@@ -1922,7 +2205,7 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* (383), (384), (408), from K and E in two words, for 1 - m = c < 1/2; l = ln(4/k') */
+/* The means by (383), (384), (408) from K and E in two words, for 1 - m = c < 1/2 and l = ln(4/k') */
 VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real m = 1 - c;
@@ -1932,33 +2215,44 @@ VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_r
     *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
 }
 
-/* Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408). */
+/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. Within 8 ulp. 0 at m = 1, where the period is
+   infinite; NaN for m > 1 and infinite m. Equations (383), (384), (408). */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
-    *C2 = *C4 = *C6 = vmi_refused(m1.hi) ? VM_NAN : 0;
-    if (vmi_refused(m1.hi) || m1.hi == 0) return;
+    *C2 = *C4 = *C6 = VM_NAN;
+    if (vmi_refused(m1.hi)) return;
+    *C2 = *C4 = *C6 = 0;
+    if (m1.hi == 0) return;
     if (m1.hi >= VM_C(0.5) && m1.hi <= 5) {
         const vm_real root = VM_SQRT(m1.hi), fourth = VM_SQRT(root);
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        vmi_means_from_K(m1.hi < 1 ? m1.hi : 1 / m1.hi, vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
+        vmi_means_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
         if (m1.hi < 1) return;
-        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* cn(u | m) = cd(k'u | mu), of sn's means */
+        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* for m < 0 cn(u | m) = cd(k'u | mu), whose means are those of sn */
         *C4 = 1 - 2 * *C2 + *C4;
         *C2 = 1 - *C2;
     }
 }
 
 #endif
-/* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean, for comparison */
+/* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
+
+   The classical method, in which the number of steps shows what accuracy costs. jacobi_sncndn is faster and more
+   accurate; this is for comparison and teaching.
+
+       jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
+
+   Source: DLMF 19.8; Bulirsch, Numer. Math. 7 (1965). Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_DESCENDING_H
 #define VARMASS_JACOBI_DESCENDING_H
 
-/* Down the ladder by Gauss' transformation in homogeneous form, sn : cn : dn : 1 = s : c : d : q,
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     (a+ = a_(n+1))
-   from sin and cos of the phase a_n u. No difference occurs, for m < 0 neither. */
+/* Goes back through the steps of the mean by Gauss' transformation, from the sine and cosine of the phase a_n u. The
+   functions are quotients, sn : cn : dn : 1 = s : c : d : q, and each step is
+     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a+ = a_(n+1).
+   No subtraction occurs, also for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
     int n;
@@ -1974,9 +2268,10 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
-   less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
-   words of pi/2, not of K, so that the error grows with |u|: 3 eps M (1 + M |u|), M = max(1, k'), for |u| <= 5K. */
+/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
+   cost less and are less accurate; from 15 steps on it takes as many as the type needs. The error then is 3 eps M (1
+   + M |u|) with M = max(1, k') for |u| <= 5K: it grows with |u|, since the argument is reduced by pi/2 and not by K.
+   NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1989,14 +2284,24 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
     vmi_agm(&l, kp, steps);
     phase = vmi_reduce(l.a[l.n] * VM_FABS(u), vmi_two(half_pi.hi, half_pi.mid), &quarter).hi;
     vmi_descend(&l, phase, &s, &c, &d, &q);
-    *sn = quarter & 1 ? c / d : s / q;
-    *cn = quarter & 1 ? -kp * s / d : c / q;
-    *dn = quarter & 1 ? kp * q / d : d / q;
-    if (quarter & 2) *cn = -*cn;
-    if ((quarter & 2 ? -1 : 1) * VM_COPYSIGN((vm_real)1, u) < 0) *sn = -*sn;
+    if (quarter & 1) {
+        *sn = c / d;
+        *cn = -kp * s / d;
+        *dn = kp * q / d;
+    } else {
+        *sn = s / q;
+        *cn = c / q;
+        *dn = d / q;
+    }
+    if (quarter & 2) {
+        *sn = -*sn;
+        *cn = -*cn;
+    }
+    *sn *= VM_COPYSIGN((vm_real)1, u);
 }
 
-/* Documented with jacobi_agm_sncndn. */
+/* K(m) by the arithmetic-geometric mean, for m <= 1.
+   Within 3 eps. Infinite at m = 1; NaN for m > 1 and infinite m. */
 VM_API vm_real jacobi_agm_K(vm_real m)
 {
     vmi_ladder l;
@@ -2007,13 +2312,19 @@ VM_API vm_real jacobi_agm_K(vm_real m)
 }
 
 #endif
-/* jacobi/third_kind.h - integrals of the third kind and theta functions of complex argument, for torque-free rotation */
+/* jacobi/third_kind.h - elliptic integrals of the third kind, theta functions of complex argument
+
+   The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
+   kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
+   attitude stays right after a million turns (mechanics/torque_free.h). Everything here is internal.
+
+   Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
 #define VARMASS_JACOBI_THIRD_KIND_H
 
-/* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1,
-   19.36.1] in what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument
-   2^-n of the largest asks for log2(n) rounds more than the usual 7. */
+/* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
+   are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
+   of 2^-(2p - 4). An argument that is 2^-n of the largest needs log2(n) more. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -2045,21 +2356,24 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* agm(1, k'), Pi(-N | m)/K(m) and what that is less than 1, by one ladder in two words, for
-   m1 = k'^2 > 0, share = N/(1 + N) and below = 1/(1 + N), N >= 0. From p = sqrt(1 + N) [1, 19.8.6-7] with
-     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2,
-   where sum Q = 2 - sum Q (1 - e), so that both come from positive terms: relatively accurate for any N. */
+/* The complete integral of the third kind */
 typedef struct VM_TAG(vmi_third_kind) {
-    vm_two mean, ratio, rest;
+    vm_two mean;  /* agm(1, k') = pi/(2K) */
+    vm_two ratio; /* Pi(-N | m)/K(m) */
+    vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
+/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below = 1/(1 +
+   N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7) each step is
+     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
+   sum Q = 2 - sum Q (1 - e), so that the ratio and the rest are both sums of positive terms, accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10, and one for every binary digit of p */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one more for each binary digit of p */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -2079,7 +2393,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* sin and cos of x turns, |x| < 2^13: within an ulp */
+/* The sine and the cosine of the angle of x turns, |x| < 2^13, within an ulp */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2089,26 +2403,32 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     z.lo += rest * half_pi.mid;
     vmi_sin_cos(z, &s, &c);
-    *sine = quarter & 1 ? c : s;
-    *cosine = quarter & 1 ? s : c;
+    *sine = s;
+    *cosine = c;
+    if (quarter & 1) {
+        *sine = c;
+        *cosine = s;
+    }
     if (quarter & 2) *sine = -*sine;
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy) with the nome Q of the doubled lattice, Q = q^2, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K':
-   its argument is what turns a free body beyond its mean rate. Directly where K <= 2K', so that Q <= exp(-pi),
-     1 + sum (-1)^n (C_n cos 2nz - i S_n sin 2nz),  C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)),
-   else by Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi), but for a real factor, as e^(-i pi u
+/* theta_4(z + i zy) with the nome Q = q^2 of the doubled lattice, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K'. The
+   angle of this complex number is the part of the rotation of a torque-free body that its mean rate leaves. The
+   direct form serves where K <= 2K', so that Q <= exp(-pi):
+     1 + sum (-1)^n (C_n cos 2nz - i S_n sin 2nz),  C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
+   Elsewhere Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi) gives, up to a real factor, e^(-i pi u
    y/(4KK')) times the sum of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')),  v = (2n + 1) pi/(4K'),  |u| <= K.
-   Four terms leave 1e-19 of either. The first form as polynomials in cos 2z, the second in exp(+-pi |u|/(2K')). */
+   Four terms of either leave 1e-19. Both are stored as polynomials: in cos 2z, and in exp(+-pi |u|/(2K')). */
 typedef struct VM_TAG(vmi_doubled_theta) {
-    vm_real decay; /* -d ln exp(..)/dx in the second form, x = u/(4K); 0 in the first */
-    vm_real shift; /* turns for each x: the factor before the second sum */
+    vm_real decay; /* the rate of the exponential per x = u/(4K) in the second form; 0 in the direct form */
+    vm_real shift; /* turns per x of the factor e^(-i pi u y/(4KK')) */
     vm_real Q;     /* Qd */
     vm_real re[4], im[4];
 } vmi_doubled_theta;
 
+/* The direct form; Kc is K' */
 VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 {
     vmi_doubled_theta d;
@@ -2132,35 +2452,42 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* K may be infinite: then x is u itself */
+/* The form by Jacobi's transformation; Kc is K'. K may be infinite: then x is u itself. */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
     vmi_doubled_theta d;
-    vm_real power = 1, sine, cosine;
+    vm_real power = 1, exponent = VMI_LONGEST, sine, cosine;
     int n;
-    d.Q = aperiodic ? 0 : vmi_exp(-VM_PI * K / (2 * Kc), 0);
-    d.decay = aperiodic ? 1 : 2 * VM_PI * K / Kc;
-    d.shift = aperiodic ? 0 : -y / (2 * Kc);
+    d.Q = d.shift = 0;
+    d.decay = 1;
+    if (!aperiodic) {
+        d.Q = vmi_exp(-VM_PI * K / (2 * Kc), 0);
+        d.decay = 2 * VM_PI * K / Kc;
+        d.shift = -y / (2 * Kc);
+    }
+    if (d.Q > 0) exponent = VM_PI * K / (2 * Kc);
     for (n = 0; n < 4; n++) {
         vmi_sincos_turns((vm_real)(2 * n + 1) * y / (8 * Kc), &sine, &cosine);
         d.re[n] = power * cosine; /* Qd^(n^2) */
         d.im[n] = power * sine;
-        power *= vmi_exp(-(vm_real)(2 * n + 1) * (d.Q > 0 ? VM_PI * K / (2 * Kc) : VMI_LONGEST), 0);
+        power *= vmi_exp(-(vm_real)(2 * n + 1) * exponent, 0);
     }
     return d;
 }
 
+/* a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* For |x| <= 1/4, so that |u| <= K; the factor e^(2 pi i shift x) is left to the caller */
+/* The theta function at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller applies */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {
         const vm_real g = vmi_exp(-d->decay * VM_FABS(x), 0), f = d->Q / g, h = d->Q * g;
         const vm_real size = vmi_cubic(d->im, f) - g * vmi_cubic(d->im, h);
         *re = vmi_cubic(d->re, f) + g * vmi_cubic(d->re, h);
-        *im = x < 0 ? -size : size;
+        *im = size;
+        if (x < 0) *im = -size;
     } else {
         vm_real sine, cosine;
         vmi_sincos_turns(2 * x, &sine, &cosine);

@@ -33,7 +33,10 @@ static int next_window(void) { return next_of(window); }
         int i;                                                                       \
         for (i = first; i < first + window; i++) {                                   \
             const vm_real x = angle[i], u = arg[i], m = parameter[i], w = second[i]; \
-            (void)x, (void)u, (void)m, (void)w;                                      \
+            (void)x;                                                                 \
+            (void)u;                                                                 \
+            (void)m;                                                                 \
+            (void)w;                                                                 \
             __VA_ARGS__;                                                             \
             sum += a + b + c;                                                        \
         }                                                                            \
@@ -47,7 +50,10 @@ static int next_window(void) { return next_of(window); }
         int i;                                                                                   \
         for (i = first; i < first + window; i++) {                                               \
             const vm_real x = angle[i] + z, u = arg[i] + z, m = parameter[i] + z, w = second[i]; \
-            (void)x, (void)u, (void)m, (void)w;                                                  \
+            (void)x;                                                                             \
+            (void)u;                                                                             \
+            (void)m;                                                                             \
+            (void)w;                                                                             \
             __VA_ARGS__;                                                                         \
             z = 0 * (a + b + c);                                                                 \
         }                                                                                        \
@@ -67,13 +73,14 @@ static void fill_angles(void)
     for (i = 0; i < POOL; i++) angle[i] = (vm_real)((i % WINDOW + random_number()) * 20 / WINDOW - 10);
 }
 
-/* Without quadruple precision there is nothing to measure against */
+/* The error, or NO_ERROR where there is no quadruple precision to measure it against */
 static inline double known(double error)
 {
 #ifdef WITH_QUAD
     return error;
 #else
-    return (void)error, NO_ERROR;
+    (void)error;
+    return NO_ERROR;
 #endif
 }
 

@@ -48,7 +48,11 @@ static void by_plan(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 }
 static void by_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca) { ateb_saca(s, alpha, sa, ca); }
 
-static vm_real beta_of(vm_real x, vm_real a, vm_real b) { return (void)x, ateb_beta(a, b); }
+static vm_real beta_of(vm_real x, vm_real a, vm_real b)
+{
+    (void)x;
+    return ateb_beta(a, b);
+}
 static vm_real inc_of(vm_real x, vm_real a, vm_real b) { return ateb_beta_inc(x, a, b); }
 static vm_real inv_of(vm_real p, vm_real a, vm_real b) { return ateb_beta_inc_inv(p, a, b); }
 
@@ -69,7 +73,11 @@ APART(gsl, by_gsl(u, m, &a, &b))
 APART(gsl_beta, a = gsl_sf_beta(m, w))
 APART(gsl_inc, a = gsl_sf_beta_inc(m, w, u))
 APART(gsl_inv, a = gsl_cdf_beta_Pinv(u, m, w))
-static double gsl_beta_of(double x, double a, double b) { return (void)x, gsl_sf_beta(a, b); }
+static double gsl_beta_of(double x, double a, double b)
+{
+    (void)x;
+    return gsl_sf_beta(a, b);
+}
 static double gsl_inc_of(double x, double a, double b) { return gsl_sf_beta_inc(a, b, x); }
 static double gsl_inv_of(double p, double a, double b) { return gsl_cdf_beta_Pinv(p, a, b); }
 #endif

@@ -50,7 +50,9 @@ static double printed_exponent(int wave, double alpha, double m)
 {
     const double C2 = 0.5, C4 = 0.375; /* as (396) takes them */
     const double s = (1 - m - (1 - 2 * m) * C2 - m * C4) / (1 - m + m * C4);
-    return wave == COS ? 1 / (5 - alpha) : wave == CN ? s / (2 + (alpha - 1) * s) : 2 / (alpha + 3);
+    if (wave == COS) return 1 / (5 - alpha);
+    if (wave == CN) return s / (2 + (alpha - 1) * s);
+    return 2 / (alpha + 3);
 }
 
 /* (293), (300), (307): the constants of Table 5 */
@@ -71,10 +73,10 @@ static double by_envelope_at(double t)
 {
     const double m = 1 + now->eps * t, n = 0.5 - (now->alpha - 1) / 2 * form.P; /* the rate goes as m^(n-1) */
     const double way = (n == 0 ? log(m) : (pow(m, n) - 1) / n) / now->eps, theta = form.start + form.rate * way;
-    const double c = form.wave == COS  ? cos(theta)
-                     : form.wave == CN ? jacobi_cn(theta, form.m)
-                                       : ateb_ca(theta, now->alpha);
-    return pow(m, -form.P) * c;
+    const double amplitude = pow(m, -form.P);
+    if (form.wave == COS) return amplitude * cos(theta);
+    if (form.wave == CN) return amplitude * jacobi_cn(theta, form.m);
+    return amplitude * ateb_ca(theta, now->alpha);
 }
 
 static void by_envelope(int n, const double *t, double *x)
@@ -137,7 +139,8 @@ static int four_thirds(double t, const double *y, double *dydt, void *ctx)
 
 static ode_rhs rhs(void) { return now->alpha == 3 ? cubic : four_thirds; }
 
-static void by_rk4(int n, const double *t, double *x) /* knob: steps in a unit of time */
+/* The knob is the number of steps in a unit of time. */
+static void by_rk4(int n, const double *t, double *x)
 {
     double y[2] = {now->x0, now->v0}, work[RK4_WORK(2)], at = 0, eps = now->eps;
     int i;
@@ -156,7 +159,8 @@ static void by_rk4(int n, const double *t, double *x) /* knob: steps in a unit o
         rk45_options options = {0};                                                     \
         rk45 s;                                                                         \
         int i, status;                                                                  \
-        options.rtol = options.atol = knob, options.max_steps = -1;                     \
+        options.rtol = options.atol = knob;                                             \
+        options.max_steps = -1;                                                         \
         status = name##_init(&s, rhs(), &eps, 2, 0, y0, &options, work);                \
         for (i = 0; i < n; i++) {                                                       \
             if (status >= 0)                                                            \
@@ -228,14 +232,15 @@ static void measure_route(const char *name, const char *knob_format)
 {
     char job[64], setting[16];
     const double error = largest_error();
+    timing t;
     snprintf(job, sizeof job, "alpha=%s psi0=%g eps=%g%s", now->alpha == 3 ? "3" : "4/3", now->psi0, now->eps,
              many ? " of 16" : "");
     snprintf(setting, sizeof setting, knob_format, knob);
+    if (many) t = measure(job, name, setting, error, all_answers, ANSWERS, "sin", sin_apart, WINDOW);
+    else t = measure(job, name, setting, error, one_answer, 1, "sin", sin_apart, WINDOW);
     results[count].route = name;
     results[count].error = error;
-    results[count].ns = measure(job, name, setting, error, many ? all_answers : one_answer, many ? ANSWERS : 1,
-                                "sin", sin_apart, WINDOW)
-                            .ns;
+    results[count].ns = t.ns;
     count++;
 }
 
@@ -323,7 +328,8 @@ static double cheapest(double error, int gsl, const char **name)
 {
     double least = VM_NAN;
     int i;
-    for (*name = "-", i = 0; i < count; i++) {
+    *name = "-";
+    for (i = 0; i < count; i++) {
         const double ns = time_to(error, i);
         if (is_of(gsl, results[i].route) && ns == ns && !(ns >= least)) {
             least = ns;

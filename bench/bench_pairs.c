@@ -36,27 +36,46 @@ static const pair pairs[2] = {
       0.5823571654525552, -0.45808210592918697, 1. / 66}},
 };
 
+/* The stages k of a step of size s, and the new state z; returns the evaluations */
+static int stages(const pair *p, const problem *q, double t, double s, const double *y, double *z, double k[7][4])
+{
+    int i, j, l;
+    for (i = 1; i < 7; i++) {
+        for (j = 0; j < q->n; j++) {
+            z[j] = y[j];
+            for (l = 0; l < i; l++) z[j] += s * p->a[i][l] * k[l][j];
+        }
+        q->f(t + p->c[i] * s, z, k[i]);
+    }
+    return 6;
+}
+
+static double error_over_tolerance(const pair *p, int n, double s, double tol, const double *y, const double *z,
+                                   double k[7][4])
+{
+    double e = 0;
+    int j, l;
+    for (j = 0; j < n; j++) {
+        double sum = 0;
+        for (l = 0; l < 7; l++) sum += p->error[l] * k[l][j];
+        e = fmax(e, fabs(s * sum) / (tol + tol * fmax(fabs(y[j]), fabs(z[j]))));
+    }
+    return e;
+}
+
 /* y at T; returns the evaluations */
 static long integrate(const pair *p, const problem *q, double tol, double *y)
 {
     double k[7][4], z[4], t = 0, h = 1e-3, before = 1e-4, e, factor;
     long evals = 1;
-    int i, j, l, rejected = 0;
+    int rejected = 0;
     memcpy(y, q->y0, sizeof z);
     q->f(0, y, k[0]);
     for (;;) {
         int last = t + 1.000001 * h >= q->T;
         double s = last ? q->T - t : h;
-        for (i = 1; i < 7; i++, evals++) {
-            for (j = 0; j < q->n; j++)
-                for (z[j] = y[j], l = 0; l < i; l++) z[j] += s * p->a[i][l] * k[l][j];
-            q->f(t + p->c[i] * s, z, k[i]);
-        }
-        for (e = 0, j = 0; j < q->n; j++) {
-            double sum = 0;
-            for (l = 0; l < 7; l++) sum += p->error[l] * k[l][j];
-            e = fmax(e, fabs(s * sum) / (tol + tol * fmax(fabs(y[j]), fabs(z[j]))));
-        }
+        evals += stages(p, q, t, s, y, z, k);
+        e = error_over_tolerance(p, q->n, s, tol, y, z, k);
         if (e > 1) {
             h = s * fmax(0.2, 0.9 * pow(e, -0.2));
             rejected = 1;
@@ -75,7 +94,7 @@ static long integrate(const pair *p, const problem *q, double tol, double *y)
 
 enum { TOLERANCES = 20 };
 
-/* evaluations to the error 10^goal; 0 where the tolerances do not reach it */
+/* Evaluations to the error 10^goal; 0 where the tolerances do not reach it */
 static double evaluations_to(double goal, const double *log_error, const double *log_evals)
 {
     int i;

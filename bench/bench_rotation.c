@@ -1,9 +1,10 @@
-/* varmass.h: free rotation in closed form beside integration by rk4, rk45, rk87 (integrators.h) and GSL's rk8pd: the
-   error of attitude after 1 to 1e6 turns, in rad, and the time that it took, from the body's numbers to the attitude
-   then; of the closed form also what each further time costs. All integrate Euler's equations and q' = q omega/2, the
-   kit with the right-hand side inlined, GSL through a pointer, its driver allocated beforehand; knob: the tolerance,
-   or steps in a turn. Errors are taken against 60-digit values (tests/gen/rotation_reference.py). What would take
-   longer than LIMIT seconds is left out; what takes more than 0.05 s is timed once, its spread is 0.
+/* varmass.h: free rotation in closed form beside integration by rk4, rk45, rk87 (integrators.h) and GSL's rk8pd. The
+   error of the attitude after 1 to 1e6 turns, in rad, is taken against 60-digit values (tests/gen/rotation_reference.py).
+   The time is that from the body's numbers to the attitude; of the closed form also that of each further attitude.
+
+   All methods integrate Euler's equations and q' = q omega/2, the kit with the right-hand side inlined, GSL through a
+   pointer, its driver allocated beforehand; knob: the tolerance, or the steps in a turn. A run that would take longer
+   than LIMIT seconds is left out; one that takes more than 0.05 s is timed once, and its spread is 0.
 
    usage: rotation [out.csv [quick]] */
 #include "timing.h"
@@ -89,7 +90,8 @@ static void by_rk4(void)
         rk45_options options = {0};                                   \
         rk45 s;                                                       \
         start(y);                                                     \
-        options.rtol = options.atol = knob, options.max_steps = -1;   \
+        options.rtol = options.atol = knob;                           \
+        options.max_steps = -1;                                       \
         name##_init(&s, free_rhs, &moments, 7, 0, y, &options, work); \
         take(s.y, name##_solve_with(&s, free_rhs, 7, t_end) >= 0);    \
     }
@@ -124,10 +126,10 @@ static void by_rk8pd(void)
 static double error_of(vm_quat q)
 {
     const vm_quat r = reached;
-    const double w = r.w * q.w + r.x * q.x + r.y * q.y + r.z * q.z,
-                 x = q.w * r.x - q.x * r.w + q.z * r.y - q.y * r.z;
-    const double y = q.w * r.y - q.y * r.w + q.x * r.z - q.z * r.x,
-                 z = q.w * r.z - q.z * r.w + q.y * r.x - q.x * r.y;
+    const double w = r.w * q.w + r.x * q.x + r.y * q.y + r.z * q.z;
+    const double x = q.w * r.x - q.x * r.w + q.z * r.y - q.y * r.z;
+    const double y = q.w * r.y - q.y * r.w + q.x * r.z - q.z * r.x;
+    const double z = q.w * r.z - q.z * r.w + q.y * r.x - q.x * r.y;
     return 2 * atan2(sqrt(x * x + y * y + z * z), fabs(w));
 }
 
@@ -143,11 +145,16 @@ static timing time_once(void (*run)(void), double sin_ns)
     return t.ns < 5e7 ? time_beside(run, 1, sin_apart, WINDOW) : t;
 }
 
+/* Seconds that a run of this body may take */
+static double time_limit(void)
+{
+    if (bench_quick) return QUICK_LIMIT;
+    return body == turned_bodies ? LIMIT : LIMIT / 20;
+}
+
 static void over_turns(const char *name, const char *knob_text, void (*run)(void))
 {
-    const double sin_ns = call_ns(sin_apart, WINDOW), limit = bench_quick             ? QUICK_LIMIT
-                                                              : body == turned_bodies ? LIMIT
-                                                                                      : LIMIT / 20;
+    const double sin_ns = call_ns(sin_apart, WINDOW), limit = time_limit();
     timing t = {0, 0, 0};
     int i;
     for (i = 0, turns = 1; i < DECADES && t.ns * 10 < limit * 1e9; i++, turns *= 10) {
@@ -210,18 +217,21 @@ static void prepare_tilted(void)
     if (vm_torque_free_init(&motion, &b, 0) == VM_OK) sink = motion.phase_rate.hi;
 }
 
+/* Bodies whose attitude after many turns is not compared */
+enum { KINDS = 4 };
+static const turned_body kinds_of_motion[KINDS] = {
+    {"triaxial", {3, 2, 1}, {0.25, 0.5, 1.5}, {{0, {0, 0, 0, 0}}}},
+    {"m > 1/2", {3, 2, 1}, {0.2, 1, 0.5}, {{0, {0, 0, 0, 0}}}},
+    {"middle axis", {3, 2, 1}, {1e-6, 1, 1e-6}, {{0, {0, 0, 0, 0}}}},
+    {"symmetric", {2, 2, 1}, {0.5, 1.25, -0.75}, {{0, {0, 0, 0, 0}}}},
+};
+
 static void closed_form(void)
 {
-    static const turned_body bodies[] = {
-        {"triaxial", {3, 2, 1}, {0.25, 0.5, 1.5}, {{0, {0, 0, 0, 0}}}},
-        {"m > 1/2", {3, 2, 1}, {0.2, 1, 0.5}, {{0, {0, 0, 0, 0}}}},
-        {"middle axis", {3, 2, 1}, {1e-6, 1, 1e-6}, {{0, {0, 0, 0, 0}}}},
-        {"symmetric", {2, 2, 1}, {0.5, 1.25, -0.75}, {{0, {0, 0, 0, 0}}}},
-    };
     int i;
     for (i = 0; i < TIMES; i++) some_times[i] = between(0, 1e4);
-    for (i = 0; i < 4; i++) {
-        body = bodies + i;
+    for (i = 0; i < KINDS; i++) {
+        body = kinds_of_motion + i;
         prepare();
         measure(body->name, "prepared motion", "", NO_ERROR, evaluate, TIMES, "sin", sin_apart, WINDOW);
         measure(body->name, "preparation", "", NO_ERROR, prepare, 1, "sin", sin_apart, WINDOW);

@@ -1,13 +1,14 @@
-/* varmass.h, scenes: what an effect costs, and what a body. A right-hand side of a body on a line, written by hand, by
-   the kit's inline functions, and as a scene made at run time: with none to five effects one after another, and with a
-   damper and one effect more, so that it can be told what that adds. Then chains of bodies between springs. */
+/* varmass.h, scenes: the time that an effect takes, and a body. A right-hand side of a body on a line is written by
+   hand, by the kit's inline functions, and made as a scene at run time: with none to five effects one after another,
+   and with a damper and one more effect, which shows what that effect adds. Then there are chains of bodies between
+   springs. */
 #include "timing.h"
 #include "../varmass.h"
 
 enum { COUNT = 2000, MOST = 5, CHAINED = 20, LONGEST_CHAIN = 1000 };
 static volatile vm_real sink;
-static volatile vm_real parameter[6] = {2,         VM_C(0.1), VM_C(0.2),
-                                        VM_C(0.3), -1,        VM_C(1.5)}; /* not known to the compiler */
+/* k, b, c, T, g and the exponent a of LOOP, which the compiler does not know */
+static volatile vm_real parameter[6] = {2, VM_C(0.1), VM_C(0.2), VM_C(0.3), -1, VM_C(1.5)};
 
 /* A right-hand side COUNT times; the state depends on the derivative before, as in an integrator */
 #define LOOP(...)                                                                                           \
@@ -15,42 +16,55 @@ static volatile vm_real parameter[6] = {2,         VM_C(0.1), VM_C(0.2),
     const vm_real k = parameter[0], b = parameter[1], c = parameter[2], T = parameter[3], g = parameter[4]; \
     const vm_real a = parameter[5];                                                                         \
     long i;                                                                                                 \
-    (void)k, (void)b, (void)c, (void)T, (void)g, (void)a;                                                   \
+    (void)k;                                                                                                \
+    (void)b;                                                                                                \
+    (void)c;                                                                                                \
+    (void)T;                                                                                                \
+    (void)g;                                                                                                \
+    (void)a;                                                                                                \
+    (void)t;                                                                                                \
     for (i = 0; i < COUNT; i++) {                                                                           \
         __VA_ARGS__;                                                                                        \
-        y[0] += VM_C(1e-6) * d[0], y[1] += VM_C(1e-6) * d[1], t += VM_C(1e-6);                              \
+        y[0] += VM_C(1e-6) * d[0];                                                                          \
+        y[1] += VM_C(1e-6) * d[1];                                                                          \
+        t += VM_C(1e-6);                                                                                    \
     }                                                                                                       \
     sink = y[0] + y[1];
 
-static vm_real own_force(vm_real t, vm_real x, vm_real v, void *ctx) { return (void)t, (void)ctx, -x - v; }
+static vm_real own_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return -x - v;
+}
 
 #define X y[0]
 #define V y[1]
 #define FORCES(name, by_hand, by_function)                             \
     static void hand_##name(void) { LOOP(d[0] = V; d[1] = (by_hand)) } \
     static void inline_##name(void) { LOOP(d[0] = V; d[1] = (by_function)) }
-#define SPRING vm_force_spring(k, 3, X)
-#define DAMPER vm_force_damper(b, V)
+#define SPRING vm_force_spring(X, k, 3)
+#define DAMPER vm_force_damper(V, b)
 FORCES(0, 0, 0)
 FORCES(1, -k *X *X *X, SPRING)
 FORCES(2, -k *X *X *X - b * V, SPRING + DAMPER)
-FORCES(3, -k *X *X *X - b * V + (b - c * X * X) * V, SPRING + DAMPER + vm_force_van_der_pol(b, c, X, V))
+FORCES(3, -k *X *X *X - b * V + (b - c * X * X) * V, SPRING + DAMPER + vm_force_van_der_pol(X, V, b, c))
 FORCES(4, -k *X *X *X - b * V + (b - c * X * X) * V + g,
-       SPRING + DAMPER + vm_force_van_der_pol(b, c, X, V) + vm_force_gravity(1, g))
+       SPRING + DAMPER + vm_force_van_der_pol(X, V, b, c) + vm_force_gravity(1, g))
 FORCES(5, -k *X *X *X - b * V + (b - c * X * X) * V + g + (T - c * V),
-       SPRING + DAMPER + vm_force_van_der_pol(b, c, X, V) + vm_force_gravity(1, g) + vm_force_motor(T, c, V))
+       SPRING + DAMPER + vm_force_van_der_pol(X, V, b, c) + vm_force_gravity(1, g) + vm_force_motor(V, T, c))
 
 FORCES(damper, -b *V, DAMPER)
-FORCES(linear, -b *V - k * X, DAMPER + vm_force_spring(k, 1, X))
+FORCES(linear, -b *V - k * X, DAMPER + vm_force_spring(X, k, 1))
 FORCES(cubic, -b *V - k * X * X * X, DAMPER + SPRING)
-FORCES(power, -b *V - k * VM_LIBM(pow)(X, a), DAMPER + vm_force_spring(k, a, X))
-FORCES(second, -b *V - c * V, DAMPER + vm_force_damper(c, V))
-FORCES(van_der_pol, -b *V + (b - c * X * X) * V, DAMPER + vm_force_van_der_pol(b, c, X, V))
+FORCES(power, -b *V - k * VM_LIBM(pow)(X, a), DAMPER + vm_force_spring(X, k, a))
+FORCES(second, -b *V - c * V, DAMPER + vm_force_damper(V, c))
+FORCES(van_der_pol, -b *V + (b - c * X * X) * V, DAMPER + vm_force_van_der_pol(X, V, b, c))
 FORCES(gravity, -b *V + g, DAMPER + vm_force_gravity(1, g))
-FORCES(drive, -b *V + (T - c * V), DAMPER + vm_force_motor(T, c, V))
-FORCES(harmonic, -b *V + T * VM_LIBM(cos)(c * t + b), DAMPER + vm_force_harmonic(T, c, b, t))
+FORCES(drive, -b *V + (T - c * V), DAMPER + vm_force_motor(V, T, c))
+FORCES(harmonic, -b *V + T * VM_LIBM(cos)(c * t + b), DAMPER + vm_force_harmonic(t, T, c, b))
 FORCES(user, -b *V + (-X - V), DAMPER + own_force(t, X, V, NULL))
-FORCES(mass, (-b * V - c * V) / (1 + c * t), (DAMPER + vm_force_stream(c, 0, 0, V)) / (1 + c * t))
+FORCES(mass, (-b * V - c * V) / (1 + c * t), (DAMPER + vm_force_stream(V, c, 0, 1)) / (1 + c * t))
 
 static vm_scene_body body[LONGEST_CHAIN];
 static vm_effect effect[LONGEST_CHAIN + 1];
@@ -149,7 +163,7 @@ static void each_alone(void)
     adds("drive", hand_drive, inline_drive, vm_effect_motor(0, 0, T, c));
     adds("harmonic", hand_harmonic, inline_harmonic, vm_effect_harmonic(0, 0, T, c, b));
     adds("own force", hand_user, inline_user, vm_effect_force(0, 0, own_force, NULL));
-    adds("mass of time", hand_mass, inline_mass, vm_effect_mass(0, VM_MASS_OF_T, c, 0, 0));
+    adds("mass of time", hand_mass, inline_mass, vm_effect_mass(0, VM_MASS_OF_T, c, 0, 1));
 }
 
 static void chain(int n)

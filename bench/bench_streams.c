@@ -1,6 +1,6 @@
-/* varmass.h, streams: a right-hand side of chapter 5 for each level and number of streams beside one written by hand
-   for just that: the same states and equations in scalars, streams of relative velocity only, no laws, no stores, no
-   checks but that of mass and pivots. */
+/* varmass.h, streams: the time of a right-hand side of chapter 5, for each level and number of streams, beside one
+   written by hand for that level: the same states and equations in scalars, but streams of relative velocity only, no
+   laws, no stores, and no checks but those of the mass and the pivots. */
 #include "timing.h"
 #include "../varmass.h"
 
@@ -95,6 +95,38 @@ static int hand2(double t, const double *y, double *dy, void *ctx)
     return 0;
 }
 
+/* Sums over the streams, in body axes: rates of mass, momentum, moment, static moment and inertia */
+typedef struct stream_sums {
+    double rate, px, py, pz, mx, my, mz, sx, sy, sz, ixx, iyy, izz, ixy, ixz, iyz;
+} stream_sums;
+
+static inline void add_stream(stream_sums *sum, const vm_stream *p, const double *centre, double wx, double wy,
+                              double wz)
+{
+    const double a = p->rate, dx = p->at.x - centre[0], dy = p->at.y - centre[1], dz = p->at.z - centre[2];
+    const double ux = a * (p->velocity.x + wy * dz - wz * dy), uy = a * (p->velocity.y + wz * dx - wx * dz);
+    const double uz = a * (p->velocity.z + wx * dy - wy * dx);
+    const double ox = wx + p->spin.x, oy = wy + p->spin.y, oz = wz + p->spin.z;
+    const double kxx = a * p->gyration.xx, kyy = a * p->gyration.yy, kzz = a * p->gyration.zz;
+    const double kxy = a * p->gyration.xy, kxz = a * p->gyration.xz, kyz = a * p->gyration.yz;
+    sum->rate += a;
+    sum->px += ux;
+    sum->py += uy;
+    sum->pz += uz;
+    sum->mx += dy * uz - dz * uy + kxx * ox + kxy * oy + kxz * oz;
+    sum->my += dz * ux - dx * uz + kxy * ox + kyy * oy + kyz * oz;
+    sum->mz += dx * uy - dy * ux + kxz * ox + kyz * oy + kzz * oz;
+    sum->sx += a * dx;
+    sum->sy += a * dy;
+    sum->sz += a * dz;
+    sum->ixx += kxx + a * (dy * dy + dz * dz);
+    sum->iyy += kyy + a * (dx * dx + dz * dz);
+    sum->izz += kzz + a * (dx * dx + dy * dy);
+    sum->ixy += kxy - a * dx * dy;
+    sum->ixz += kxz - a * dx * dz;
+    sum->iyz += kyz - a * dy * dz;
+}
+
 static int hand3(double t, const double *y, double *dy, void *ctx)
 {
     const vm_flow *f = (const vm_flow *)ctx;
@@ -107,67 +139,42 @@ static int hand3(double t, const double *y, double *dy, void *ctx)
     const double h1 = m11 * y[10] + m21 * y[11] + m31 * y[12], h2 = m12 * y[10] + m22 * y[11] + m32 * y[12];
     const double h3 = m13 * y[10] + m23 * y[11] + m33 * y[12];
     const double xx = y[17], yy = y[18], zz = y[19], xy = y[20], xz = y[21], yz = y[22];
-    const double d1 = 1 / xx, l21 = xy * d1, l31 = xz * d1, pivot2 = yy - l21 * xy, r = yz - l31 * xy,
-                 d2 = 1 / pivot2;
+    const double d1 = 1 / xx, l21 = xy * d1, l31 = xz * d1;
+    const double pivot2 = yy - l21 * xy, r = yz - l31 * xy, d2 = 1 / pivot2;
     const double l32 = r * d2, pivot3 = zz - l31 * xz - l32 * r, d3 = 1 / pivot3;
     const double g2 = h2 - l21 * h1, wz = (h3 - l31 * h1 - l32 * g2) * d3, wy = g2 * d2 - l32 * wz;
     const double wx = h1 * d1 - l21 * wy - l31 * wz, back = sqrt(wx * wx + wy * wy + wz * wz) * (1 - square) / 8;
-    double rate = 0, px = 0, py = 0, pz = 0, mx = 0, my = 0, mz = 0, sx = 0, sy = 0, sz = 0;
-    double ixx = 0, iyy = 0, izz = 0, ixy = 0, ixz = 0, iyz = 0;
+    stream_sums sum = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     int k;
     (void)t;
     if (!(y[13] > 0) || !(xx > 0) || !(pivot2 > 2e-15 * yy) || !(pivot3 > 2e-15 * zz)) return -1;
-    for (k = 0; k < f->n; k++) {
-        const vm_stream *p = f->streams + k;
-        const double a = p->rate, dx = p->at.x - y[14], dy_ = p->at.y - y[15], dz = p->at.z - y[16];
-        const double ux = a * (p->velocity.x + wy * dz - wz * dy_), uy = a * (p->velocity.y + wz * dx - wx * dz);
-        const double uz = a * (p->velocity.z + wx * dy_ - wy * dx);
-        const double ox = wx + p->spin.x, oy = wy + p->spin.y, oz = wz + p->spin.z;
-        const double kxx = a * p->gyration.xx, kyy = a * p->gyration.yy, kzz = a * p->gyration.zz;
-        const double kxy = a * p->gyration.xy, kxz = a * p->gyration.xz, kyz = a * p->gyration.yz;
-        rate += a;
-        px += ux;
-        py += uy;
-        pz += uz;
-        mx += dy_ * uz - dz * uy + kxx * ox + kxy * oy + kxz * oz;
-        my += dz * ux - dx * uz + kxy * ox + kyy * oy + kyz * oz;
-        mz += dx * uy - dy_ * ux + kxz * ox + kyz * oy + kzz * oz;
-        sx += a * dx;
-        sy += a * dy_;
-        sz += a * dz;
-        ixx += kxx + a * (dy_ * dy_ + dz * dz);
-        iyy += kyy + a * (dx * dx + dz * dz);
-        izz += kzz + a * (dx * dx + dy_ * dy_);
-        ixy += kxy - a * dx * dy_;
-        ixz += kxz - a * dx * dz;
-        iyz += kyz - a * dy_ * dz;
-    }
-    sx *= inverse;
-    sy *= inverse;
-    sz *= inverse;
-    dy[0] = vx + m11 * sx + m12 * sy + m13 * sz;
-    dy[1] = vy + m21 * sx + m22 * sy + m23 * sz;
-    dy[2] = vz + m31 * sx + m32 * sy + m33 * sz;
+    for (k = 0; k < f->n; k++) add_stream(&sum, f->streams + k, y + 14, wx, wy, wz);
+    sum.sx *= inverse;
+    sum.sy *= inverse;
+    sum.sz *= inverse;
+    dy[0] = vx + m11 * sum.sx + m12 * sum.sy + m13 * sum.sz;
+    dy[1] = vy + m21 * sum.sx + m22 * sum.sy + m23 * sum.sz;
+    dy[2] = vz + m31 * sum.sx + m32 * sum.sy + m33 * sum.sz;
     dy[3] = back * qw - (qx * wx + qy * wy + qz * wz) / 2;
     dy[4] = back * qx + (qw * wx + qy * wz - qz * wy) / 2;
     dy[5] = back * qy + (qw * wy + qz * wx - qx * wz) / 2;
     dy[6] = back * qz + (qw * wz + qx * wy - qy * wx) / 2;
-    dy[7] = f->force.x + rate * vx + m11 * px + m12 * py + m13 * pz;
-    dy[8] = f->force.y + rate * vy + m21 * px + m22 * py + m23 * pz;
-    dy[9] = f->force.z + rate * vz + m31 * px + m32 * py + m33 * pz;
-    dy[10] = f->moment.x + m11 * mx + m12 * my + m13 * mz;
-    dy[11] = f->moment.y + m21 * mx + m22 * my + m23 * mz;
-    dy[12] = f->moment.z + m31 * mx + m32 * my + m33 * mz;
-    dy[13] = rate;
-    dy[14] = sx;
-    dy[15] = sy;
-    dy[16] = sz;
-    dy[17] = ixx;
-    dy[18] = iyy;
-    dy[19] = izz;
-    dy[20] = ixy;
-    dy[21] = ixz;
-    dy[22] = iyz;
+    dy[7] = f->force.x + sum.rate * vx + m11 * sum.px + m12 * sum.py + m13 * sum.pz;
+    dy[8] = f->force.y + sum.rate * vy + m21 * sum.px + m22 * sum.py + m23 * sum.pz;
+    dy[9] = f->force.z + sum.rate * vz + m31 * sum.px + m32 * sum.py + m33 * sum.pz;
+    dy[10] = f->moment.x + m11 * sum.mx + m12 * sum.my + m13 * sum.mz;
+    dy[11] = f->moment.y + m21 * sum.mx + m22 * sum.my + m23 * sum.mz;
+    dy[12] = f->moment.z + m31 * sum.mx + m32 * sum.my + m33 * sum.mz;
+    dy[13] = sum.rate;
+    dy[14] = sum.sx;
+    dy[15] = sum.sy;
+    dy[16] = sum.sz;
+    dy[17] = sum.ixx;
+    dy[18] = sum.iyy;
+    dy[19] = sum.izz;
+    dy[20] = sum.ixy;
+    dy[21] = sum.ixz;
+    dy[22] = sum.iyz;
     return 0;
 }
 
@@ -182,7 +189,8 @@ static volatile ode_rhs hidden;
     {                                                                                \
         ode_rhs f;                                                                   \
         int i, status = 0;                                                           \
-        hidden = rhs, f = hidden;                                                    \
+        hidden = rhs;                                                                \
+        f = hidden;                                                                  \
         for (i = 0; i < COUNT; i++) status += f(0, state[i], derivative[i], &(ctx)); \
         sink = status;                                                               \
     }

@@ -21,7 +21,9 @@ static volatile vm_real sink;
         int i;                              \
         for (i = 0; i < CALLS; i++) {       \
             __VA_ARGS__;                    \
-            sink = a, sink = b, sink = c;   \
+            sink = a;                       \
+            sink = b;                       \
+            sink = c;                       \
         }                                   \
     }
 
@@ -120,7 +122,7 @@ COUNT(vm_osc_plan_at_to_1e_3, vm_osc_plan_within(&oscillator, 10 + 300 * p[i], V
 static vm_stream stream;
 static vm_flow flow;
 static vm_real y_flow[VM_FLOW_STATES], dy_flow[VM_FLOW_STATES];
-COUNT(vm_rhs_1_stream, vm_flow_rhs(0, y_flow, dy_flow, &flow); a = dy_flow[0])
+COUNT(vm_flow_rhs_1_stream, vm_flow_rhs(0, y_flow, dy_flow, &flow); a = dy_flow[0])
 
 static vm_scene_body body[1];
 static vm_effect effect[3];

@@ -1,4 +1,5 @@
-/* The functions of tests/quad.h for programs that are compiled as C99 */
+/* Reference values in quadruple precision for bench programs, which are compiled as C99: the functions of tests/quad.h.
+   Without quadruple precision all of them are NaN. */
 #include "exact.h"
 
 #ifdef WITH_QUAD
@@ -52,23 +53,40 @@ double exact_beta_inc_inv(double p, double a, double b, double x)
 #else
 static const exact_value none = {(double)NAN, 0};
 
-void exact_complete(double m, exact_value K_E[2]) {
-(void)m;
-K_E[0] = K_E[1] = none; }
+void exact_complete(double m, exact_value K_E[2])
+{
+    (void)m;
+    K_E[0] = K_E[1] = none;
+}
 
-void exact_sncndn(double u, double m, exact_value r[4]) {
-(void)u;
-(void)m;
-r[0] = r[1] = r[2] = r[3] = none; }
+void exact_sncndn(double u, double m, exact_value sn_cn_dn_am[4])
+{
+    (void)u;
+    (void)m;
+    sn_cn_dn_am[0] = sn_cn_dn_am[1] = sn_cn_dn_am[2] = sn_cn_dn_am[3] = none;
+}
 
-void exact_saca(double s, double alpha, exact_value r[3]) {
-(void)s;
-(void)alpha;
-r[0] = r[1] = r[2] = none; }
+void exact_saca(double s, double alpha, exact_value sa_ca_pi[3])
+{
+    (void)s;
+    (void)alpha;
+    sa_ca_pi[0] = sa_ca_pi[1] = sa_ca_pi[2] = none;
+}
 
-exact_value exact_beta(double a, double b) { return (void)a, (void)b, none; }
+exact_value exact_beta(double a, double b)
+{
+    (void)a;
+    (void)b;
+    return none;
+}
 
-exact_value exact_beta_inc(double x, double a, double b) { return (void)x, (void)a, (void)b, none; }
+exact_value exact_beta_inc(double x, double a, double b)
+{
+    (void)x;
+    (void)a;
+    (void)b;
+    return none;
+}
 
 double exact_beta_inc_inv(double p, double a, double b, double x) { return p + a + b + x + none.high; }
 #endif

@@ -185,12 +185,14 @@ static inline timing measure(const char *job, const char *route, const char *kno
     return t;
 }
 
-/* 0, or 1 where the CSV file could not be written: the exit status */
+/* The exit status: 0, or 1 where the CSV file could not be written */
 static inline int bench_end(void)
 {
     progress("");
     putchar('\n');
-    return bench_csv && fclose(bench_csv) != 0 ? (perror("CSV"), 1) : 0;
+    if (!bench_csv || fclose(bench_csv) == 0) return 0;
+    perror("CSV");
+    return 1;
 }
 
 #endif

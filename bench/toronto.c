@@ -75,7 +75,8 @@ static void print_lines(const char *list)
     const double *y_end = detest_ends;
     int problem, method, digits;
     printf("error in tolerances/evaluations   ");
-    for (digits = FIRST_DIGITS; digits < FIRST_DIGITS + TOLERANCES; digits++) printf("%*s-%-2d", digits == FIRST_DIGITS ? 8 : 14, "1e", digits);
+    printf("%8s-%-2d", "1e", FIRST_DIGITS);
+    for (digits = FIRST_DIGITS + 1; digits < FIRST_DIGITS + TOLERANCES; digits++) printf("%14s-%-2d", "1e", digits);
     puts("");
     for (problem = 0; problem < DETEST_PROBLEMS; y_end += detest_problems[problem++].n) {
         const detest_problem *p = detest_problems + problem;
@@ -160,7 +161,8 @@ static void print_row(const char *by, const detest_problem *p, const result *row
 {
     int i;
     printf("| %s %s | %s |", p->name, p->what, by);
-    for (i = 0; i < TOLERANCES; i++) printf(" %.2g / %ld%s |", row[i].error, row[i].evals, row[i].status < 0 ? " (failed)" : "");
+    for (i = 0; i < TOLERANCES; i++)
+        printf(" %.2g / %ld%s |", row[i].error, row[i].evals, row[i].status < 0 ? " (failed)" : "");
     puts("");
 }
 

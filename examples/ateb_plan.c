@@ -18,7 +18,8 @@ static void print_numbers(const char *before, const vm_real *x, int n, const cha
     for (i = 0; i < n; i++) {
         sprintf(text, NUMBER, (double)x[i]);
         if (!strpbrk(text, ".e")) strcat(text, ".0");
-        printf("%sVM_C(%s)", i == 0 ? "" : i % 4 == 0 ? ",\n     " : ", ", text);
+        if (i > 0) printf(i % 4 == 0 ? ",\n     " : ", ");
+        printf("VM_C(%s)", text);
     }
     printf("%s", after);
 }

@@ -162,7 +162,10 @@ static void deflection(FILE *file)
 int main(int argc, char **argv)
 {
     FILE *file = argc > 1 ? fopen(argv[1], "w") : NULL;
-    if (argc > 1 && !file) return perror(argv[1]), 1;
+    if (argc > 1 && !file) {
+        perror(argv[1]);
+        return 1;
+    }
     rigid_shaft(file);
     if (file) fputs("\n\n", file);
     elastic_shaft(file);

@@ -67,7 +67,10 @@ int main(int argc, char **argv)
     int row, run, turned = 0;
 
     puts("A wing nut spun about its middle axis: closed form, and rk45 at two tolerances");
-    if (argc > 1 && !csv) return perror(argv[1]), 1;
+    if (argc > 1 && !csv) {
+        perror(argv[1]);
+        return 1;
+    }
     if (vm_torque_free_init_principal(&motion, moments, upright, spin, 0) != VM_OK) return 1;
     for (run = 0; run < RUNS; run++) {
         const vm_real y0[7] = {spin.x, spin.y, spin.z, 1, 0, 0, 0};
@@ -95,6 +98,9 @@ int main(int argc, char **argv)
     printf("after %d turn-overs, %.0f s, the largest errors of attitude:\n", turned, duration);
     for (run = 0; run < RUNS; run++)
         printf("  rk45 to %.0e   %9.2e rad, %6ld evaluations\n", tolerances[run], worst[run], runs[run].evals);
-    if (csv && fclose(csv)) return perror(argv[1]), 1;
+    if (csv && fclose(csv)) {
+        perror(argv[1]);
+        return 1;
+    }
     return 0;
 }

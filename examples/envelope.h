@@ -126,7 +126,10 @@ static inline int envelope_report(const oscillator *o, envelope *e, int n, const
     FILE *csv = csv_path ? fopen(csv_path, "w") : NULL;
     double t_end;
     int status = ODE_OK, points;
-    if (csv_path && !csv) return perror(csv_path), 1;
+    if (csv_path && !csv) {
+        perror(csv_path);
+        return 1;
+    }
     for (t_end = 50; t_end <= 200 && status >= 0; t_end *= 4) {
         status = envelope_errors(o, t_end, e, n, csv, &points);
         printf(

@@ -16,26 +16,17 @@ typedef struct drifts {
     double nu0, nu_rate, mass_rate;
 } drifts;
 
-static void drift(vm_real t, vm_forced_parameters *now, void *ctx)
-{
-    const drifts *d = (const drifts *)ctx;
-    now->nu = d->nu0 + d->nu_rate * t;
-    now->nu_rate = d->nu_rate;
-    now->mass = 1 + d->mass_rate * t;
-    now->mass_rate = d->mass_rate;
-}
-
-static vm_forced cubic(double b, double force, drifts *d)
+static vm_forced cubic(double b, double force, const drifts *d)
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
     f.alpha = 3;
-    f.b = b;
+    f.damping = b;
     f.reactive = 1;
-    f.now.mass = f.now.k = f.now.nu = 1;
-    f.now.force = force;
-    f.drift = drift;
-    f.drift_ctx = d;
+    f.mass = vm_law_linear(1, d->mass_rate);
+    f.stiffness = vm_law_linear(1, 0);
+    f.frequency = vm_law_linear(d->nu0, d->nu_rate);
+    f.force = vm_law_linear(force, 0);
     vm_forced_init(&f);
     return f;
 }
@@ -122,7 +113,7 @@ static void passage(double force, double t_end, FILE *csv)
     double t;
     vm_forced_passage(&f, 0, 0, &at);
     slow[0] = at.A;
-    slow[1] = at.torque <= 1 ? at.delta : 0;
+    slow[1] = at.drift_ratio <= 1 ? at.delta : 0;
     if (vm_forced_from_averaged(&f, 0, slow, y)) return;
     rk45_init(&s, vm_forced_averaged_rhs, &f, 3, 0, slow, NULL, work);
     for (t = 0; t <= t_end; t += t_end / 2000) {
@@ -132,9 +123,9 @@ static void passage(double force, double t_end, FILE *csv)
     }
     if (csv) fputs("\n\n", csv);
     write_turning_points(&f, &d, y, t_end, 0, 1, csv);
-    printf("  force %.4f: torque at the start %.3f, %s; at m = %.2f the averaged amplitude is %.3f, the backbone "
+    printf("  force %.4f: drift ratio at the start %.3f, %s; at m = %.2f the averaged amplitude is %.3f, the backbone "
            "%.3f\n",
-           force, at.torque, at.torque < 1 ? "captured" : "passes", 1 + d.mass_rate * t_end, s.y[0],
+           force, at.drift_ratio, at.drift_ratio < 1 ? "captured" : "passes", 1 + d.mass_rate * t_end, s.y[0],
            sqrt(1 + d.mass_rate * t_end));
 }
 

@@ -84,49 +84,89 @@ typedef struct sample {
 enum { SAMPLES = 201 };
 static const double end = 20;
 
-static int launch(double spin, sample *samples)
+/* The rocket with a full tank: its jet, the surface that the propellant is taken from, and the flow of both */
+static void fill_tank(rocket *r, double centre)
 {
-    rocket r;
-    double y[STATES] = {0}, work[RK45_WORK(STATES)], centre, arm;
-    vm_body b = assemble(propellant, &centre), empty;
-    vm_vec3 momentum, angular;
+    memset(r, 0, sizeof *r);
+    r->jet.rate = -burning;
+    r->jet.velocity.z = -exhaust;
+    r->jet.at.x = off_axis;
+    r->jet.at.z = nozzle;
+    r->jet.from = &r->surface;
+    r->jet.gyration.xx = r->jet.gyration.yy = nozzle_radius * nozzle_radius / 4;
+    r->jet.gyration.zz = nozzle_radius * nozzle_radius / 2;
+    r->surface.gyration.xx = r->surface.gyration.yy = tank_radius * tank_radius / 4;
+    r->surface.gyration.zz = tank_radius * tank_radius / 2;
+    r->surface.at.z = level(propellant);
+    r->flow.n = 1;
+    r->flow.streams = &r->jet;
+    r->flow.update = fly;
+    r->flow.ctx = r;
+    r->flow.centre.z = centre;
+    r->flow.least_mass = dry_mass;
+}
+
+/* The event at which the tank is empty */
+static ode_event run_dry(rocket *r)
+{
     ode_event dry;
-    rk45_options options = rk45_defaults(NULL);
-    rk45 s;
-    int i, k;
-    memset(&r, 0, sizeof r);
     memset(&dry, 0, sizeof dry);
-    b.omega.z = spin;
-    r.jet.rate = -burning;
-    r.jet.velocity.z = -exhaust;
-    r.jet.at.x = off_axis;
-    r.jet.at.z = nozzle;
-    r.jet.from = &r.surface;
-    r.jet.gyration.xx = r.jet.gyration.yy = nozzle_radius * nozzle_radius / 4;
-    r.jet.gyration.zz = nozzle_radius * nozzle_radius / 2;
-    r.surface.gyration.xx = r.surface.gyration.yy = tank_radius * tank_radius / 4;
-    r.surface.gyration.zz = tank_radius * tank_radius / 2;
-    r.surface.at.z = level(propellant);
-    r.flow.n = 1;
-    r.flow.streams = &r.jet;
-    r.flow.update = fly;
-    r.flow.ctx = &r;
-    r.flow.centre.z = centre;
-    r.flow.least_mass = dry_mass;
     dry.g = vm_flow_mass_left;
-    dry.ctx = &r.flow;
+    dry.ctx = &r->flow;
     dry.direction = -1;
     dry.action = ODE_RESTART;
     dry.change = burnt_out;
+    return dry;
+}
+
+/* The mass, its centre and the inertia that are left, against those of the empty rocket by its shape */
+static void print_empty(const vm_body *b, const double *y)
+{
+    double centre;
+    const vm_body empty = assemble(0, &centre);
+    printf("  empty, by the streams less by its shape: mass %.1g kg, centre %.1g m, inertia %.1g, %.1g kg m^2\n",
+           b->mass - empty.mass, y[VM_Y_CENTRE + 2] - centre, b->inertia.xx - empty.inertia.xx,
+           b->inertia.zz - empty.inertia.zz);
+}
+
+/* Momentum and angular momentum about the origin at the launch, less those of the rocket and of all that was shed */
+static void print_balance(const vm_body *start, vm_vec3 angular, const vm_body *b, const double *y)
+{
+    const vm_vec3 origin = {0, 0, 0};
+    const vm_vec3 now = vmi_add(vm_momentum(b), vmi_get3(y + VM_Y_BALANCE));
+    const vm_vec3 angular_now = vmi_add(vm_angular_momentum(b, origin), vmi_get3(y + VM_Y_BALANCE + 3));
+    printf("  balance with all that was shed: %.1g N s of %.2g, %.1g N m s of %.2g\n",
+           vmi_norm1(vmi_sub(vm_momentum(start), now)), propellant * exhaust, vmi_norm1(vmi_sub(angular, angular_now)),
+           propellant * exhaust * sqrt(vmi_dot(b->r, b->r)));
+}
+
+static void print_tilts(const sample *samples)
+{
+    int t;
+    for (t = 2; t <= 10; t += 2) {
+        const sample *p = samples + (SAMPLES - 1) / 20 * t;
+        printf("  t = %2d s: tilt %8.3f degrees, as printed %8.3f, without jet damping %8.3f\n", t, p->tilt, p->printed,
+               p->undamped);
+    }
+}
+
+static int launch(double spin, sample *samples)
+{
+    rocket r;
+    double y[STATES] = {0}, work[RK45_WORK(STATES)], centre;
+    vm_body start = assemble(propellant, &centre), b;
+    ode_event dry = run_dry(&r);
+    rk45_options options = rk45_defaults(NULL);
+    rk45 s;
+    int i;
+    fill_tank(&r, centre);
+    start.omega.z = spin;
     options.rtol = 1e-11;
     options.events = &dry;
     options.n_events = 1;
-    if (vm_flow_start(&r.flow, &b, y)) return 1;
-    momentum = vm_momentum(&b);
-    angular.x = y[VM_Y_H];
-    angular.y = y[VM_Y_H + 1];
-    angular.z = y[VM_Y_H + 2]; /* about the origin, where it is */
+    if (vm_flow_start(&r.flow, &start, y)) return 1;
     if (rk45_init(&s, with_others, &r.flow, STATES, 0, y, &options, work) < 0) return 1;
+    b = start;
     for (i = 0; i < SAMPLES; i++) {
         if (rk45_solve(&s, end * i / (SAMPLES - 1)) < 0 || vm_flow_body(&r.flow, VM_FLOW_STATES, s.y, &b)) return 1;
         samples[i].tilt = tilt(b.q);
@@ -135,25 +175,12 @@ static int launch(double spin, sample *samples)
         samples[i].printed = s.y[PRINTED] * 180 / pi;
         samples[i].undamped = s.y[UNDAMPED] * 180 / pi;
     }
-    empty = assemble(0, &centre);
     printf("spin %4.2f turns/s: burnt out at %.12g s; after %g s %.4g km high, %.3g km aside, tilted by %.4g "
            "degrees\n",
            spin / (2 * pi), dry.t, end, b.r.z / 1e3, sqrt(b.r.x * b.r.x + b.r.y * b.r.y) / 1e3, tilt(b.q));
-    printf("  empty, by the streams less by its shape: mass %.1g kg, centre %.1g m, inertia %.1g, %.1g kg m^2\n",
-           b.mass - empty.mass, s.y[VM_Y_CENTRE + 2] - centre, b.inertia.xx - empty.inertia.xx,
-           b.inertia.zz - empty.inertia.zz);
-    momentum = vmi_sub(momentum, vmi_add(vm_momentum(&b), vmi_get3(s.y + VM_Y_BALANCE)));
-    angular = vmi_sub(angular,
-                      vmi_add(vm_angular_momentum(&b, vmi_vec3(0, 0, 0)), vmi_get3(s.y + VM_Y_BALANCE + 3)));
-    arm = sqrt(vmi_dot(b.r, b.r));
-    printf("  balance with all that was shed: %.1g N s of %.2g, %.1g N m s of %.2g\n", vmi_norm1(momentum),
-           propellant * exhaust, vmi_norm1(angular), propellant * exhaust * arm);
-    for (k = 0; k < 5; k++) {
-        const sample *p = samples + (SAMPLES - 1) / 20 * 2 * (k + 1);
-        if (spin == 0)
-            printf("  t = %2d s: tilt %8.3f degrees, as printed %8.3f, without jet damping %8.3f\n", 2 * (k + 1),
-                   p->tilt, p->printed, p->undamped);
-    }
+    print_empty(&b, s.y);
+    print_balance(&start, vmi_get3(y + VM_Y_H), &b, s.y);
+    if (spin == 0) print_tilts(samples);
     return 0;
 }
 

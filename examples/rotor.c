@@ -200,7 +200,10 @@ int main(int argc, char **argv)
     free_motion(start, prefix);
     vm_broken_rotor_free_motion(break_time, &whole, start, y);
     status = vm_broken_rotor_break_off(&whole, y, &piece, &b);
-    if (status) return puts(vm_strerror(status)), 1;
+    if (status) {
+        puts(vm_strerror(status));
+        return 1;
+    }
     printf("  angle of S2A, beta (56)       printed %8.5f   true %8.5f rad\n",
            atan(SS2 / radius * sin(alpha) / (1 - cos(alpha))), b.beta);
     printf("  spin of the remainder (59)    printed %8.5f   true %8.5f rad/s\n", printed_spin(&b, y[5], alpha),

@@ -1,4 +1,4 @@
-/* The machines of chapter 1 and numerical examples of the dissertation as scenes: what each comes to, beside the
+/* The machines of chapter 1 and the numerical examples of the dissertation as scenes: where each ends, beside a
    reference (36-digit integration or a closed form), and its curves.
 
    usage: scenes [file.csv]      for each machine file_NAME.csv: t, then the state */
@@ -32,7 +32,7 @@ static int write_row(vm_real t, const vm_real *y, vm_scene *scene, void *file)
     return 0;
 }
 
-/* Runs the scene to its end, and says where it came to: at time t, number i of the state */
+/* Runs the scene to its end and prints the time and number i of the state there, with the reference in parentheses. */
 static void play(stage *s, const char *name, const char *what, int i, double wanted_t, double wanted)
 {
     vm_real times[POINTS];
@@ -87,8 +87,7 @@ int main(int argc, char **argv)
     s.end = 5;
     play(&s, "dosing", "a belt feeds itself: rad", 0, 5, 0.000907954100047924994);
     weighing(&s);
-    play(&s, "weighing", "from lift-off to the largest angle: rad", 0, 2.0330313512972609,
-                       0.234693965122421166);
+    play(&s, "weighing", "from lift-off to the largest angle: rad", 0, 2.0330313512972609, 0.234693965122421166);
     chain_heap(&s);
     play(&s, "heap", "Cayley's chain from a heap: m/s", 1, 0.921289371977640962, 3.61640221767435598);
     chain_winding(&s);

@@ -19,9 +19,9 @@ struct motion_case {
     int n, x, v; /* size of the state; the components that are drawn, and its velocity */
     double t_end;
     curve printed, corrected;
-    int waves;                     /* the curves are the motion itself, not */
-    double printed_centre, centre; /* amplitudes about these */
-    double m0, m1, x0, b;          /* mass m0 + m1 t, first displacement, and Fig. 21's b */
+    int waves;                     /* whether the curves are the motion itself; if not, they are its amplitudes */
+    double printed_centre, centre; /* about these */
+    double m0, m1, x0, b;          /* mass m0 + m1 t, first displacement, and b of Fig. 21; -1 for (440) */
 };
 
 /* ---- Fig. 21, (355): m x'' + x|x|^(1/3) = 0.01 (1 - b) x', m = 1 - 0.01 t ---- */
@@ -53,12 +53,16 @@ static vm_vdp vdp_of(const motion_case *c)
 {
     vm_vdp v;
     memset(&v, 0, sizeof v);
-    v.alpha = c->b < 0 ? 5. / 3 : 4. / 3;
     v.k = 1;
-    v.reactive = 1; /* b < 0 marks (440) */
-    v.b = c->b < 0 ? 0.01 : -0.01 * c->b;
-    v.c = c->b < 0 ? 0.01 : 0;
-    v.mass = vm_slow_mass_linear;
+    v.reactive = 1;
+    if (c->b < 0) { /* (440) */
+        v.alpha = 5. / 3;
+        v.feed = v.c = 0.01;
+    } else { /* (355) */
+        v.alpha = 4. / 3;
+        v.feed = -0.01 * c->b;
+    }
+    v.mass = vm_law_linear(c->m0, c->m1);
     vm_vdp_init(&v);
     return v;
 }
@@ -66,13 +70,18 @@ static vm_vdp vdp_of(const motion_case *c)
 static double vdp_corrected(double t, const motion_case *c)
 {
     const vm_vdp v = vdp_of(c);
-    const vm_linear_mass m = {c->m0, c->m1};
-    return vm_vdp_amplitude(&v, t, c->x0, m);
+    return vm_vdp_amplitude(&v, t, c->x0);
 }
 
 /* ---- Fig. 30, (514)-(516), and Fig. 32, (530)-(532): m = 1 + 0.01 t ---- */
 
-static double fifth_root(double t, const motion_case *c) { return (void)c, pow(1 + 0.01 * t, -0.2); } /* (513) */
+/* (513) */
+static double fifth_root(double t, const motion_case *c)
+{
+    (void)c;
+    return pow(1 + 0.01 * t, -0.2);
+}
+
 static double radius(double t, const motion_case *c)
 {
     vm_power_force cubic = {1, 3};
@@ -84,11 +93,15 @@ static double radius(double t, const motion_case *c)
     return vm_jeffcott_amplitude(&r, c->x0, c->m0, c->m0 + c->m1 * t);
 }
 
+/* (536) */
 static double pair_printed(double t, const motion_case *c)
 {
-    return (void)c, -pow(1 + 0.01 * t, -1. / 6);
-} /* (536) */
-static double pair(double t, const motion_case *c) /* half of that of p = y - x, which is 2 at first */
+    (void)c;
+    return -pow(1 + 0.01 * t, -1. / 6);
+}
+
+/* Half of the amplitude of p = y - x, which is 2 at first */
+static double pair(double t, const motion_case *c)
 {
     return vm_osc_amplitude_law((c->m0 + c->m1 * t) / c->m0, 0, 1, 3);
 }
@@ -98,7 +111,6 @@ static double pair(double t, const motion_case *c) /* half of that of p = y - x,
 enum { MOST_POINTS = 1000 };
 
 typedef struct context {
-    vm_linear_mass mass;
     vm_vdp vdp;
     vm_power_force cubic;
     vm_jeffcott rotor;
@@ -110,23 +122,30 @@ static void *start(const motion_case *c, context *x, vm_real *y)
 {
     const double half = sqrt(0.5);
     memset(x, 0, sizeof *x);
-    x->mass.mass = c->m0;
-    x->mass.rate = c->m1;
     x->vdp = vdp_of(c);
-    x->vdp.mass_ctx = &x->mass;
     x->cubic.k = 1;
     x->cubic.alpha = 3;
-    x->rotor.mass = x->pair.mass = vm_slow_mass_linear;
-    x->rotor.mass_ctx = x->pair.mass_ctx = &x->mass;
+    x->rotor.mass = x->pair.mass = vm_law_linear(c->m0, c->m1);
     x->rotor.stiffness = vm_jeffcott_power;
     x->rotor.stiffness_ctx = &x->cubic;
     x->rotor.reactive = 1;
     x->pair.alpha = 3;
     x->pair.k = 1;
     x->pair.reactive = 1;
-    if (c->f == vm_jeffcott_rhs) return y[0] = y[1] = y[3] = half, y[2] = -half, &x->rotor;
-    if (c->f == vm_pair_rhs) return y[0] = 1, y[1] = 3, y[2] = y[3] = 0, &x->pair;
-    return y[0] = c->x0, y[1] = 0, &x->vdp;
+    if (c->f == vm_jeffcott_rhs) {
+        y[0] = y[1] = y[3] = half;
+        y[2] = -half;
+        return &x->rotor;
+    }
+    if (c->f == vm_pair_rhs) {
+        y[0] = 1;
+        y[1] = 3;
+        y[2] = y[3] = 0;
+        return &x->pair;
+    }
+    y[0] = c->x0;
+    y[1] = 0;
+    return &x->vdp;
 }
 
 /* The two branches of a curve at t: the same where it is the motion itself, and for (536), a negative amplitude */
@@ -238,7 +257,8 @@ int main(int argc, char **argv)
         errors e;
         if (argc > 1 && strcmp(open, c->figure)) {
             csv_close(csv);
-            csv = csv_open(argv[1], open = c->figure);
+            csv = csv_open(argv[1], c->figure);
+            open = c->figure;
         }
         if (run(c, csv, &e) < 0) return 1;
         printf("  %-6s %-22s %-14ld %-12.1e %.1e\n", c->figure, c->label, e.turning_points, e.printed, e.corrected);

@@ -97,25 +97,27 @@ static void print_motion(const char *name, const vm_body *b)
            vm_kinetic_energy(b));
 }
 
+/* Bits 0, 1, 2 of the number of a corner say on which side of the middle it is along x, y, z. */
+static vm_vec3 corner_of(vm_vec3 edges, int corner)
+{
+    return vec3(edges.x * ((corner & 1) - 0.5), edges.y * ((corner >> 1 & 1) - 0.5),
+                edges.z * ((corner >> 2 & 1) - 0.5));
+}
+
 /* The twelve edges of a box of the size and place given in the body's axes */
 static void draw_box(FILE *csv, int colour, const vm_body *b, vm_vec3 place, vm_vec3 edges)
 {
     const vmi_mat3 turn = vmi_rotation(b->q);
     int corner, axis;
-    for (corner = 0; corner < 8; corner++)
-        for (axis = 0; axis < 3; axis++)
-            if (!(corner >> axis & 1)) {
-                vm_vec3 end[2];
-                int i;
-                for (i = 0; i < 2; i++) {
-                    int c = corner | i << axis;
-                    vm_vec3 p = vec3(edges.x * ((c & 1) - 0.5), edges.y * ((c >> 1 & 1) - 0.5),
-                                       edges.z * ((c >> 2 & 1) - 0.5));
-                    end[i] = plus(b->r, 1, vmi_times(&turn, plus(place, 1, p)));
-                }
-                fprintf(csv, "%d,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g\n", colour, end[0].x, end[0].y, end[0].z, end[1].x,
-                        end[1].y, end[1].z);
-            }
+    for (corner = 0; corner < 8; corner++) {
+        for (axis = 0; axis < 3; axis++) {
+            vm_vec3 from, to;
+            if (corner >> axis & 1) continue; /* the edge was drawn from its other end */
+            from = plus(b->r, 1, vmi_times(&turn, plus(place, 1, corner_of(edges, corner))));
+            to = plus(b->r, 1, vmi_times(&turn, plus(place, 1, corner_of(edges, corner | 1 << axis))));
+            fprintf(csv, "%d,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g\n", colour, from.x, from.y, from.z, to.x, to.y, to.z);
+        }
+    }
 }
 
 /* hub and panel as they are at time t: one body before t = 0, two after it */
@@ -130,14 +132,17 @@ static int draw_frames(const scene *s, FILE *csv, int panel)
     const vm_vec3 middle = {0, 0, 0};
     int i;
     for (i = 0; i < 7; i++) {
+        const vm_body *from = panel ? &s->panel : &s->hub;
+        vm_vec3 place = middle;
+        int colour = panel ? 2 : 1;
         vm_body b;
-        int before = times[i] <= 0, colour = before ? 0 : panel ? 2 : 1;
-        if (moved(before ? &s->whole : panel ? &s->panel : &s->hub, times[i], &b)) return 1;
-        draw_box(csv, colour, &b,
-                 !before ? middle
-                 : panel ? s->panel_in_whole
-                         : s->hub_in_whole,
-                 panel ? s->panel_edges : s->hub_edges);
+        if (times[i] <= 0) { /* still a part of the whole */
+            from = &s->whole;
+            place = panel ? s->panel_in_whole : s->hub_in_whole;
+            colour = 0;
+        }
+        if (moved(from, times[i], &b)) return 1;
+        draw_box(csv, colour, &b, place, panel ? s->panel_edges : s->hub_edges);
     }
     return 0;
 }

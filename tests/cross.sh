@@ -5,10 +5,12 @@
 build=$1/cross report=$2
 shift 2
 every=$*
-# those but the four that last longest, for emulators
-most=$(echo " $every " | sed 's/ streams / /; s/ slow / /; s/ oscillator / /; s/ routes / /')
+# those but the five that last longest, for emulators
+most=$(echo " $every " | sed 's/ flow / /; s/ van_der_pol / /; s/ pair / /; s/ forced / /; s/ routes / /')
 # those that an emulator of a processor without double takes in double
-few=$(for test in $every; do case $test in integrators | events | varmass | dissertation | scenes | drum | lagrange) echo $test ;; esac; done)
+few=$(for test in $every; do case $test in rk4 | pairs | adaptive | dense | events | bodies | constant_mass | dissertation | \
+    drum | drum_shaft | lambert | lagrange_jump | pendulum | forces | scenes | scene_bodies | scene_events | scene_runs) echo $test ;;
+    esac; done)
 passed=0 failed=0 skipped=0
 rm -rf "$build" && mkdir -p "$build" || exit 1
 c99="-std=c99 -ffp-contract=off"

@@ -3,9 +3,11 @@
 #define EVA_HEADER "../ateb.h"
 #include "eva_words.h"
 
-void eva_pi(void) {
-sink[0] = ateb_pi(any);
-sink[1] = ateb_pi_nm(any, any); }
+void eva_pi(void)
+{
+    sink[0] = ateb_pi(any);
+    sink[1] = ateb_pi_nm(any, any);
+}
 
 void eva_saca(void)
 {
@@ -32,7 +34,7 @@ void eva_beta_inc_inv(void)
     sink[3] = ateb_beta_inc_inv(any, any, any);
 }
 
-/* in four ranges of alpha, since low words of alpha + 1 are small only beside it */
+/* In four ranges of alpha, since the low word of alpha + 1 is small only beside alpha + 1 */
 void eva_mean(void)
 {
     const vm_real alpha = any;
@@ -52,7 +54,7 @@ void eva_plan_init(void)
     ateb_plan_init(&p, any);
 }
 
-/* any plan that the former may have made, and many more */
+/* Any plan that ateb_plan_init may make, and many more */
 static void any_plan(ateb_plan *p)
 {
     int i, j;

@@ -40,7 +40,7 @@ void eva_rk4(void)
     rk4_solve_compensated(right_hand_side, NULL, 2, &t, any, any_long, y, low, work);
 }
 
-/* options with any numbers, and an event or none */
+/* Options with any numbers, and with an event or none */
 static rk45_options any_options(ode_event *e, vm_real *atol)
 {
     rk45_options o;

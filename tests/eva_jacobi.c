@@ -66,7 +66,7 @@ void eva_plan_array(void)
     if (jacobi_plan_init(&p, any) == 0) jacobi_plan_sncndn_array(&p, n > 5 ? 5 : n, u, sn, cn, dn);
 }
 
-/* What free rotation takes of jacobi.h, within its bounds: |turns| < 2^13 */
+/* The internal functions of jacobi.h that torque-free rotation uses, within their bounds: |turns| < 2^13 */
 void eva_rotation(void)
 {
     const vm_two x = {any, any}, y = {any, any}, z = {any, any};

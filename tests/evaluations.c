@@ -1,8 +1,9 @@
-/* Random evaluations of every special function, by the thousand million: ranges, symmetries, identities within the
-   promised bounds, neighbours in order, inverses. Prints a table, a line a
-   function (docs/evaluations.md), and to stderr the first violations with inputs.
-     evaluations COUNT [SEED [FIRST LAST]]     on all cores with -fopenmp; of slow functions COUNT/10 or /100; lines
-                                               FIRST to LAST of the table, counted from 1 */
+/* Random evaluations of every special function, by the thousand million. They check ranges, symmetries, identities within
+   the promised bounds, that neighbours are in order, and inverses. The output is a table with a line a function
+   (docs/evaluations.md); the first violations go to stderr with their inputs.
+
+   usage: evaluations COUNT [SEED [FIRST LAST]]   COUNT evaluations of each function, of slow ones COUNT/10 or COUNT/100;
+   lines FIRST to LAST of the table, counted from 1. With -fopenmp on all cores. */
 #include "../varmass.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +11,7 @@
 
 #define EPS VM_EPSILON
 #define R(x) ((vm_real)(x))
-enum { IS_FLOAT = VM_MANT_DIG == 24, BLOCK = 1 << 11, PHASES = 8 }; /* so many arguments of each parameter drawn */
+enum { IS_FLOAT = VM_MANT_DIG == 24, BLOCK = 1 << 11, PHASES = 8 }; /* PHASES arguments for each parameter that is drawn */
 
 typedef struct random_bits {
     uint64_t state;
@@ -58,7 +59,7 @@ static vm_real random_alpha(random_bits *g)
     }
 }
 
-/* within some periods mostly, to 1e9 and 1e9 quarters (float 1e4, 2^17), where bounds are promised, now and then */
+/* Mostly within some periods; now and then up to 1e9 and 1e9 quarters (float 1e4, 2^17), as far as bounds are promised */
 static vm_real random_phase(random_bits *g, vm_real quarter)
 {
     const vm_real far1 = IS_FLOAT ? R(1e4) : R(1e9), far2 = (IS_FLOAT ? R(131072.) : R(1e9)) * quarter;
@@ -85,13 +86,14 @@ static trial result(vm_real x, vm_real y, vm_real z, int good)
     return t;
 }
 
-static int same_size(vm_real a, vm_real b, double epsilons) /* up to so many eps of either */
+/* Are a and b the same, up to so many eps of the larger? */
+static int same_size(vm_real a, vm_real b, double epsilons)
 {
     const vm_real size = VM_FABS(a) > VM_FABS(b) ? VM_FABS(a) : VM_FABS(b);
     return VM_FABS(a - b) <= R(epsilons) * EPS * size;
 }
 
-/* absolute error 4 eps of sn, cn, 4 eps max(1, k') of dn, so 12 eps of sums of squares */
+/* sn and cn have an absolute error of 4 eps and dn one of 4 eps max(1, k'), which makes 12 eps in sums of squares. */
 static int on_curve(vm_real sn, vm_real cn, vm_real dn, vm_real m1)
 {
     const vm_real top = m1 > 1 ? m1 : 1, kp = VM_SQRT(m1), low = kp < 1 ? kp : 1, high = kp < 1 ? 1 : kp;
@@ -372,7 +374,8 @@ static trial try_lambert(random_bits *g)
 typedef struct job {
     const char *name;
     trial (*run)(random_bits *g);
-    int evaluations, slower; /* of the function in a trial; fewer by so much */
+    int evaluations; /* of the function in one trial */
+    int slower;      /* how many times fewer trials a slow function gets */
 } job;
 
 static const job jobs[] = {{"sn, cn, dn", try_sncndn, 2 * PHASES, 1},

@@ -1,5 +1,7 @@
-/* Every float s from 1/1024 to a period, for each alpha given: ateb_saca and ateb_plan_saca in float against double.
-   usage: exhaustive_ateb ALPHA... ; the worst errors in ulp and eps, and exit status 1 beyond the promises. */
+/* ateb_saca and ateb_plan_saca in float against double, at every float s from 1/1024 to a period, for each alpha given.
+   Prints the worst errors in ulp and eps; the exit status is 1 where they are beyond the promises.
+
+   usage: exhaustive_ateb ALPHA... */
 #define VM_USE_FLOAT
 #include <stdlib.h>
 #include "../ateb.h"

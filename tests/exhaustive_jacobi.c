@@ -1,5 +1,5 @@
-/* Every float u of a period [0, 4K], or every STRIDE-th: float jacobi_sncndn and the plan's array against double.
-   Below 2^-13, where sn = u and cn = dn = 1 to a fraction of an ulp, only every 61st.
+/* jacobi_sncndn and the plan's arrays in float against double, at every float u of a period [0, 4K], or every STRIDE-th.
+   Below 2^-13, where sn = u and cn = dn = 1 to a fraction of an ulp, only at every 61st.
 
    usage: exhaustive_jacobi [STRIDE]   1 takes minutes; make exhaustive */
 #define VM_USE_FLOAT

@@ -1,9 +1,17 @@
 /* null_pointers.h - every public function of varmass.h that takes a pointer, with each of its pointers null in turn.
    A function with a status says VM_BAD_ARGUMENT, one with a number NaN; one with neither does nothing, or writes NaN
    to the outputs that it has. Pointers that may be null, named ..._or_NULL, are not in the table.
-   tests/test_headers.sh sees to it that no function is forgotten. To be included by tests/test_refusals.c. */
+   tests/test_headers.sh sees to it that no function is forgotten. tests/test_null_pointers.c runs it. */
+#ifndef NULL_POINTERS_H
+#define NULL_POINTERS_H
 
-static int null_at, fault; /* which pointer is null, -1 for none; whether the call failed its test */
+#include "../varmass.h"
+#include "check.h"
+#include "valid_objects.h"
+
+static int null_at; /* which pointer is null, -1 for none */
+static int fault;   /* the call did not refuse, or did not work with good pointers */
+
 static void *nulled(int k, void *pointer) { return k == null_at ? NULL : pointer; }
 static const void *nulled_const(int k, const void *pointer) { return k == null_at ? NULL : pointer; }
 #define IN(k, type, pointer) ((const type *)nulled_const(k, pointer))
@@ -19,6 +27,7 @@ static void null_clear(void)
     for (i = 0; i < NULL_OUTPUTS; i++)
         for (k = 0; k < NULL_ROOM; k++) null_output[i][k] = 7;
 }
+
 static int null_untouched(void)
 {
     int i, k;
@@ -27,80 +36,68 @@ static int null_untouched(void)
             if (null_output[i][k] != 7) return 0;
     return 1;
 }
+
 static void null_checked(const char *call)
 {
     if (fault) printf("pointer %d: %s\n", null_at, call);
     CHECK(!fault);
 }
 
-/* count pointers; the call with none of them null has to work, since otherwise it would be refused for another
-   reason */
-#define STATUS(count, call)                                                               \
-    do {                                                                                  \
-        for (null_at = -1; null_at < (count); null_at++) {                                \
-            long status_;                                                                 \
-            null_clear(), status_ = (long)(call);                                         \
-            if (null_at < 0) fault = status_ < 0;                                         \
-            else fault = status_ != VM_BAD_ARGUMENT || !null_untouched();                 \
-            null_checked(#call);                                                          \
-        }                                                                                 \
-    } while (0)
-#define NUMBER(count, call)                                                               \
-    do {                                                                                  \
-        for (null_at = -1; null_at < (count); null_at++) {                                \
-            vm_real number_;                                                              \
-            null_clear(), number_ = (call);                                               \
-            if (null_at < 0) fault = number_ != number_;                                  \
-            else fault = number_ == number_;                                              \
-            null_checked(#call);                                                          \
-        }                                                                                 \
-    } while (0)
-#define NOTHING(count, call)                                                              \
-    do {                                                                                  \
-        for (null_at = -1; null_at < (count); null_at++) {                                \
-            int k_;                                                                       \
-            null_clear(), call, fault = null_at < 0 && null_untouched();                  \
-            for (k_ = 0; k_ < NULL_OUTPUTS && null_at >= 0; k_++)                         \
-                if (null_output[k_][0] == null_output[k_][0] && null_output[k_][0] != 7) fault = 1; \
-            null_checked(#call);                                                          \
-        }                                                                                 \
-    } while (0)
-/* Functions that answer 0 or 1, and those that write to what they are given: no crash is all */
-#define ANSWER(count, call)                                                               \
-    do {                                                                                  \
-        for (null_at = -1; null_at < (count); null_at++) {                                \
-            fault = ((call) != 0) != (null_at < 0);                                       \
-            null_checked(#call);                                                          \
-        }                                                                                 \
+/* A call that has so many pointers, each null in turn. With none of them null it has to work, since otherwise it would be
+   refused for another reason. */
+#define STATUS(count, call)                                               \
+    do {                                                                  \
+        for (null_at = -1; null_at < (count); null_at++) {                \
+            long status_;                                                 \
+            null_clear();                                                 \
+            status_ = (long)(call);                                       \
+            if (null_at < 0) fault = status_ < 0;                         \
+            else fault = status_ != VM_BAD_ARGUMENT || !null_untouched(); \
+            null_checked(#call);                                          \
+        }                                                                 \
     } while (0)
 
-static vm_body a_body(vm_real mass)
-{
-    vm_body b;
-    memset(&b, 0, sizeof b);
-    b.mass = mass;
-    b.inertia.xx = b.inertia.yy = b.inertia.zz = R(0.25) * mass;
-    b.q.w = 1;
-    b.v.x = 1;
-    b.omega.z = 2;
-    return b;
-}
-static vm_body2 a_body2(vm_real mass)
-{
-    const vm_body2 b = {mass, R(0.25) * mass, 0, 0, 0, 1, 0, 2};
-    return b;
-}
+#define NUMBER(count, call)                                \
+    do {                                                   \
+        for (null_at = -1; null_at < (count); null_at++) { \
+            vm_real number_;                               \
+            null_clear();                                  \
+            number_ = (call);                              \
+            if (null_at < 0) fault = number_ != number_;   \
+            else fault = number_ == number_;               \
+            null_checked(#call);                           \
+        }                                                  \
+    } while (0)
+
+#define NOTHING(count, call)                                                                        \
+    do {                                                                                            \
+        for (null_at = -1; null_at < (count); null_at++) {                                          \
+            int k_;                                                                                 \
+            null_clear();                                                                           \
+            call;                                                                                   \
+            fault = null_at < 0 && null_untouched();                                                \
+            for (k_ = 0; k_ < NULL_OUTPUTS && null_at >= 0; k_++)                                   \
+                if (null_output[k_][0] == null_output[k_][0] && null_output[k_][0] != 7) fault = 1; \
+            null_checked(#call);                                                                    \
+        }                                                                                           \
+    } while (0)
+/* Functions that answer 0 or 1, and those that write to what they are given: no crash is all */
+#define ANSWER(count, call)                                \
+    do {                                                   \
+        for (null_at = -1; null_at < (count); null_at++) { \
+            fault = ((call) != 0) != (null_at < 0);        \
+            null_checked(#call);                           \
+        }                                                  \
+    } while (0)
 
 static void null_bodies(void)
 {
     const vm_vec3 zero = {0, 0, 0};
-    const vm_quat turned = {1, 0, 0, 0};
     const vm_body whole = a_body(3), part = a_body(1);
     const vm_body2 whole2 = a_body2(3), part2 = a_body2(1);
     const vm_inertia i = whole.inertia, little = part.inertia;
     const vm_vec3 aside = {R(0.25), 0, 0};
     vm_body2 out_of_centre = part2;
-    vm_torque_free motion;
     out_of_centre.x = R(0.25);
     NUMBER(1, vm_momentum(IN(0, vm_body, &whole)).x);
     NUMBER(1, vm_angular_momentum(IN(0, vm_body, &whole), zero).z);
@@ -133,10 +130,18 @@ static void null_bodies(void)
     STATUS(3, vm_attach_relative2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
     STATUS(3, vm_separation_for_rest(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, NULL, NULL, X(2, vm_body)));
     STATUS(3, vm_separation_for_rest2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, NULL, NULL, X(2, vm_body2)));
-    STATUS(3, vm_separation_for_spin2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &out_of_centre), NULL, 1,
-                                    X(2, vm_body2)));
+    STATUS(3,
+           vm_separation_for_spin2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &out_of_centre), NULL, 1, X(2, vm_body2)));
     NUMBER(3, vm_energy_gain(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
     NUMBER(3, vm_energy_loss(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
+}
+
+static void null_torque_free(void)
+{
+    const vm_quat turned = {1, 0, 0, 0};
+    const vm_vec3 aside = {R(0.25), 0, 0};
+    const vm_body whole = a_body(3);
+    vm_torque_free motion;
     STATUS(2, vm_torque_free_init(IO(0, vm_torque_free, &motion), IN(1, vm_body, &whole), 0));
     STATUS(1, vm_torque_free_init_principal(IO(0, vm_torque_free, &motion), vmi_vec3(1, 2, 2), turned, aside, 0));
     STATUS(2, vm_torque_free_at(IN(0, vm_torque_free, &motion), 1, X(1, vm_body)));
@@ -214,8 +219,6 @@ static void null_streams(void)
     const vm_body body = a_body(3);
     const vm_stream1 line = {1, 0, VM_AT_REST};
     const vm_jet jet = {R(-0.1), 1, 1, R(0.1), R(0.1), R(0.1), 1};
-    vm_drum d = {R(0.3), 20, R(0.9), R(0.45), R(0.9), R(0.05), 2000, 3};
-    vm_drum_shaft shaft;
     vm_stream stream;
     vm_stream1 stream1 = line;
     vm_stream2 stream2;
@@ -263,6 +266,13 @@ static void null_streams(void)
     CHECK(vm_flow2_rhs(0, y, null_output[0], &flow2) == VM_BAD_ARGUMENT);
     STATUS(3, vm_linear_flow(1, 0, 1, 2, 0, IN(0, vm_stream1, &line), X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_jet_damping(1, IN(0, vm_jet, &jet), zero, X(1, vm_vec3)));
+}
+
+static void null_drum(void)
+{
+    static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1};
+    vm_drum d = {R(0.3), 20, R(0.9), R(0.45), R(0.9), R(0.05), 2000, 3};
+    vm_drum_shaft shaft;
     STATUS(2, vm_drum_at(1, IN(0, vm_drum, &d), X(1, vm_drum_geometry)));
     STATUS(3, vm_drum_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_reduced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
@@ -308,83 +318,101 @@ static void null_oscillators(void)
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_VARIATION, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK45, 1, 0, X(1, vm_osc_motion)));
     STATUS(2, vm_osc_by_route(IN(0, vm_osc_problem, &o), VM_ROUTE_RK87, 1, 0, X(1, vm_osc_motion)));
-    STATUS(4, vm_osc_averaged(IN(0, vm_osc_plan, &p), VM_ROUTE_ATEB, 1, 1, X(1, vm_real), X(2, vm_real),
-                              X(3, vm_real)));
+    STATUS(4,
+           vm_osc_averaged(IN(0, vm_osc_plan, &p), VM_ROUTE_ATEB, 1, 1, X(1, vm_real), X(2, vm_real), X(3, vm_real)));
     o.mass = vm_law_user(NULL, NULL);
     CHECK(vm_osc_plan_init(&p, &o) == VM_BAD_ARGUMENT);
     o.mass = vm_law_table(2, NULL, NULL);
     CHECK(vm_osc_plan_init(&p, &o) == VM_BAD_ARGUMENT);
 }
 
-static void null_slow(void)
+/* A state for all right-hand sides of slow vibrations */
+static const vm_real slow_y[5] = {R(0.1), R(0.2), R(0.3), R(0.4), R(0.5)};
+
+static void null_van_der_pol(void)
 {
-    static const vm_real y[5] = {R(0.1), R(0.2), R(0.3), R(0.4), R(0.5)};
-    const vm_linear_mass mass = {2, R(0.01)};
-    vm_linear_mass linear = mass;
-    vm_power_force power = cubic;
-    vm_vdp v = {3, 2, R(0.1), R(0.2), 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
-    vm_jeffcott r = laval(), soft = laval();
-    vm_pair pair = {3, 2, 1, NULL, NULL};
-    vm_forced f = prepared();
-    const vm_power_force first = {3, 1};
-    v.mass = r.mass = soft.mass = pair.mass = vm_slow_mass_linear;
-    v.mass_ctx = r.mass_ctx = soft.mass_ctx = pair.mass_ctx = &linear;
-    soft.stiffness_ctx = (void *)&first;
+    vm_vdp v = a_vdp();
     CHECK(vm_vdp_init(&v) == VM_OK);
-    NUMBER(2, vm_slow_mass_linear(1, X(0, vm_real), IO(1, vm_linear_mass, &linear)));
     STATUS(1, vm_vdp_init(IO(0, vm_vdp, &v)));
-    NUMBER(1, vm_vdp_amplitude(IN(0, vm_vdp, &v), 1, 1, mass));
+    NUMBER(1, vm_vdp_amplitude(IN(0, vm_vdp, &v), 1, 1));
     NUMBER(1, vm_vdp_limit_cycle(IN(0, vm_vdp, &v), 0, NULL));
-    STATUS(3, vm_vdp_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_vdp, &v)));
-    STATUS(3, vm_vdp_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_vdp, &v)));
+    STATUS(3, vm_vdp_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
+    STATUS(3, vm_vdp_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_vdp, &v)));
+}
+
+static void null_laval(void)
+{
+    const vm_power_force first = {3, 1};
+    vm_power_force power = cubic;
+    vm_jeffcott r = a_laval(), soft = a_laval();
+    soft.stiffness_ctx = (void *)&first;
     NUMBER(2, vm_jeffcott_power(1, X(0, vm_real), IO(1, vm_power_force, &power)));
     NOTHING(2, vm_jeffcott_polar(vmi_complex(1, 2), X(0, vm_real), X(1, vm_real)));
     NUMBER(1, vm_jeffcott_momentum(IN(0, vm_jeffcott, &r), 1, vmi_complex(1, 2), vmi_complex(2, 3)));
-    STATUS(3, vm_jeffcott_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
-    STATUS(3, vm_jeffcott_to_averaged(IN(0, vm_jeffcott, &soft), 0, IN(1, vm_real, y), 0, X(2, vm_real)));
-    STATUS(3, vm_jeffcott_from_averaged(IN(0, vm_jeffcott, &soft), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_jeffcott_exact_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &soft)));
-    STATUS(3, vm_jeffcott_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &soft)));
+    STATUS(3, vm_jeffcott_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
+    STATUS(3, vm_jeffcott_to_averaged(IN(0, vm_jeffcott, &soft), 0, IN(1, vm_real, slow_y), 0, X(2, vm_real)));
+    STATUS(3, vm_jeffcott_from_averaged(IN(0, vm_jeffcott, &soft), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_jeffcott_exact_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &soft)));
+    STATUS(3, vm_jeffcott_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &soft)));
     NUMBER(1, vm_jeffcott_frequency(IN(0, vm_jeffcott, &r), 1, 1, 1));
-    STATUS(3, vm_jeffcott_forward_whirl_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
-    STATUS(3, vm_jeffcott_backward_whirl_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
+    STATUS(3, vm_jeffcott_forward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
+    STATUS(3, vm_jeffcott_backward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
     NUMBER(1, vm_jeffcott_amplitude(IN(0, vm_jeffcott, &r), 1, 1, 2));
-    STATUS(3, vm_pair_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_pair, &pair)));
-    STATUS(3, vm_pair_to_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_pair_from_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_pair_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_pair, &pair)));
-    STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, y), mass, X(2, vm_real)));
+    memset(&r.mass, 0, sizeof r.mass); /* no law */
+    soft.mass = r.mass;
+    CHECK(vm_jeffcott_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_jeffcott_to_averaged(&soft, 0, slow_y, 0, null_output[0]) == VM_BAD_ARGUMENT);
+    r = a_laval();
+    r.stiffness = NULL;
+    CHECK(vm_jeffcott_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);
+    CHECK(isnan((double)vm_jeffcott_frequency(&r, 1, 1, 1)) && isnan((double)vm_jeffcott_amplitude(&r, 1, 1, 2)));
+}
+
+static void null_pair(void)
+{
+    vm_pair pair = a_pair();
+    STATUS(3, vm_pair_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
+    STATUS(3, vm_pair_to_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_pair_from_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_pair_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
+    STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, slow_y), X(2, vm_real)));
+    memset(&pair.mass, 0, sizeof pair.mass); /* no law */
+    CHECK(vm_pair_rhs(0, slow_y, null_output[0], &pair) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_to_averaged(&pair, 0, slow_y, null_output[0]) == VM_BAD_ARGUMENT);
+}
+
+static void null_forced(void)
+{
+    vm_forced f = a_forced();
     STATUS(1, vm_forced_init(IO(0, vm_forced, &f)));
-    STATUS(3, vm_forced_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
-    STATUS(3, vm_forced_exact_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
-    STATUS(3, vm_forced_averaged_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_forced, &f)));
-    STATUS(3, vm_forced_to_averaged(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
-    STATUS(3, vm_forced_from_averaged(IN(0, vm_forced, &f), 0, IN(1, vm_real, y), X(2, vm_real)));
+    STATUS(3, vm_forced_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_forced, &f)));
+    STATUS(3, vm_forced_exact_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_forced, &f)));
+    STATUS(3, vm_forced_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_forced, &f)));
+    STATUS(3, vm_forced_to_averaged(IN(0, vm_forced, &f), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_forced_from_averaged(IN(0, vm_forced, &f), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
     STATUS(2, vm_forced_steady_states(IN(0, vm_forced, &f), 0, X(1, vm_steady_state)));
     STATUS(2, vm_forced_curve(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_steady_state)));
     NUMBER(1, vm_forced_peak(IN(0, vm_forced, &f), 0));
     STATUS(2, vm_forced_passage(IN(0, vm_forced, &f), 0, R(0.1), X(1, vm_passage)));
-    /* no mass, no stiffness where one is needed */
-    v.mass = r.mass = soft.mass = pair.mass = NULL;
-    CHECK(vm_pair_rhs(0, y, null_output[0], &pair) == VM_BAD_ARGUMENT);
-    CHECK(vm_pair_to_averaged(&pair, 0, y, null_output[0]) == VM_BAD_ARGUMENT);
-    CHECK(vm_jeffcott_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
-    CHECK(vm_jeffcott_to_averaged(&soft, 0, y, 0, null_output[0]) == VM_BAD_ARGUMENT);
-    r.mass = vm_slow_mass_linear;
-    r.stiffness = NULL;
-    CHECK(vm_jeffcott_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
-    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, null_output[0], &r) == VM_BAD_ARGUMENT);
-    CHECK(isnan((double)vm_jeffcott_frequency(&r, 1, 1, 1)) && isnan((double)vm_jeffcott_amplitude(&r, 1, 1, 2)));
     memset(&f, 0, sizeof f);
-    f.now.mass = f.now.k = 1; /* not prepared */
-    CHECK(vm_forced_to_averaged(&f, 0, y, null_output[0]) < 0 && vm_forced_averaged_rhs(0, y, null_output[0], &f) < 0);
+    f.mass = f.stiffness = vm_law_linear(1, 0); /* not prepared */
+    CHECK(vm_forced_to_averaged(&f, 0, slow_y, null_output[0]) < 0 &&
+          vm_forced_averaged_rhs(0, slow_y, null_output[0], &f) < 0);
 }
 
-static vm_real null_law(vm_real t, void *ctx) { return (void)ctx, 1 + t; }
-static void null_motion(vm_real t, vm_real *x, vm_real *v, void *ctx) {
-(void)ctx;
-*x = t - R(0.5);
-*v = 1; }
+static vm_real null_law(vm_real t, void *ctx)
+{
+    (void)ctx;
+    return 1 + t;
+}
+
+static void null_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
+{
+    (void)ctx;
+    *x = t - R(0.5);
+    *v = 1;
+}
 
 static void null_diagnostics(void)
 {
@@ -402,12 +430,22 @@ static void null_diagnostics(void)
 }
 
 /* What a scene is made of: a constructor with a null pointer makes what the check refuses */
-static vm_real null_force(vm_real t, vm_real x, vm_real v, void *ctx) { return (void)ctx, t - x - v; }
+static vm_real null_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)ctx;
+    return t - x - v;
+}
+
 static vm_mass_now null_mass(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_mass_now now = {2, 0, 0, 0};
-    return (void)t, (void)x, (void)v, (void)ctx, now;
+    (void)t;
+    (void)x;
+    (void)v;
+    (void)ctx;
+    return now;
 }
+
 static void null_apply(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)e;
@@ -430,8 +468,21 @@ static void null_vary(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
     (void)ctx;
     stream->rate = 1;
 }
-static vm_real null_when(vm_real t, const vm_real *y, void *ctx) { return (void)y, (void)ctx, t - 1; }
-static int null_then(vm_real t, vm_real *y, void *ctx) { return (void)t, (void)y, (void)ctx, VM_OK; }
+
+static vm_real null_when(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)y;
+    (void)ctx;
+    return t - 1;
+}
+
+static int null_then(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)y;
+    (void)ctx;
+    return VM_OK;
+}
 
 /* Whether a scene of these is refused: a line, an axle, a growing body in the plane and one in space */
 static int null_in_scene(const vm_scene_body *body, const vm_effect *effect, const vm_event *event)
@@ -469,7 +520,7 @@ static int event_in_scene(vm_event event) { return null_in_scene(NULL, NULL, &ev
 static void null_parts_of_scenes(void)
 {
     const vm_vec3 zero = {0, 0, 0};
-    const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 0, 0};
+    const vm_band band = {R(0.5), R(0.01), R(0.1), 7, 0, 1, 0};
     vm_body body = a_body(2), part;
     vm_stream stream;
     vm_effect mass;
@@ -484,7 +535,7 @@ static void null_parts_of_scenes(void)
     STATUS(1, effect_in_scene(vm_effect_force_between(0, 0, 3, 0, CALLBACK(0, null_force), NULL)));
     STATUS(1, effect_in_scene(vm_effect_custom(0, VM_GROUND, CALLBACK(0, null_apply), NULL)));
     STATUS(1, effect_in_scene(vm_effect_link(2, VM_GROUND, CALLBACK(0, null_point), NULL, 1, 0, 1)));
-    STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 0)));
+    STATUS(1, effect_in_scene(vm_effect_mass_law(0, CALLBACK(0, null_mass), NULL, zero, 1)));
     STATUS(1, effect_in_scene(vm_effect_stream_mass(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_force(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_stream_moment(4, IN(0, vm_stream, &stream))));
@@ -498,15 +549,21 @@ static void null_parts_of_scenes(void)
     STATUS(1, event_in_scene(vm_then_separate_on_line(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
     part.inertia.zz = 1;
     CHECK(event_in_scene(vm_then_separate_in_plane(vm_event_at(1), 2, 3, NULL, 0)) == VM_BAD_ARGUMENT);
-    NOTHING(2, vm_force_shaft(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
-    NOTHING(2, vm_force_unbalance(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
-    NOTHING(2, vm_force_gyroscopic(1, 2, 3, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_shaft(2, 3, 1, 1, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_unbalance(3, 1, 1, 2, X(0, vm_real), X(1, vm_real)));
+    NOTHING(2, vm_force_gyroscopic(2, 3, 1, X(0, vm_real), X(1, vm_real)));
+}
+
+static int run_from_0(vm_scene *s, vm_real *t, vm_real *y, vm_real *work)
+{
+    if (t) *t = 0;
+    return vm_scene_run(s, t, 1, y, work, NULL);
 }
 
 static void null_scenes(void)
 {
     vm_scene_body body = vm_scene_body_line(2, 0, 1);
-    vm_real y[2 + VM_BUDGET] = {0}, z[2 + VM_BUDGET], work[VM_SCENE_WORK(2 + VM_BUDGET)], t = 0;
+    vm_real y[2 + VM_BUDGET] = {0}, z[2 + VM_BUDGET], work[VM_SCENE_WORK(2 + VM_BUDGET)], t;
     vm_scene_fault culprit;
     vm_budget book, totals;
     vm_scene s;
@@ -523,23 +580,29 @@ static void null_scenes(void)
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_OK);
     memcpy(z, y, sizeof z);
     STATUS(3, vm_scene_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_scene, &s)));
-    STATUS(4, (t = 0, vm_scene_run(IO(0, vm_scene, &s), IO(1, vm_real, &t), 1, IO(2, vm_real, z),
-                                   IO(3, vm_real, work), NULL)));
+    STATUS(4, run_from_0(IO(0, vm_scene, &s), IO(1, vm_real, &t), IO(2, vm_real, z), IO(3, vm_real, work)));
     STATUS(3, vm_scene_budget_at(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_budget, &totals)));
     NOTHING(3, vm_scene_body_at(IN(0, vm_scene, &s), 0, IN(1, vm_real, y), X(2, vm_body)));
     s.bodies = NULL;
     CHECK(vm_scene_size(&s) == VM_BAD_ARGUMENT && vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
 }
 
-static void test_null_pointers(void)
+static void call_with_null_pointers(void)
 {
     null_bodies();
+    null_torque_free();
     null_rotor();
     null_lagrange();
     null_streams();
+    null_drum();
     null_oscillators();
-    null_slow();
+    null_van_der_pol();
+    null_laval();
+    null_pair();
+    null_forced();
     null_diagnostics();
     null_parts_of_scenes();
     null_scenes();
 }
+
+#endif

@@ -1,7 +1,7 @@
-/* Results whose bits compilers' options may change, as hexadecimal numbers in a line, and after it what vm_self_check
-   says. tests/test_options.sh compares them. -DUPWARD and -DFLUSH set the processor's rounding and its way with
-   subnormal numbers first; -DPRAGMA_CLANG and -DPRAGMA_GCC change values without an option; -DALONE="file" takes another
-   header, of which vm_self_check alone is called. */
+/* Prints results whose bits may depend on the compiler's options, as hexadecimal numbers in a line, and after them what
+   vm_self_check returns. tests/test_options.sh compares the lines. -DUPWARD and -DFLUSH first set the processor's rounding
+   and its treatment of subnormal numbers. -DPRAGMA_CLANG and -DPRAGMA_GCC change values without an option.
+   -DALONE="file" includes another header, of which only vm_self_check is called. */
 #include <fenv.h>
 #include <stdio.h>
 #ifdef FLUSH

@@ -1,8 +1,9 @@
-/* What the tests of oscillators share: x = 1 at rest, a spring of 1, the mass by a law. After ../varmass.h */
+/* oscillator_problem.h - the problem that the tests of one oscillator start from: at rest at x = 1, of stiffness
+   1, with a law of mass. Include it after ../varmass.h. */
 #ifndef OSCILLATOR_PROBLEM_H
 #define OSCILLATOR_PROBLEM_H
 
-static vm_osc_problem problem(double alpha, vm_law mass, double reactive, double damping)
+static inline vm_osc_problem problem(double alpha, vm_law mass, double reactive, double damping)
 {
     vm_osc_problem o;
     memset(&o, 0, sizeof o);

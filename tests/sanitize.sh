@@ -13,7 +13,7 @@ sanitized() { # sanitized NAME "COMPILER FLAGS" TEST...
     log=$build/$1 title=$1 command=$2
     shift 2
     printf '%s\n' "$@" | xargs -P "$jobs" -I{} sh -c "
-        case {} in slow|oscillator|routes|ladder) level=-O1 ;; *) level=-O0 ;; esac
+        case {} in van_der_pol|jeffcott|pair|forced|averaging|routes|ladder) level=-O1 ;; *) level=-O0 ;; esac
         $command \$level tests/test_{}.c -o $log.{} -lm >$log.{}.log 2>&1 &&
         $log.{} >>$log.{}.log 2>&1; echo \$? >$log.{}.status"
     for test in "$@"; do
@@ -43,7 +43,8 @@ run() { # run SUITE..., without optimisation, with which they take minutes to co
 
 valgrind_runs() { # forty times slower: on what is quickest
     sh tests/install.sh "command -v valgrind" valgrind || return
-    for test in events varmass dissertation refusals; do
+    for test in events constant_mass dissertation refusals_numerics refusals_bodies refusals_streams refusals_oscillators \
+        refusals_slow refusals_scenes null_pointers; do
         gcc -std=c99 -g -O1 -fno-inline tests/test_$test.c -o "$build/valgrind.$test" -lm
         check "valgrind: $test" valgrind -q --error-exitcode=9 "$build/valgrind.$test"
     done

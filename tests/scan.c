@@ -1,5 +1,5 @@
-/* Random arguments by the million against quadruple precision: the largest errors of jacobi.h and ateb.h, region by
-   region. For gcc with libquadmath; a campaign beside the tests, whose tables have fewer points but more digits.
+/* The largest errors of jacobi.h and ateb.h, region by region, at millions of random arguments, against quadruple
+   precision (gcc's libquadmath). The tests' tables have fewer points, but more digits.
 
    usage: scan POINTS [SEED] */
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static double ulps(vm_real got, quad exact)
 
 /* ---- Jacobi ---- */
 
-/* The directly called functions, or for every other point a plan's */
+/* The functions that are called directly and those of a plan, in turns */
 static void scan_jacobi(const char *region, double m, double u)
 {
     static int by_plan;
@@ -69,8 +69,8 @@ static void scan_seams(double largest)
     scan_jacobi("m << -1, far", -log_uniform(1, 5), uniform48(-largest, largest));
 }
 
-/* The root of k' K1(k') = c next to the kit's answer, by Newton's method with a difference quotient; the errors are
-   what is left when what one ulp of c moves m and m1 is taken off */
+/* The root of k' K1(k') = c next to the kit's answer, by Newton's method with a difference quotient. What one ulp of c
+   moves m and m1 is taken off the errors. */
 static void scan_solver(double c)
 {
     vm_real cr = (vm_real)c, m = jacobi_solve_kpK(cr), m1 = jacobi_solve_kpK_m1(cr);
@@ -92,7 +92,7 @@ static void scan_solver(double c)
 
 /* ---- Ateb ---- */
 
-/* got against exact, in eps for any s, in ulp of both where Pi leaves them so many digits */
+/* The errors in eps for any s, and in ulp as far as |s| < 100 Pi */
 static void compare_ateb(const char *functions[2], const char *region, const vm_real got[2], const quad exact[2],
                          double eps_bound, double ulp_bound, double s, double alpha, double pi)
 {

@@ -1,8 +1,9 @@
-/* integrators.h: events that coincide, graze, jump or vanish, in random runs whose every event is known beforehand.
-   Two oscillators turn like the hand of a clock. Each event watches one of a few levels in one of many ways (itself,
-   its cube, its sign, scaled, cut off at zero, by the clock), so that most of them happen at the same instants; some
-   only graze, or are always zero. None may be lost, none may happen twice, at any tolerance, at any time on the clock,
-   forward and backward.
+/* Events of integrators.h that coincide, graze, jump or vanish. The oracle are closed forms: in these random runs every
+   event is known beforehand. Two oscillators turn like the hand of a clock. Each event watches one of a few levels in one
+   of many ways (itself, its cube, its sign, scaled, cut off at zero, by the clock), so that most of them happen at the
+   same instants; some only graze, or are always zero. None may be lost, none may happen twice, at any tolerance, at any
+   time on the clock, forward and backward. Then balls bounce together.
+
    usage: coincidences [RUNS], default 3000 */
 #include "../integrators.h"
 #include <stdlib.h>
@@ -50,7 +51,7 @@ static vm_real watch(vm_real t, const vm_real *y, void *ctx)
     const vm_real x = y[w->component], d = x - w->level;
     switch (w->kind) {
     case CUBE: return x * x * x - w->level * w->level * w->level;
-    case SIGN: return R(d > 0 ? 1 : d < 0 ? -1 : 0);
+    case SIGN: return R((d > 0) - (d < 0));
     case STEP: return R(d > 0 ? 1 : -3);
     case TINY: return d * R(1e-18);
     case HUGE_VALUE: return d * R(1e18);
@@ -60,6 +61,13 @@ static vm_real watch(vm_real t, const vm_real *y, void *ctx)
     case ZERO: return 0;
     default: return d;
     }
+}
+
+/* The angle, or the other one within a turn at which the component has the same value */
+static double angle_of(const plan *p, int odd, int mirrored)
+{
+    if (!mirrored) return p->angle;
+    return odd ? pi - p->angle : -p->angle;
 }
 
 /* How often the event happens in the run: passages of the angle and of its mirror image at which the component rises
@@ -78,7 +86,7 @@ static long passages(const plan *p, int which, double *times)
     }
     for (k = 0; k <= (int)p->turns + 2; k++)
         for (image = 0; image < 2; image++) {
-            const double angle = (image ? odd ? pi - p->angle : -p->angle : p->angle) + 2 * pi * k;
+            const double angle = angle_of(p, odd, image) + 2 * pi * k;
             const double at = angle - p->phase, slope = odd ? cos(angle) : -sin(angle);
             if (at <= 0 || at >= 2 * pi * p->turns) continue;
             if (direction > 0 && slope < 0) continue;
@@ -90,7 +98,7 @@ static long passages(const plan *p, int which, double *times)
     return count;
 }
 
-/* Are all passages far enough from the ends of the run? */
+/* Are all passages far enough from both ends of the run? */
 static int has_clear_ends(const plan *p)
 {
     const double margin = 0.15, length = 2 * pi * p->turns;
@@ -294,8 +302,8 @@ static void test_random_bounces(long runs)
             if (since < clear || since > 2 * first - clear) continue;
             if (e[i].count != bounces || error > (is_float ? 3e-3 : 1e-9)) good = 0;
             if (!good && wrong < 5)
-                printf("ball %d of %d, t0 %g, order %d: %ld bounces, should be %ld; height %g, should be %g\n", i, balls,
-                       t0, order, e[i].count, bounces, (double)s.y[2 * i], wanted);
+                printf("ball %d of %d, t0 %g, order %d: %ld bounces, should be %ld; height %g, should be %g\n", i,
+                       balls, t0, order, e[i].count, bounces, (double)s.y[2 * i], wanted);
         }
         check_passed += good;
         check_failed += !good;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# No document holds a table without rows or a number that is none, and the program that counts instructions fails where
-# it cannot count. usage: test_documents.sh BUILD_FOLDER, from the top of the project
+# No document holds a table without rows or a number that is none, the program that counts instructions fails where it
+# cannot count, and docs/changes.md knows every public name of version 0.1. usage: test_documents.sh BUILD_FOLDER, from the top of the project
 build=$1/documents
 . tests/check.sh
 
@@ -112,4 +112,33 @@ tool callgrind_annotate "$annotates | grep -v 'count_ateb_pi '"
 check "counting fails where a function is missing" cannot_count
 tool callgrind_annotate "$annotates | sed '/count_ateb_pi / s/5,000/900/'"
 check "counting fails where a function takes less than nothing" cannot_count
+# docs/changes.md: what became of each public name of version 0.1, and whether the new names exist
+words_of_headers() { cat jacobi.h ateb.h integrators.h varmass.h | grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u; }
+words_of_headers >"$build/words"
+sed -n 's/^\([A-Za-z_0-9]*\) -> \([A-Za-z_0-9]*\)$/\1 \2/p' docs/changes.md >"$build/renamed"
+names_are_explained() {
+    missing=0
+    for name in $(grep -v '^#' tests/data/names_0.1.txt); do
+        grep -qx "$name" "$build/words" || grep -q "^$name " "$build/renamed" || grep -q "\`$name\`" docs/changes.md ||
+            { echo "$name"; missing=1; }
+    done
+    [ $missing = 0 ]
+}
+new_names_exist() {
+    missing=0
+    for name in $(cut -d' ' -f2 "$build/renamed"); do
+        grep -qx "$name" "$build/words" || { echo "$name"; missing=1; }
+    done
+    [ $missing = 0 ]
+}
+check "docs/changes.md: the list of names is found" test "$(wc -l <"$build/renamed")" -gt 50
+check "docs/changes.md: every public name of version 0.1 still exists or is listed" names_are_explained
+check "docs/changes.md: every new name exists" new_names_exist
+renames() { # the commands of docs/changes.md, run on a line of a program written for version 0.1
+    sed -n '/^    sed -n /,/^$/p' docs/changes.md | sed -n '1s/^    //p' >"$build/rename.sh"
+    sh "$build/rename.sh" || return 1
+    mv names.sed "$build" && echo 'vm_culprit who; vm_rhs(t, y, d, &f); my_vm_rhs();' | sed -f "$build/names.sed" |
+        grep -qx 'vm_scene_fault who; vm_flow_rhs(t, y, d, &f); my_vm_rhs();'
+}
+check "docs/changes.md: its commands rename" renames
 check_finish documents

@@ -1,24 +1,10 @@
-/* integrators.h: events. Each case names what others get wrong: two of three events missed in one step, a terminal
-   event lost between output times, a root exactly on a step's end, a root found again after a restart, a body on the
-   wrong side of its wall. Everything by both methods. */
-#include "../integrators.h"
-#include "check.h"
+/* integrators.h: events, by both methods. The cases are those that other programs get wrong: two of three events
+   missed in one step, a terminal event lost between output times, a root exactly at the end of a step, a root found
+   again after a restart, a body on the wrong side of its wall. */
+#include "integrator_check.h"
 
-#define R(x) ((vm_real)(x))
-static const double eps = (double)VM_EPSILON;
-static const int is_float = PRECISION[0] == 'f';
 static const double pi = 3.14159265358979323846;
 
-typedef struct method {
-    const char *name;
-    int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0, const rk45_options *o,
-                vm_real *work);
-    int (*step)(rk45 *s);
-    int (*solve)(rk45 *s, vm_real t_end);
-    int (*restart)(rk45 *s, vm_real t, const vm_real *y);
-} method;
-static const method methods[2] = {{"rk45", rk45_init, rk45_step, rk45_solve, rk45_restart},
-                                  {"rk87", rk87_init, rk87_step, rk87_solve, rk87_restart}};
 static const method *m; /* the one under test */
 static double noise;    /* how much more rounding it has than rk45: in float that shows */
 
@@ -518,8 +504,8 @@ static void turn_back(vm_real t, vm_real *y, void *ctx)
     rate[1] = -rate[1];
 }
 
-/* y0 and y1 reach 0 at the same time, at which one call ends and the next begins. The event of y0 turns both back: that
-   of y1 happens all the same, unless the roundings of many steps have parted the two. */
+/* y0 and y1 reach 0 at the same time, at which one call ends and the next begins. The event of y0 turns both back:
+   that of y1 happens all the same, unless the roundings of many steps have parted the two. */
 static void test_together_at_an_end(void)
 {
     int i, lost = 0;

@@ -1,5 +1,5 @@
-/* test_hard.c - the catalogue of hard cases, tests/hard/: each against its value in arbitrary precision, and beside
-   it the naive formula, which has to be wrong where ours is right. Prints the table that docs/hard-cases.md shows. */
+/* The catalogue of hard cases, tests/hard/, by topics of numerics. Each case is compared with its value in arbitrary
+   precision. The naive formula is tried beside it, and has to be wrong there. Prints the tables of docs/hard-cases.md. */
 #include "hard/hard.h"
 
 #include "hard/removable.c"
@@ -30,7 +30,7 @@ static const hard_value *value_of(const hard_case *c, const vm_real *x)
     return NULL;
 }
 
-/* in eps of the scale; infinite for what is no number */
+/* The error in eps of the scale; infinite where the result is no number */
 static double error_of(vm_real got, const hard_value *v)
 {
     const double error = error_eps((double)got, v->high, v->low, v->scale, (double)VM_EPSILON);

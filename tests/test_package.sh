@@ -74,8 +74,9 @@ for flags in "" -DVM_USE_FLOAT; do
     check "one file: strict warnings $flags" $cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $flags -x c -c \
         "$build/one/varmass.h" -o "$build/one/varmass.o"
 done
-mkdir "$build/one/tests" && cp tests/check.h tests/test_varmass.c "$build/one/tests"
-check "one file: its test builds" $cc -std=c99 -O2 "$build/one/tests/test_varmass.c" -o "$build/one/test" -lm
+mkdir "$build/one/tests" &&
+    cp tests/check.h tests/precision.h tests/oscillator_*.h tests/test_constant_mass.c "$build/one/tests"
+check "one file: its test builds" $cc -std=c99 -O2 "$build/one/tests/test_constant_mass.c" -o "$build/one/test" -lm
 check "one file: its test passes" "$build/one/test"
 echo "package: $passed passed, $failed failed, $skipped skipped"
 [ $failed = 0 ]

@@ -1,6 +1,7 @@
-/* Everything from many threads at once: each thread computes, by functions of all sections and with plans that all
-   share, what one thread computed before, to the bit. Under ThreadSanitizer (make test-threads) a race would show.
-     threads [THREADS [ROUNDS]] */
+/* All chapters from many threads at once. Each thread computes, with plans that all share, what one thread computed
+   before, and must get the same bits. Under ThreadSanitizer (make test-threads) a race would show.
+
+   usage: threads [THREADS [ROUNDS]] */
 #define _POSIX_C_SOURCE 200809L
 #include "../varmass.h"
 #include "check.h"
@@ -10,7 +11,7 @@
 #define R(x) ((vm_real)(x))
 enum { JOBS = 48, MOST_THREADS = 64 };
 
-/* prepared once, read by all */
+/* Prepared once, read by all threads */
 static jacobi_plan elliptic;
 static ateb_plan periodic;
 static vm_torque_free tumbling;
@@ -211,11 +212,11 @@ static void oscillators(work_of *w)
     fold(w, x);
     fold(w, v);
     f.alpha = 3;
-    f.b = R(0.05);
-    f.now.mass = 1;
-    f.now.k = 1;
-    f.now.nu = draw(w, 0.5, 2);
-    f.now.force = R(0.1);
+    f.damping = R(0.05);
+    f.mass = vm_law_linear(1, 0);
+    f.stiffness = vm_law_linear(1, 0);
+    f.frequency = vm_law_linear(draw(w, 0.5, 2), 0);
+    f.force = vm_law_linear(R(0.1), 0);
     vm_forced_init(&f);
     fold(w, R(vm_forced_steady_states(&f, 0, steady)));
     fold(w, steady[0].A);
@@ -240,7 +241,7 @@ static void scenes(work_of *w)
     memset(&scene, 0, sizeof scene);
     list[0] = vm_scene_body_line(2, draw(w, 0.5, 1), 0);
     list[1] = vm_scene_body_axle(1, 0, draw(w, 1, 2));
-    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, R(-0.125), 0, 1);
+    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, R(-0.125), 0, 0);
     effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, 3, R(1.5), 0);
     effects[2] = vm_effect_motor(1, 0, R(0.5), R(0.1));
     events[0] = vm_then_switch(vm_event_position(0, 0, 0, -1), 2, 1);
@@ -275,7 +276,7 @@ static uint64_t job(int number)
 static uint64_t alone[JOBS];
 static int rounds;
 
-/* every job, in an order of its own; how many differ */
+/* Every job, beginning with another one in each thread; null if all results are those of one thread */
 static void *all_jobs(void *number)
 {
     const int start = *(const int *)number * 7;

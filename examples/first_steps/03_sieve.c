@@ -9,12 +9,11 @@
 int main(int argc, char **argv)
 {
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
-    enum { SIEVE, SPRING = 0, DAMPER, MOTOR, GRAVEL };
+    enum { SIEVE };                          /* the body */
+    enum { SPRING, DAMPER, MOTOR, GRAVEL }; /* the effects */
     const vm_vec3 at_rest = {0, 0, 0};
     vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 0))};
-    vm_effect effects[] = {vm_effect_linear_spring(SIEVE, 0, VM_GROUND, 0, 8000, 0),
-                           vm_effect_damper(SIEVE, 0, VM_GROUND, 0, 30), vm_effect_harmonic(SIEVE, 0, 60, 17, 0),
-                           vm_effect_stream(SIEVE, 2, at_rest, 0)};
+    vm_effect effects[4];
     vm_event events[] = {vm_then_switch(vm_event_at(4), GRAVEL, 0),
                          vm_then_switch(vm_event_mass(SIEVE, 40, 1), GRAVEL, 1)};
     ode_event located[2];
@@ -23,6 +22,10 @@ int main(int argc, char **argv)
     vm_real t = 0, y[3], work[VM_SCENE_WORK(3)], next, widest = 0, when = 0; /* y: x, v, mass */
     int status;
 
+    effects[SPRING] = vm_effect_linear_spring(SIEVE, 0, VM_GROUND, 0, 8000, 0);
+    effects[DAMPER] = vm_effect_damper(SIEVE, 0, VM_GROUND, 0, 30);
+    effects[MOTOR] = vm_effect_harmonic(SIEVE, 0, 60, 17, 0);
+    effects[GRAVEL] = vm_effect_stream(SIEVE, 2, at_rest, 1);
     effects[GRAVEL].off = 1; /* until the first event */
     memset(&scene, 0, sizeof scene);
     scene.bodies = bodies;
@@ -33,7 +36,10 @@ int main(int argc, char **argv)
     scene.n_events = 2;
     scene.located = located;
     status = vm_scene_start(&scene, t, y, &culprit);
-    if (status < 0) return printf("%s %d: %s\n", culprit.kind, culprit.index, vm_strerror(status)), 1;
+    if (status < 0) {
+        printf("%s %d: %s\n", culprit.kind, culprit.index, vm_strerror(status));
+        return 1;
+    }
     if (csv) fprintf(csv, "t (s),\"x (mm)\",\"mass (kg)\"\n");
     for (next = 0.01; next <= 20 && status >= 0; next += 0.01) {
         status = vm_scene_run(&scene, &t, next, y, work, NULL);

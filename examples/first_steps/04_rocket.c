@@ -13,7 +13,13 @@ static int weight(vm_real t, const vm_real *y, vm_flow1 *rocket)
     return 0;
 }
 
-static vm_real propellant(vm_real t, const vm_real *y, void *ctx) { return (void)t, (void)ctx, y[2] - 40; }
+static vm_real propellant(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return y[2] - 40;
+}
+
 static void burnt_out(vm_real t, vm_real *y, void *ctx)
 {
     (void)t;
@@ -26,14 +32,11 @@ int main(int argc, char **argv)
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     vm_stream1 jet = {-5, -2000, VM_RELATIVE}; /* 5 kg/s leave, downwards, at 2000 m/s against the rocket */
     vm_flow1 rocket = {1, &jet, 0, weight, NULL, 0};
-    ode_event empty;
-    rk45_options options;
+    static ode_event empty;
+    static rk45_options options; /* zero is the default */
     vm_real y[3] = {0, 0, 100}, work[RK45_WORK(3)], t; /* x, momentum, mass */
     rk45 s;
     int status;
-
-    memset(&empty, 0, sizeof empty);
-    memset(&options, 0, sizeof options); /* zero is the default */
     empty.g = propellant;
     empty.ctx = &rocket;
     empty.direction = -1;

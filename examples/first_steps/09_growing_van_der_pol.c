@@ -1,5 +1,5 @@
-/* A self-excited vibration whose mass grows. m x'' + x = (b - c x^2) x' - m' x', (404): the amplitude tends to that
-   of (425), less than 2 sqrt(b/c), whatever it was at first, since mass that joins at rest brakes. The equation of
+/* A self-excited vibration whose mass grows. m x'' + x = (feed - c x^2) x' - m' x', (404): the amplitude tends to that
+   of (425), less than 2 sqrt(feed/c), whatever it was at first, since mass that joins at rest brakes. The equation of
    motion by rk45, the amplitude in closed form.
 
    cc -O2 09_growing_van_der_pol.c -lm && ./a.out [file.csv] */
@@ -10,14 +10,20 @@ int main(int argc, char **argv)
 {
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     const vm_real starts[2] = {0.3, 3};
-    vm_linear_mass mass = {1, 0.02}; /* 1 + 0.02 t */
-    vm_vdp v = {1, 1, 0.1, 0.1, 1, VM_VDP_ATEB, vm_slow_mass_linear, NULL, 0, 0, 0};
+    const double growth = 0.02; /* kg/s */
+    vm_vdp v;
     vm_real work[2][RK45_WORK(2)], t;
     rk45_options options;
     rk45 s[2];
     int k, status;
 
-    v.mass_ctx = &mass;
+    memset(&v, 0, sizeof v); /* method VM_VDP_ATEB */
+    v.alpha = 1;
+    v.k = 1;
+    v.feed = 0.1;
+    v.c = 0.1;
+    v.reactive = 1;
+    v.mass = vm_law_linear(1, growth);
     status = vm_vdp_init(&v);
     memset(&options, 0, sizeof options); /* zero is the default */
     options.rtol = 1e-8;
@@ -31,11 +37,11 @@ int main(int argc, char **argv)
         for (k = 0; k < 2 && status >= 0; k++) status = rk45_solve(&s[k], t);
         if (csv)
             fprintf(csv, "%g,%.6f,%.6f,%.6f,%.6f\n", t, s[0].y[0], s[1].y[0],
-                    vm_vdp_amplitude(&v, t, starts[0], mass), vm_vdp_amplitude(&v, t, starts[1], mass));
+                    vm_vdp_amplitude(&v, t, starts[0]), vm_vdp_amplitude(&v, t, starts[1]));
     }
     printf("amplitude at t = 100: from 0.3 %.6f, from 3 %.6f; steady %.6f (425); with constant mass %.6f\n",
-           vm_vdp_amplitude(&v, 100, 0.3, mass), vm_vdp_amplitude(&v, 100, 3, mass),
-           vm_vdp_limit_cycle(&v, mass.rate, NULL), vm_vdp_limit_cycle(&v, 0, NULL));
+           vm_vdp_amplitude(&v, 100, 0.3), vm_vdp_amplitude(&v, 100, 3),
+           vm_vdp_limit_cycle(&v, growth, NULL), vm_vdp_limit_cycle(&v, 0, NULL));
     if (csv) fclose(csv);
     return status < 0;
 }

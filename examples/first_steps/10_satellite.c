@@ -23,18 +23,16 @@ int main(int argc, char **argv)
     vm_body now = satellite, panel, rest = satellite;
     vm_torque_free before, after;
     vm_vec3 offset = {0, 1.4, 0}, push = {0.2, 0.5, 0}, omega;
+    const vm_inertia light = {2, 0.5, 2.4, 0, 0, 0};
     vm_quat q;
-    const double jump = 250;
-    double t;
+    double t, jump = 250;
     int status = vm_torque_free_init(&before, &satellite, 0);
 
     if (status >= 0) status = vm_torque_free_at(&before, jump, &now);
     /* the panel sits on the satellite's y axis, and leaves with a push against the place where it sat, unturned */
     panel = now;
     panel.mass = 25;
-    panel.inertia.xx = 2;
-    panel.inertia.yy = 0.5;
-    panel.inertia.zz = 2.4;
+    panel.inertia = light;
     offset = turned(now.q, offset);
     panel.v = turned(now.q, push);
     panel.r.x += offset.x;
@@ -44,7 +42,10 @@ int main(int argc, char **argv)
     vm_to_absolute(&now, &panel, &panel);
     if (status >= 0) status = vm_separate(&now, &panel, NULL, &rest);
     if (status >= 0) status = vm_torque_free_init(&after, &rest, jump);
-    if (status < 0) return printf("%s\n", vm_strerror(status)), 1;
+    if (status < 0) {
+        printf("%s\n", vm_strerror(status));
+        return 1;
+    }
     printf("%g kg leave: angular velocity (%.6f, %.6f, %.6f) -> (%.6f, %.6f, %.6f) rad/s\n", panel.mass,
            now.omega.x, now.omega.y, now.omega.z, rest.omega.x, rest.omega.y, rest.omega.z);
     printf("the spring gave %.6f J\n", vm_energy_gain(&now, 1, &panel, NULL, &rest));

@@ -8,7 +8,7 @@ static inline void chain_heap(stage *s)
     int chain;
     stage_clear(s, 10);
     chain = stage_body(s, vm_scene_body_line(REAL(1e-30), REAL(0.1), 0)); /* M = x */
-    stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, 1, 0, 0));
+    stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, 1, 0, 1));
     stage_effect(s, vm_effect_gravity(chain, 0, REAL(gravity)));
     stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
 }
@@ -27,7 +27,7 @@ static inline void chain_over_drum(stage *s, int heaped)
     int chain;
     stage_clear(s, 10);
     chain = stage_body(s, vm_scene_body_line(REAL(heaped ? 2 + 0.5 : 2 + 1.5 * 3 + 0.5), REAL(0.2), 0));
-    if (heaped) stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, REAL(1.5), 0, 0));
+    if (heaped) stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, REAL(1.5), 0, 1));
     stage_effect(s, vm_effect_force(chain, 0, hanging, NULL));
     stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
 }

@@ -3,14 +3,16 @@
    passage 700 kg drop and the leak stops. */
 #include "stage.h"
 
-static inline vm_real crane_swing(vm_real t, const vm_real *y, void *ctx) /* the load's x less the crane's */
+/* The load's x less the crane's */
+static inline vm_real crane_swing(vm_real t, const vm_real *y, void *ctx)
 {
     const stage *s = (const stage *)ctx;
     (void)t;
     return y[s->bodies[1].at] - y[s->bodies[0].at];
 }
 
-static inline int crane_over_heap(vm_real t, vm_real *y, void *ctx) /* what is picked up lies where the load is */
+/* The heap that is picked up lies where the load is. */
+static inline int crane_over_heap(vm_real t, vm_real *y, void *ctx)
 {
     stage *s = (stage *)ctx;
     int i;
@@ -28,11 +30,10 @@ static inline void crane(stage *s)
     carriage = stage_body(s, vm_scene_body_line(8000, 0, 0));
     load = stage_body(
         s, vm_scene_body_with_mass_state(vm_scene_body_point(200, stage_vec(6 * sin(0.3), -6 * cos(0.3), 0), zero)));
-    heap = stage_body(s,
-                      vm_scene_body_point(1500, stage_vec(0, -6, 0), zero)); /* lies on the ground: nothing acts on it */
+    heap = stage_body(s, vm_scene_body_point(1500, stage_vec(0, -6, 0), zero)); /* on the ground: no effect acts on it */
     stage_effect(s, vm_effect_spring(carriage, 0, VM_GROUND, 0, 200000, 1, 0));
     stage_effect(s, vm_effect_gravity(load, 1, REAL(-gravity)));
-    leak = stage_effect(s, vm_effect_stream(load, -40, zero, 1));
+    leak = stage_effect(s, vm_effect_stream(load, -40, zero, 0));
     s->effects[leak].off = 1;
     stage_effect(s, vm_effect_link(load, carriage, NULL, NULL, 6, 0, 1));
     memset(&part, 0, sizeof part);

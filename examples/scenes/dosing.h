@@ -11,7 +11,7 @@ static const double belt_R = 0.8, belt_nu = 0.25, belt_q = 5, belt_w = 1.5, belt
 static inline void belt_feed(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const double R = belt_R, m = ((double)e->load->mass - 12) / (R * R), theta = (double)y[e->x];
-    const double opening = 1 - theta / belt_gate, q = belt_q * (opening < 0 ? 0 : opening > 2 ? 2 : opening);
+    const double opening = fmin(fmax(1 - theta / belt_gate, 0), 2), q = belt_q * opening;
     const double omega = (double)y[e->v], balance = belt_q / belt_nu + belt_q * belt_w / gravity;
     (void)t;
     (void)scene;

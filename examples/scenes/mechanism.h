@@ -13,8 +13,7 @@ static inline vm_mass_now crank_inertia(vm_real t, vm_real theta, vm_real omega,
     (void)t;
     (void)omega;
     (void)ctx;
-    now.mass = REAL(crank_J +
-                    (crank_mass + crank_mu * x) * x1 * x1); /* no reactive torque: what changes it is below */
+    now.mass = REAL(crank_J + (crank_mass + crank_mu * x) * x1 * x1); /* its change is in crank_torque */
     return now;
 }
 
@@ -32,7 +31,7 @@ static inline void mechanism(stage *s)
     int crank;
     stage_clear(s, 10);
     crank = stage_body(s, vm_scene_body_axle(REAL(crank_J), 0, 2));
-    stage_effect(s, vm_effect_mass_law(crank, crank_inertia, NULL, stage_vec(0, 0, 0), 1));
+    stage_effect(s, vm_effect_mass_law(crank, crank_inertia, NULL, stage_vec(0, 0, 0), 0));
     stage_effect(s, vm_effect_force(crank, 0, crank_torque, NULL));
     stage_event(s, vm_then_user(vm_event_position(crank, 0, REAL(3.14159265358979324), 1), stage_kink, NULL));
     stage_event(s, vm_then_stop(vm_event_position(crank, 0, REAL(6.28318530717958648), 1)));

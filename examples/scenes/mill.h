@@ -54,7 +54,7 @@ static inline void mill(stage *s, const mill_data *a, double v0, double length)
     int strip;
     stage_clear(s, 100);
     strip = stage_body(s, vm_scene_body_line(1, 0, REAL(v0)));
-    stage_effect(s, vm_effect_mass_law(strip, mill_mass, (void *)a, stage_vec(0, 0, 0), 1));
+    stage_effect(s, vm_effect_mass_law(strip, mill_mass, (void *)a, stage_vec(0, 0, 0), 0));
     stage_effect(s, vm_effect_force(strip, 0, mill_force, (void *)a));
     stage_event(s, vm_then_stop(vm_event_position(strip, 0, REAL(length), 1)));
 }

@@ -11,7 +11,7 @@ static inline int oscillator(stage *s, double m0, double mass_rate, double alpha
     int body;
     stage_clear(s, 100);
     body = stage_body(s, vm_scene_body_line(REAL(m0), REAL(x0), 0));
-    stage_effect(s, vm_effect_mass(body, VM_MASS_OF_T, REAL(mass_rate), 0, 0));
+    stage_effect(s, vm_effect_mass(body, VM_MASS_OF_T, REAL(mass_rate), 0, 1));
     stage_effect(s, vm_effect_spring(body, 0, VM_GROUND, 0, 1, REAL(alpha), 0));
     return body;
 }
@@ -46,7 +46,7 @@ static inline vm_mass_now squared(vm_real t, vm_real x, vm_real v, void *ctx)
 static inline void example2(stage *s) /* (402) */
 {
     const int body = oscillator(s, 1, 0, 1.5, 1);
-    s->effects[0] = vm_effect_mass_law(body, squared, NULL, stage_vec(0, 0, 0), 0);
+    s->effects[0] = vm_effect_mass_law(body, squared, NULL, stage_vec(0, 0, 0), 1);
 }
 
 static inline void figure27(stage *s, double m0, double x0) /* (440) */
@@ -61,7 +61,7 @@ static inline void figure30(stage *s) /* (514) to (516) */
     int rotor;
     stage_clear(s, 500);
     rotor = stage_body(s, vm_scene_body_point(1, stage_vec(r, r, 0), stage_vec(-r, r, 0)));
-    stage_effect(s, vm_effect_mass(rotor, VM_MASS_OF_T, REAL(0.01), 0, 0));
+    stage_effect(s, vm_effect_mass(rotor, VM_MASS_OF_T, REAL(0.01), 0, 1));
     stage_effect(s, vm_effect_shaft(rotor, 1, 3));
 }
 
@@ -70,6 +70,6 @@ static inline void figure32(stage *s) /* (530) to (532) */
     int x, y;
     x = oscillator(s, 1, 0.01, 3, 1);
     y = stage_body(s, vm_scene_body_line(1, 3, 0));
-    s->effects[1] = vm_effect_mass(y, VM_MASS_OF_T, REAL(0.01), 0, 0);
+    s->effects[1] = vm_effect_mass(y, VM_MASS_OF_T, REAL(0.01), 0, 1);
     stage_effect(s, vm_effect_spring(x, 0, y, 0, 1, 3, 0));
 }

@@ -5,7 +5,7 @@
      J omega = J0 omega0 + rho b h v integral of r^2 over phi: the band's momentum is taken over */
 #include "stage.h"
 
-static inline vm_band reel_band(int by_layer, double speed, double share)
+static inline vm_band reel_band(int by_layer, double speed, double reactive)
 {
     vm_band b;
     b.radius = REAL(0.2);
@@ -13,14 +13,14 @@ static inline vm_band reel_band(int by_layer, double speed, double share)
     b.width = REAL(0.5);
     b.density = 800;
     b.speed = REAL(speed);
-    b.share = REAL(share);
+    b.reactive = REAL(reactive);
     b.by_layer = by_layer;
     return b;
 }
 
 static inline void reel(stage *s, int by_layer, double turned)
 {
-    const vm_band band = reel_band(by_layer, 1.5, 0);
+    const vm_band band = reel_band(by_layer, 1.5, 1);
     int drum;
     stage_clear(s, 20);
     drum = stage_body(s, vm_scene_body_axle(REAL(0.8), 0, 9));

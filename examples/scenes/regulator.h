@@ -18,7 +18,7 @@ static inline void regulator(stage *s)
     int shaft, motor;
     stage_clear(s, 10);
     shaft = stage_body(s, vm_scene_body_axle(REAL(J0), 0, 0));
-    stage_effect(s, vm_effect_mass(shaft, VM_MASS_OF_V2, REAL(c), 0, 0));
+    stage_effect(s, vm_effect_mass(shaft, VM_MASS_OF_V2, REAL(c), 0, 1));
     stage_effect(s, vm_effect_motor(shaft, 0, REAL(-0.5), 0)); /* the load */
     motor = stage_effect(s, vm_effect_motor(shaft, 0, 2, 0));
     stage_event(s, vm_then_switch(vm_event_velocity(shaft, 0, REAL(regulator_speed(0.02)), 1), motor, 1));

@@ -42,7 +42,7 @@ static inline void scoop(stage *s, int *full)
     *full = 1;
     stage_clear(s, 2);
     arm = stage_body(s, vm_scene_body_axle(6000, REAL(-0.6), 0));
-    stage_effect(s, vm_effect_mass_law(arm, scoop_inertia, full, stage_vec(0, 0, 0), 0));
+    stage_effect(s, vm_effect_mass_law(arm, scoop_inertia, full, stage_vec(0, 0, 0), 1));
     stage_effect(s, vm_effect_force(arm, 0, scoop_torque, full));
     stage_event(s, vm_then_user(vm_event_position(arm, 0, REAL(0.6), 1), stage_kink, NULL));
     stage_event(s, vm_then_user(vm_event_position(arm, 0, REAL(1.6), 1), scoop_opens, full));

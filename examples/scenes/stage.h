@@ -1,7 +1,10 @@
-/* Room for the bodies, effects and events of a scene, its state and its work, and the few lines that run it */
+/* A stage has room for the bodies, the effects and the events of a scene, for its state and for the integrator's
+   work. Its functions put them there, and start and run the scene. */
 #ifndef STAGE_H
 #define STAGE_H
 #include "../../varmass.h"
+#include <stdio.h>
+#include <stdlib.h>
 
 enum { STAGE_BODIES = 4, STAGE_EFFECTS = 8, STAGE_EVENTS = 6, STAGE_STATE = 60 };
 
@@ -23,33 +26,51 @@ static inline void stage_clear(stage *s, double end)
     s->scene.effects = s->effects;
     s->scene.events = s->events;
     s->scene.located = s->located;
+    s->scene.y_size = VM_LENGTH(s->y);
+    s->scene.work_size = VM_LENGTH(s->work);
     vm_scene_keep_budget(&s->scene, &s->book);
     s->end = (vm_real)end;
 }
 
-/* Each returns the index */
+/* The next free index of an array that has room for `room`; where it is full, the program ends with a message. */
+static inline int stage_next(int *count, int room, const char *name)
+{
+    if (*count >= room) {
+        fprintf(stderr, "stage.h: the stage has room for %d only: enlarge %s\n", room, name);
+        exit(EXIT_FAILURE);
+    }
+    return (*count)++;
+}
+
+/* Each of these returns the index of what it has added. */
 static inline int stage_body(stage *s, vm_scene_body body)
 {
-    return s->bodies[s->scene.n_bodies] = body, s->scene.n_bodies++;
+    const int i = stage_next(&s->scene.n_bodies, STAGE_BODIES, "STAGE_BODIES");
+    s->bodies[i] = body;
+    return i;
 }
 static inline int stage_effect(stage *s, vm_effect effect)
 {
-    s->effects[s->scene.n_effects] = effect;
-    return s->scene.n_effects++;
+    const int i = stage_next(&s->scene.n_effects, STAGE_EFFECTS, "STAGE_EFFECTS");
+    s->effects[i] = effect;
+    return i;
 }
 static inline int stage_event(stage *s, vm_event event)
 {
-    s->events[s->scene.n_events] = event;
-    return s->scene.n_events++;
+    const int i = stage_next(&s->scene.n_events, STAGE_EVENTS, "STAGE_EVENTS");
+    s->events[i] = event;
+    return i;
 }
 
+/* Starts at t = 0. A state for which the stage has no room is refused with VM_SHORT_ARRAY. */
 static inline int stage_start(stage *s)
 {
     s->t = 0;
     return vm_scene_start(&s->scene, 0, s->y, NULL);
 }
 
-static inline rk45_options stage_options(void) /* closely */
+/* A tolerance near the smallest that the type allows */
+static inline rk45_options stage_options(void)
 {
     rk45_options o = rk45_defaults(NULL);
     o.rtol = 1000 * VM_EPSILON < (vm_real)1e-10 ? (vm_real)1e-11 : 10 * VM_EPSILON;
@@ -57,13 +78,14 @@ static inline rk45_options stage_options(void) /* closely */
     return o;
 }
 
-static inline int stage_run(stage *s, double t_end) /* on to t_end */
+/* Goes on from s->t to t_end. */
+static inline int stage_run(stage *s, double t_end)
 {
     const rk45_options o = stage_options();
     return vm_scene_run(&s->scene, &s->t, (vm_real)t_end, s->y, s->work, &o);
 }
 
-/* What an event does whose law has a kink there: nothing, but that the integrator begins anew */
+/* The action of an event at which a law has a kink: it changes nothing, but the integrator starts anew there. */
 static inline int stage_kink(vm_real t, vm_real *y, void *ctx)
 {
     (void)t;
@@ -78,6 +100,6 @@ static inline vm_vec3 stage_vec(double x, double y, double z)
 }
 #define REAL(x) ((vm_real)(x))
 
-static const double gravity = 9.81;
+static const double gravity = 9.81; /* m/s^2 */
 
 #endif

@@ -17,7 +17,9 @@ static const turner_data tippler = {99000, 1.14, 0.8, 12000, 40000, 0.8, 1.6, 1.
 
 static inline double turner_load(const turner_data *a, double phi)
 {
-    return a->stage == FULL ? a->m0 : a->stage == POURING ? a->m0 * (a->fb - phi) / (a->fb - a->fa) : 0;
+    if (a->stage == EMPTY) return 0;
+    if (a->stage == FULL) return a->m0;
+    return a->m0 * (a->fb - phi) / (a->fb - a->fa);
 }
 
 static inline int turner_next(vm_real t, vm_real *y, void *ctx)
@@ -53,7 +55,7 @@ static inline void turner_scene(stage *s, turner_data *a, double lam)
     int body;
     stage_clear(s, 10);
     body = stage_body(s, vm_scene_body_axle(REAL(a->J), 0, 0));
-    stage_effect(s, vm_effect_mass_law(body, turner_inertia, a, stage_vec(0, 0, 0), REAL(lam)));
+    stage_effect(s, vm_effect_mass_law(body, turner_inertia, a, stage_vec(0, 0, 0), REAL(1 - lam)));
     stage_effect(s, vm_effect_force(body, 0, turner_torque, a));
     stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(a->fa), 1), turner_next, a));
     stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(a->fb), 1), turner_next, a));

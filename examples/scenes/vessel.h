@@ -34,12 +34,12 @@ static inline metal metal_at(double phi)
     return f;
 }
 
-/* weight's torque about the point (px, py) of the vessel */
+/* The torque of the weight about the point (px, py) of the vessel */
 static inline double vessel_weight(double phi, double px, double py)
 {
     const metal f = metal_at(phi);
-    const double x = f.Sx - f.m * px + vessel_mass * (vessel_x - px),
-                 y = f.Sy - f.m * py + vessel_mass * (vessel_y - py);
+    const double x = f.Sx - f.m * px + vessel_mass * (vessel_x - px);
+    const double y = f.Sy - f.m * py + vessel_mass * (vessel_y - py);
     return gravity * (x * cos(phi) + y * sin(phi));
 }
 
@@ -57,7 +57,7 @@ static inline vm_mass_now vessel_inertia(vm_real t, vm_real phi, vm_real omega, 
     return now;
 }
 
-/* the hook's force that makes phi follow tan phi = t/4, or cot phi = (10 - t) (0.16 a^2/h^2) later on */
+/* The force of the hook that makes phi follow tan phi = t/4, or cot phi = (10 - t) (0.16 a^2/h^2) later on */
 static inline double hook_force(double t)
 {
     const double q = 1260, a = vessel_a, h = vessel_h, rb = vessel_rho_b, t1 = rb * a * h / (2 * q);
@@ -82,10 +82,10 @@ static inline vm_real hook_torque(vm_real t, vm_real phi, vm_real omega, void *c
 static inline void vessel_on_hook(stage *s)
 {
     int body;
-    stage_clear(
-        s, 5); /* later the surface is at the bottom, and this way of tipping is unstable: errors grow 1e6-fold */
+    /* After 5 s the surface is at the bottom and this way of tipping is unstable: errors grow 1e6-fold. */
+    stage_clear(s, 5);
     body = stage_body(s, vm_scene_body_axle(5000, 0, REAL(0.25)));
-    stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 0));
+    stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 1));
     stage_effect(s, vm_effect_force(body, 0, hook_torque, NULL));
 }
 
@@ -120,11 +120,11 @@ static inline void vessel_by_motor(stage *s)
     int body;
     stage_clear(s, 10);
     body = stage_body(s, vm_scene_body_axle(2030, 0, 0));
-    stage_effect(s, vm_effect_mass_law(body, trunnion_inertia, NULL, stage_vec(0, 0, 0), 0));
+    stage_effect(s, vm_effect_mass_law(body, trunnion_inertia, NULL, stage_vec(0, 0, 0), 1));
     stage_effect(s, vm_effect_motor(body, 0, 14000, 20000));
     stage_effect(s, vm_effect_force(body, 0, trunnion_torque, NULL));
-    stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(0.89605538457134395), 1), stage_kink,
-                                NULL)); /* atan(h/a) */
+    /* The surface reaches the bottom at the angle atan(h/a). */
+    stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(0.89605538457134395), 1), stage_kink, NULL));
     stage_event(s, vm_then_stop(vm_event_position(body, 0, REAL(1.4), 1)));
     stage_event(s, vm_then_stop(vm_event_velocity(body, 0, 0, -1))); /* the stream closes */
 }

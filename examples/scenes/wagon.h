@@ -12,8 +12,8 @@ static inline void wagon(stage *s)
     body = stage_body(s, vm_scene_body_with_mass_state(vm_scene_body_line(20000, 0, 0)));
     stage_effect(s, vm_effect_motor(body, 0, 15000, 0));
     stage_effect(s, vm_effect_gravity(body, 0, REAL(-0.005 * gravity)));
-    filling = stage_effect(s, vm_effect_stream(body, 400, stage_vec(0, 0, 0), 0));
-    emptying = stage_effect(s, vm_effect_stream(body, -400, stage_vec(0, 0, 0), 1));
+    filling = stage_effect(s, vm_effect_stream(body, 400, stage_vec(0, 0, 0), 1));
+    emptying = stage_effect(s, vm_effect_stream(body, -400, stage_vec(0, 0, 0), 0));
     s->effects[emptying].off = 1;
     stage_event(s, vm_then_switch(vm_event_at(60), filling, 1));
     stage_event(s, vm_then_switch(vm_event_at(60), emptying, 0));

@@ -30,7 +30,7 @@ static inline void weighing(stage *s)
     stage_clear(s, 20);
     bar = stage_body(s, vm_scene_body_with_mass_state(vm_scene_body_axle(REAL(scale_J0 + filled * scale_R * scale_R), 0, 0)));
     stage_effect(s, vm_effect_custom(bar, VM_GROUND, scale_weight, NULL));
-    tap = stage_effect(s, vm_effect_stream(bar, REAL(scale_q * scale_R * scale_R), stage_vec(0, 0, 0), 0));
+    tap = stage_effect(s, vm_effect_stream(bar, REAL(scale_q * scale_R * scale_R), stage_vec(0, 0, 0), 1));
     jet = stage_effect(s, vm_effect_force(bar, 0, scale_jet, NULL));
     stage_event(s, vm_then_switch(vm_event_position(bar, 0, REAL(scale_shut), 1), tap, 1));
     stage_event(s, vm_then_switch(vm_event_position(bar, 0, REAL(scale_shut), 1), jet, 1));

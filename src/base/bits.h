@@ -1,4 +1,11 @@
-/* base/bits.h - the bits of a number, scaling by powers of two */
+/* base/bits.h - the bits of a number, and products with powers of two
+
+   A vm_real is stored as a sign, an exponent and a mantissa. The functions here read and write these bits as an
+   integer, and multiply by 2^k without a function of the C library, so that every machine gives the same bits.
+
+       vm_real y = vmi_ldexp(3, 4); // 3 * 2^4 = 48
+
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_BASE_BITS_H
 #define VARMASS_BASE_BITS_H
 
@@ -8,18 +15,17 @@
 #include "real.h"
 #include "sums.h"
 
-/* Logarithm, exponential and power with a low word. No branch but where a result is subnormal, no function of the C
-   library, so that they are the same everywhere and loops over them vectorise. Tables: tests/gen/elementary.py. */
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* of the mantissa */
-#define VMI_BIAS 1023     /* of the exponent */
+#define VMI_STORED_DIG 52 /* bits of the mantissa that are stored */
+#define VMI_BIAS 1023     /* the stored exponent of the number 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
 #define VMI_BIAS 127
 #endif
 
+/* The bits of x as an integer */
 VM_API vmi_bits vmi_to_bits(vm_real x)
 {
     vmi_bits bits;
@@ -27,6 +33,7 @@ VM_API vmi_bits vmi_to_bits(vm_real x)
     return bits;
 }
 
+/* The number that has these bits */
 VM_API vm_real vmi_from_bits(vmi_bits bits)
 {
     vm_real x;
@@ -34,20 +41,27 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* x 2^k, rounded at most once, for |x| from 2^-2 to 4 or 0; for any x, if x 2^(k/2) is a normal number */
+/* x 2^k, rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. The product
+   is taken in two steps of about k/2, because 2^k itself may overflow or underflow. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
-    const int bounded = k > limit ? limit : k < -limit ? -limit : k, half = bounded / 2, rest = bounded - half;
+    int half, rest;
+    if (k > limit) k = limit;
+    if (k < -limit) k = -limit;
+    half = k / 2;
+    rest = k - half;
     return x * vmi_from_bits((vmi_bits)(VMI_BIAS + half) << VMI_STORED_DIG) *
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* (y + y_lo) 2^k, rounded once also where it is subnormal, for y from 1/2 to 2 */
+/* (y + y_lo) 2^k for y between 1/2 and 2, rounded only once, also where the result is subnormal */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
-    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) { /* added to a larger number, y loses the same digits */
-        const vm_real large = vmi_ldexp(1, k < -VMI_BIAS - VM_MANT_DIG ? VM_MANT_DIG + 1 : 1 - VMI_BIAS - k);
+    if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
+        /* A subnormal result has fewer digits. Adding a power of two to y removes the same digits with one rounding. */
+        const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
+        const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
         y = (sum.hi + (sum.lo + y_lo)) - large;
         y_lo = 0;
@@ -55,9 +69,7 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
     return vmi_ldexp(y + y_lo, k);
 }
 
-/* x^p, to 1.5 % for results within 0.1 .. 10 and to a factor of 2 for 1e-4 .. 1e4; x normal, > 0. The bits of
-   2^k (1 + f), read as an integer, are k + f, which is within 0.043 of log2 x - 0.043; exp(16 v) is
-   (1 + v + v^2/2)^16. Basic operations only, so that the same steps are taken everywhere. */
+/* The bits of a number as a signed integer, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
 #define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)

@@ -1,4 +1,8 @@
-/* base/complex.h - complex numbers */
+/* base/complex.h - complex numbers
+
+       vm_complex z = vmi_c_times(vmi_complex(0, 1), vmi_complex(3, 4)); // i (3 + 4i) = -4 + 3i
+
+   Tests: tests/test_jeffcott.c, tests/test_broken_rotor.c. */
 #ifndef VARMASS_BASE_COMPLEX_H
 #define VARMASS_BASE_COMPLEX_H
 
@@ -6,10 +10,12 @@
 #include "hypot.h"
 #include "real.h"
 
+/* The complex number re + i im */
 typedef struct VM_TAG(vm_complex) {
     vm_real re, im;
 } vm_complex;
 
+/* re + i im */
 VM_API vm_complex vmi_complex(vm_real re, vm_real im)
 {
     vm_complex z;
@@ -18,28 +24,33 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
+/* a + b, a - b, c a, i c a */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
-VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); } /* i c a */
+VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); }
 
+/* a b */
 VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
     return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
+/* The conjugate of a, re - i im */
 VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
 
-VM_API vm_complex vmi_c_turn(vm_real angle) /* e^(i angle) */
+/* e^(i angle) */
+VM_API vm_complex vmi_c_turn(vm_real angle)
 {
     vm_complex e;
     vmi_sincos(angle, &e.im, &e.re);
     return e;
 }
 
+/* |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* a/b by Smith's method, where b.re^2 + b.im^2 may underflow */
+/* a/b by Smith's method, which is right where the square of |b| overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;

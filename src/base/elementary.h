@@ -1,4 +1,12 @@
-/* base/elementary.h - logarithm, exponential, power, sine, cosine, arctangent, the same bits on every machine */
+/* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
+
+   The C library's functions differ from machine to machine in the last bits. These do not: they use the basic
+   operations alone. Most of them return a low word too, so that a power has all its digits. They have no branch but
+   where a result is subnormal, so that a compiler can vectorise loops over them.
+
+       vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
+
+   The tables and polynomials are computed by tests/gen/elementary.py. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
@@ -9,15 +17,12 @@
 #include "sums.h"
 #include "words.h"
 
-/* ln x for finite x > 0; relative error below 2^-64.8 (float 2^-32). x = 2^k z, ln z = ln c + ln(1 + r), r = z/c - 1.
-   1/c is short, so that with z cut in two the square of the head of r is exact. c = 1 where z is within 0.01 of 1. */
-VM_API vm_two vmi_log(vm_real x)
+/* Constants of vmi_log for the interval `row` of 32: column 0 is 1/c, columns 1 and 2 are ln c in two words, the
+   first a multiple of 2^-42 (float 2^-16) as the first word of ln 2 is, so that k ln 2 + ln c has no rounding error */
+VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
-    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
     VM_TABLE vm_real table[32][3] = {
-        /* 1/c, ln c: the high words are multiples of 2^-42, as ln2_hi */
         {VM_C(1.4189453125), VM_C(-0.34991385797093244037), VM_C(1.0263080618141573753e-13)},
         {VM_C(1.375), VM_C(-0.31845373111855224124), VM_C(1.7625431312172662057e-14)},
         {VM_C(1.3330078125), VM_C(-0.28743790201951924246), VM_C(-8.7770524478057945722e-14)},
@@ -51,54 +56,68 @@ VM_API vm_two vmi_log(vm_real x)
         {VM_C(0.7216796875), VM_C(0.32617388465132535202), VM_C(-7.4032069124645893097e-14)},
         {VM_C(0.7099609375), VM_C(0.34254532806585302751), VM_C(8.0700749411504883334e-14)}};
 #else
+    VM_TABLE vm_real table[32][3] = {
+        {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
+        {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
+        {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
+        {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
+        {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
+        {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
+        {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
+        {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
+        {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
+        {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
+        {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
+        {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
+        {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
+        {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
+        {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
+        {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
+        {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
+        {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
+        {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
+        {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
+        {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
+        {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
+        {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
+        {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
+        {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
+        {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
+        {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
+        {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
+        {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
+        {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
+        {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
+        {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
+#endif
+    return VM_READ(table[row][column]);
+}
+
+/* ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). x = 2^k z, where z lies
+   between 0.708 and 1.417. With c close to z and r = z/c - 1, ln x = k ln 2 + ln c + ln(1 + r). 1/c has few digits,
+   so that the square of the first half of r is exact. c is 1 where z is within 0.01 of 1. */
+VM_API vm_two vmi_log(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least_z = UINT64_C(0x3fe6aaaaaaaaaaab), half_tail = UINT64_C(0x40000000);
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
     const vmi_bits least_z = UINT32_C(0x3f355556), half_tail = UINT32_C(0x4000);
     const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
-    VM_TABLE vm_real table[32][3] = {/* 1/c, ln c: the high words are multiples of 2^-16, as ln2_hi */
-                                     {VM_C(1.41796875), VM_C(-0.349227905273), VM_C(2.51548817687e-6)},
-                                     {VM_C(1.375), VM_C(-0.318450927734), VM_C(-2.80338417724e-6)},
-                                     {VM_C(1.33203125), VM_C(-0.286712646484), VM_C(7.61368028179e-6)},
-                                     {VM_C(1.29296875), VM_C(-0.256942749023), VM_C(1.81812595201e-6)},
-                                     {VM_C(1.2578125), VM_C(-0.229370117188), VM_C(-3.98387737732e-6)},
-                                     {VM_C(1.22265625), VM_C(-0.201019287109), VM_C(-6.45895124762e-6)},
-                                     {VM_C(1.1875), VM_C(-0.171844482422), VM_C(-5.77450464334e-6)},
-                                     {VM_C(1.15625), VM_C(-0.14518737793), VM_C(5.36808511242e-6)},
-                                     {VM_C(1.12890625), VM_C(-0.121246337891), VM_C(-2.90574234896e-6)},
-                                     {VM_C(1.1015625), VM_C(-0.0967254638672), VM_C(-4.16259126723e-6)},
-                                     {VM_C(1.07421875), VM_C(-0.0715942382813), VM_C(5.85094255712e-7)},
-                                     {VM_C(1.046875), VM_C(-0.0458068847656), VM_C(-2.6512657314e-6)},
-                                     {VM_C(1.0234375), VM_C(-0.0231628417969), VM_C(-4.21748472945e-6)},
-                                     {VM_C(1.0), VM_C(0.0), VM_C(0.0)},
-                                     {VM_C(0.9765625), VM_C(0.0237121582031), VM_C(4.36841401097e-6)},
-                                     {VM_C(0.95703125), VM_C(0.0439147949219), VM_C(4.43901308245e-6)},
-                                     {VM_C(0.9375), VM_C(0.0645446777344), VM_C(-6.15659700998e-6)},
-                                     {VM_C(0.91796875), VM_C(0.0855865478516), VM_C(5.38248377779e-6)},
-                                     {VM_C(0.8984375), VM_C(0.10710144043), VM_C(-3.30487341671e-6)},
-                                     {VM_C(0.87890625), VM_C(0.12907409668), VM_C(2.94559549729e-6)},
-                                     {VM_C(0.86328125), VM_C(0.147018432617), VM_C(-3.68965538655e-6)},
-                                     {VM_C(0.84765625), VM_C(0.165283203125), VM_C(-3.11218582283e-6)},
-                                     {VM_C(0.83203125), VM_C(0.183883666992), VM_C(1.61177797509e-6)},
-                                     {VM_C(0.81640625), VM_C(0.202850341797), VM_C(-7.14928228263e-6)},
-                                     {VM_C(0.80078125), VM_C(0.22216796875), VM_C(-5.03408841723e-7)},
-                                     {VM_C(0.78515625), VM_C(0.24186706543), VM_C(5.47099079995e-6)},
-                                     {VM_C(0.7734375), VM_C(0.256912231445), VM_C(-1.81766029073e-6)},
-                                     {VM_C(0.7578125), VM_C(0.277313232422), VM_C(6.05299419476e-6)},
-                                     {VM_C(0.74609375), VM_C(0.292907714844), VM_C(-3.69841086467e-6)},
-                                     {VM_C(0.734375), VM_C(0.308731079102), VM_C(4.40254825662e-6)},
-                                     {VM_C(0.72265625), VM_C(0.324829101563), VM_C(-7.4821614362e-6)},
-                                     {VM_C(0.7109375), VM_C(0.341171264648), VM_C(-5.0724565881e-7)}};
 #endif
     const int subnormal = x < VM_MIN;
+    const vm_real normal = subnormal ? x * (4 / VM_EPSILON) : x;
     const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG;
-    const vmi_bits above = vmi_to_bits(subnormal ? x * (4 / VM_EPSILON) : x) - least_z;
+    const vmi_bits above = vmi_to_bits(normal) - least_z;
     const int k = (int)((above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG) - (VMI_BIAS + 1);
     const vm_real k_real = (vm_real)(k - (subnormal ? VMI_STORED_DIG + 2 : 0));
     const vmi_bits z_bits = (above & (one - 1)) + least_z;
     const vm_real z = vmi_from_bits(z_bits), z_head = vmi_from_bits((z_bits + half_tail) & ~(2 * half_tail - 1));
     const int row = (int)(44 * z - VM_C(30.5));
-    const vm_real by_c = VM_READ(table[row][0]);
-    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* exact, half of the digits each */
+    const vm_real by_c = vmi_log_constant(row, 0);
+    const vm_real r_head = z_head * by_c - 1, r_tail = (z - z_head) * by_c; /* without rounding errors */
     const vm_two r = vmi_fast_two_sum(r_head, r_tail);                      /* |r| < 0.0162 */
-    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + VM_READ(table[row][1]), r.hi);
+    const vm_two sum = vmi_fast_two_sum(k_real * ln2_hi + vmi_log_constant(row, 1), r.hi);
     const vm_two high = vmi_fast_two_sum(sum.hi, -(r_head * r_head) / 2);
     const vm_real rr = r.hi * r.hi;
 #if VM_MANT_DIG > 24
@@ -111,14 +130,15 @@ VM_API vm_two vmi_log(vm_real x)
     const vm_real L01 = VM_C(0.333333343267) - r.hi * VM_C(0.25);
     const vm_real L = L01 + rr * (VM_C(0.20003709197) - r.hi * VM_C(0.166699126363));
 #endif
-    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + VM_READ(table[row][2])) +
+    const vm_real low = sum.lo + high.lo + (k_real * ln2_lo + vmi_log_constant(row, 2)) +
                         (r.lo - r_tail * (r.hi + r_head) / 2);
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* e^(x + x_lo) = 2^k (1 + p + p_lo), |p| < 0.42, for |x| <= 1500 (float 200), |x_lo| <= ulp(x); k = 0 for |x| < 0.34,
-   and there p alone is within 0.6 ulp; 1 + p + p_lo within 2^-58 (float 2^-29). x = k ln 2 + r, e^r = 1 + r + r^2/2 +
-   r^3 E(r) with the square of the head of r exact. */
+/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. It needs |x| <= 1500 (float 200) and |x_lo|
+   at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where k = 0, p
+   alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the square of
+   the first half of r is exact. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -154,21 +174,23 @@ VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
     return sum.hi;
 }
 
-/* e^(x + x_lo), |x_lo| <= ulp(x): within 0.53 ulp, subnormal results included */
+/* e^(x + x_lo) within 0.53 ulp, subnormal results included, for any x and |x_lo| at most an ulp of x */
 VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 2);
     const vm_real least = VM_C(-0.6931471805599453094) * (VMI_BIAS + VM_MANT_DIG + 2);
-    const vm_real inside = x > least ? x < largest ? x : largest : least; /* of NaN too */
+    const vm_real inside = vmi_smaller(vmi_larger(x, least), largest); /* NaN becomes least */
     vm_real p_lo, p;
     vm_two y;
     int k;
-    p = vmi_exp_core(inside, x == inside ? x_lo : 0, &k, &p_lo);
+    if (x != inside) x_lo = 0;
+    p = vmi_exp_core(inside, x_lo, &k, &p_lo);
     y = vmi_fast_two_sum(1, p);
-    return x == x ? vmi_ldexp_two(y.hi, y.lo + p_lo, k) : x;
+    if (x != x) return x;
+    return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* x^y for x > 0: within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
+/* x^y for x > 0 within 0.6 ulp, if x.lo is 0 or |ln x| > 100 eps */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -179,15 +201,16 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* atan(y/x) for x, y >= 0, not both 0: within 1 ulp. |argument of the series| <= tan(pi/8). */
+/* atan(y/x) within 1 ulp for x, y >= 0 that are not both 0. The angle is reduced by pi/2 and pi/4 until the tangent
+   is at most tan(pi/8), where the polynomial A is used. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
     const int steep = y > x;
-    const vm_real low = steep ? x : y, high = steep ? y : x;
+    const vm_real low = vmi_smaller(x, y), high = vmi_larger(y, x);
     const int middle = low > VM_C(0.4142135623730950488) * high;
     const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
-    vm_real angle, rest;
+    vm_real angle;
 #if VM_MANT_DIG > 24
     const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
     const vm_real A23 = VM_C(-0.142857141959989442) + t * VM_C(0.111111066814559886);
@@ -199,12 +222,13 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     const vm_real A01 = VM_C(-0.3333331645) + t * VM_C(0.1999848485);
     const vm_real A = A01 + tt * (VM_C(-0.1424376816) + t * (VM_C(0.1059537232) + t * VM_C(-0.06081775203)));
 #endif
-    rest = z + z * (t * A) + (middle ? half_pi.mid / 2 : 0);
-    angle = middle ? half_pi.hi / 2 + rest : rest;
-    return steep ? (half_pi.hi - angle) + half_pi.mid : angle;
+    angle = z + z * (t * A);
+    if (middle) angle = half_pi.hi / 2 + (angle + half_pi.mid / 2);
+    if (steep) angle = (half_pi.hi - angle) + half_pi.mid;
+    return angle;
 }
 
-/* sin and cos of z, |z| <= 0.79, and z.lo an ulp at most: within 0.55 ulp */
+/* The sine and the cosine of z, |z| <= 0.79, within 0.55 ulp, where z.lo is at most an ulp of z.hi */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -225,9 +249,14 @@ VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
     *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
 }
 
-/* The integer next to x, |x| < 2^15; 0 for NaN */
-VM_INLINE int vmi_nearest(vm_real x) { return x == x ? (int)(x + VM_COPYSIGN(VM_C(0.5), x)) : 0; }
+/* The integer nearest to x, |x| < 2^15; 0 for NaN */
+VM_INLINE int vmi_nearest(vm_real x)
+{
+    if (x != x) return 0;
+    return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
+}
 
+/* ln x of a number in two words */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -235,7 +264,7 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* sin and cos of any x, reduced by pi/2 in two words; NaN for infinite x */
+/* The sine and the cosine of any x, reduced by pi/2 in two words; NaN for infinite x */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -243,17 +272,22 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
     if (!VM_IS_FINITE(x)) s = c = VM_NAN;
-    *sine = quarter & 1 ? c : s;
-    *cosine = quarter & 1 ? s : c;
+    *sine = s;
+    *cosine = c;
+    if (quarter & 1) {
+        *sine = c;
+        *cosine = s;
+    }
     if (quarter & 2) *sine = -*sine;
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
     if (x < 0) *sine = -*sine;
 }
 
-/* atan2(y, x), within 2 ulp; 0 for x = y = 0 */
+/* The angle of the point (x, y), between -pi and pi, within 2 ulp; 0 for x = y = 0 */
 VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 {
-    vm_real angle = x == 0 && y == 0 ? 0 : vmi_arctan(VM_FABS(y), VM_FABS(x));
+    vm_real angle = 0;
+    if (x != 0 || y != 0) angle = vmi_arctan(VM_FABS(y), VM_FABS(x));
     if (x < 0) angle = VM_PI - angle;
     return VM_COPYSIGN(angle, y);
 }

@@ -1,15 +1,19 @@
-/* base/hypot.h - the length of a plane vector without overflow */
+/* base/hypot.h - the length of a vector in the plane
+
+   Tests: tests/test_jumps.c, tests/test_laws.c. */
 #ifndef VARMASS_BASE_HYPOT_H
 #define VARMASS_BASE_HYPOT_H
 
 #include "real.h"
 
-/* sqrt(x^2 + y^2), within 2 ulp, where the squares overflow too */
+/* sqrt(x^2 + y^2) within 2 ulp, also where the squares overflow or underflow; NaN if x or y is NaN */
 VM_API vm_real vmi_hypot(vm_real x, vm_real y)
 {
-    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = a > b ? a : b, least = a > b ? b : a;
-    const vm_real q = most > 0 ? least / most : 0;
-    return x == x && y == y ? most * VM_SQRT(1 + q * q) : VM_NAN;
+    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = vmi_larger(a, b), least = vmi_smaller(b, a);
+    vm_real q = 0;
+    if (x != x || y != y) return VM_NAN;
+    if (most > 0) q = least / most;
+    return most * VM_SQRT(1 + q * q);
 }
 
 #endif

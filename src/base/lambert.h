@@ -1,4 +1,14 @@
-/* base/lambert.h - Lambert's function W */
+/* base/lambert.h - Lambert's function W
+
+   w = W(x) solves w e^w = x. The equation has one solution for x >= 0 and two for -1/e <= x < 0: the branch W_0 >= -1
+   (vm_lambert_w0) and the branch W_-1 <= -1 (vm_lambert_wm1). The forms that take the logarithm of the argument work
+   where the argument itself would overflow or underflow.
+
+       vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
+
+   Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start that is right to
+   2 %. The residual is computed in two words, so that little but the rounding of the last step remains.
+   Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
 
@@ -8,16 +18,14 @@
 #include "sums.h"
 #include "words.h"
 
-/* -- Lambert's W: two steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), of fourth order, from 2 % and less.
-   The residual is taken in two words, so that the last step leaves little but its own rounding -- */
-/* The relative correction of w, whose residual is z = ln(x/w) - w; w1 = 1 + w */
+/* The relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and w1 = 1 + w */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* w from l = ln|x|, away from the branch point */
+/* W from l = ln|x| and a start w, for x that is not close to -1/e */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
 {
     int i;
@@ -29,16 +37,18 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* w = -1 - v from s = -1 - ln(-x): v - ln(1 + v) = s, with v > 0 for W_-1 and < 0 for W_0; s down to -eps/2, less
-   than an ulp of x beyond the branch point, counts as 0. Starts: of W_-1 by Barry, Culligan-Hensley and Barry (ACM
-   TOMS 21, 1995); of W_0, for s < 0.4, the series in sqrt(2s) */
+/* W from s = -1 - ln(-x), for x close to -1/e; lower is 1 for W_-1, 0 for W_0. w = -1 - v, where v - ln(1 + v) = s, v
+   > 0 for W_-1 and v < 0 for W_0. A number x that rounding has put below -1/e (s down to -eps/2) counts as -1/e. The
+   start for W_-1 is by Barry, Culligan-Hensley and Barry (ACM TOMS 21, 1995), that for W_0 a series in sqrt(2s), good
+   for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
     vm_real v, dv = 0;
     vm_two sum;
     int i;
-    if (!(s.hi > 0)) return s.hi > -VM_EPSILON / 2 ? -1 : VM_NAN;
+    if (!(s.hi > -VM_EPSILON / 2)) return VM_NAN;
+    if (s.hi <= 0) return -1;
     if (lower) v = s.hi + 2 / barry * (1 - 1 / (1 + barry / 2 * root));
     else v = -root * (1 - root * (VM_C(1.) / 3 - root / 36));
     for (i = 0; i < 2; i++) {
@@ -46,8 +56,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
         v += dv;
         x = vmi_two(v, 0);
         ln = vmi_log1p(x);
-        z = VM_FABS(v) < VM_C(0.25) ? vmi_two_times(vmi_log1p_rest(x, ln), vmi_two_product(v, v))
-                                    : vmi_two_plus(x, vmi_minus(ln));
+        if (VM_FABS(v) < VM_C(0.25)) z = vmi_two_times(vmi_log1p_rest(x, ln), vmi_two_product(v, v));
+        else z = vmi_two_plus(x, vmi_minus(ln));
         z = vmi_two_plus(z, vmi_minus(s));
         dv = (1 + v) * vmi_lambert_correction(-v, z.hi);
     }
@@ -55,7 +65,7 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* -1 - ln(-x) for x < -1/4: from 1 + e x in two words, which keeps every digit of the distance to -1/e */
+/* -1 - ln(-x) for x < -1/4, computed from 1 + e x in two words, which keeps all digits of the distance to -1/e */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -68,24 +78,29 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* Start of W_0 for -1/4 <= x < 1: within 0.02 */
+/* A start for W_0, right to 2 %, for -1/4 <= x < 1 */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* and above, from L = ln(1 + x) (Winitzki) */
+/* A start for W_0, right to 2 %, for x >= 1, from L = ln(1 + x) (Winitzki) */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
-/* Lambert's W, w e^w = x: the branches W_0 >= -1 for x >= -1/e, and W_-1 <= -1 for -1/e <= x < 0. The number next to
-   -1/e, a little below it, counts as -1/e and gives -1; W_-1(0) = -infinity. Within 1 ulp, x taken as exact. */
+/* Lambert's W, upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x, a pure number, is taken as exact;
+   the result is within 1 ulp. NaN for x < -1/e, except that the number next to -1/e counts as -1/e and gives -1; NaN
+   for infinite x. Time: 4 logarithms. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
+    vm_real start;
     if (x == 0 || x != x) return x;
     if (!VM_IS_FINITE(x)) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
-    return vmi_lambert_far(vmi_log(VM_FABS(x)),
-                           x < 1 ? vmi_lambert_pade(x) : vmi_lambert_winitzki(vmi_log(1 + x).hi));
+    if (x < 1) start = vmi_lambert_pade(x);
+    else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
+    return vmi_lambert_far(vmi_log(VM_FABS(x)), start);
 }
 
-/* Documented with vm_lambert_w0. */
+/* Lambert's W, lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x, a pure number, is taken as
+   exact; the result is within 1 ulp. -infinity at x = 0, NaN for x > 0 and x < -1/e, except that the number next to
+   -1/e counts as -1/e and gives -1. Time: 4 logarithms. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;
@@ -96,20 +111,24 @@ VM_API vm_real vm_lambert_wm1(vm_real x)
     return vmi_lambert_near(vmi_two_plus(vmi_two(-1, 0), vmi_minus(ln)), 1);
 }
 
-#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* W_0(x) = x for ln|x| below */
+#define VMI_LAMBERT_TINY (-(VM_MANT_DIG + 2) * VM_C(0.7)) /* for ln|x| below this number W_0(x) = x */
 
-/* The same from the logarithm of the argument, which itself may be too large or too small to be a number:
-   W_0(e^l) for all l (Wright's omega), W_0(-e^l) and W_-1(-e^l) for l <= -1 */
+/* Wright's omega function: W_0(e^l), the solution of w + ln w = l, for any l.
+   e^l itself may overflow or underflow. l is taken as exact; the result is within 1 ulp. NaN for infinite l. */
 VM_API vm_real vm_wright_omega(vm_real l)
 {
+    const vm_real direct_from = 40; /* from here on ln(1 + e^l) = l */
+    vm_real start;
     if (!VM_IS_FINITE(l)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
-    return vmi_lambert_far(vmi_two(l, 0), l < 0    ? vmi_lambert_pade(vmi_exp(l, 0))
-                                          : l < 40 ? vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi)
-                                                   : vmi_lambert_winitzki(l));
+    if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
+    else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
+    else start = vmi_lambert_winitzki(l);
+    return vmi_lambert_far(vmi_two(l, 0), start);
 }
 
-/* Documented with vm_wright_omega. */
+/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1.
+   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;
@@ -118,7 +137,8 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
 }
 
-/* Documented with vm_wright_omega. */
+/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1.
+   e^l itself may underflow. l is taken as exact; the result is within 1 ulp. NaN for l > -1 and infinite l. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1) || !VM_IS_FINITE(l)) return VM_NAN;

@@ -1,11 +1,18 @@
-/* base/linear.h - systems of linear equations */
+/* base/linear.h - systems of linear equations
+
+   Solves a x = b for a few unknowns. A matrix is an array of n n numbers, row after row.
+
+       vm_real a[4] = {2, 1, 1, 3}, b[2] = {3, 5};
+       vmi_solve_linear(2, a, b); // b is now x = (0.8, 1.4)
+
+   Tests: tests/test_lagrange.c, tests/test_scenes.c. */
 #ifndef VARMASS_BASE_LINEAR_H
 #define VARMASS_BASE_LINEAR_H
 
 #include "real.h"
 #include "status.h"
 
-/* Elimination of column k of a x = b, a n by n, row after row, below the diagonal */
+/* Eliminates the entries of column k below the diagonal from a x = b. */
 VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
 {
     int i, j;
@@ -16,7 +23,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
     }
 }
 
-/* a x = b for a without entries below the diagonal: x replaces b */
+/* Solves a x = b for a matrix without entries below the diagonal; x replaces b. */
 VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
 {
     int j, k;
@@ -26,8 +33,8 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
     }
 }
 
-/* a x = b, a dense and n by n, row after row, by elimination with row pivoting: x replaces b, a is destroyed.
-   VM_SINGULAR, b destroyed, where a column has no pivot. */
+/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. VM_SINGULAR
+   where a column has no pivot; b is overwritten then, too. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -51,10 +58,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* a x = b for a mass matrix a, scaled to unit diagonal, which makes units and sizes of the coordinates nothing and
-   the condition number nearly the least that scaling can (van der Sluis 1969): x replaces b, a is destroyed, scale
-   is n numbers of work. Rows are not exchanged: a positive definite matrix does not need it, and of any other a pivot
-   is not positive. VM_SINGULAR where an entry on the diagonal is not positive or a pivot is below 4 n eps. */
+/* Solves a x = b for a mass matrix, which is symmetric and positive definite. x replaces b, a is overwritten, and
+   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then units of the
+   coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
+   1969). Rows need not be exchanged. VM_SINGULAR where an entry of the diagonal is not positive or a pivot is below 4
+   n eps, which happens for every matrix that is not positive definite. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;

@@ -1,4 +1,12 @@
-/* base/polynomial.h - all roots of a polynomial */
+/* base/polynomial.h - all roots of a polynomial
+
+   The polynomial is c[0] z^n + c[1] z^(n-1) + ... + c[n] with c[0] != 0. Its roots, real and complex, are found
+   together, by the method of Ehrlich and Aberth.
+
+       vm_real c[3] = {1, -3, 2}, re[2], im[2];
+       vmi_poly_roots(2, c, re, im); // 2 and 1
+
+   Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
@@ -7,8 +15,8 @@
 #include "hypot.h"
 #include "real.h"
 
-/* The step of z = (re[i], im[i]) towards a root of c[0] z^n + ... + c[n], which the other approximations repel:
-   p/p' of p over the product of the z - z_j (Ehrlich, Aberth). 0 where p is within its rounding errors of 0. */
+/* The correction of the approximate root number i: Newton's step p/p' for the polynomial divided by all z - z_j of
+   the other approximations, which keeps them from meeting. 0 where the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -36,6 +44,7 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
+/* 1 where the polynomial at the real number x is 0 within its rounding errors */
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);
@@ -47,6 +56,7 @@ VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
     return VM_FABS(p) <= (vm_real)(4 * n) * VM_EPSILON * size;
 }
 
+/* Exchanges the roots i and j. */
 VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 {
     const vm_real x = re[i], y = im[i];
@@ -56,11 +66,12 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Makes what rounding left of an imaginary part 0, and conjugate the others by twos: im > 0, then im < 0; by rising
-   |im|, real ones by falling re */
+/* Orders the roots: real ones first, from the largest to the smallest, then conjugate pairs by rising |im|, im > 0
+   before im < 0. Imaginary parts that only rounding has left become 0, and the two roots of a pair become exactly
+   conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* a double real root comes out as two this far apart */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* the distance by which rounding splits a double root */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -83,7 +94,8 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     }
 }
 
-/* The roots of c[0] z^n + ... + c[n], c[0] != 0, simple ones each to a few n eps times its condition number */
+/* The n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times its
+   condition number. */
 VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const int most_sweeps = 100;
@@ -92,7 +104,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* not symmetric about the real axis, which no step would then leave */
+    for (i = 0; i < m; i++) /* the start must not be symmetric about the real axis, else it stays so */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {

@@ -1,4 +1,12 @@
-/* base/real.h - the number type, the macros a user may set, the functions of the C library that are used */
+/* base/real.h - the number type, the macros that a user may set, the functions of the C library
+
+   Everything else is built on this file. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
+   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
+   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+
+       vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
+
+   Tests: tests/test_headers.sh, tests/test_options.sh. */
 #ifndef VARMASS_BASE_REAL_H
 #define VARMASS_BASE_REAL_H
 
@@ -21,23 +29,23 @@
 #endif
 
 #ifndef VM_API
-#define VM_API static inline /* linkage of every function, e.g. static inline __host__ __device__ */
+#define VM_API static inline /* linkage of every function; CUDA, for example, needs static inline __host__ __device__ */
 #if !defined(VM_INLINE) && defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define VM_INLINE static inline __attribute__((always_inline)) /* of what must be inlined for speed */
+#define VM_INLINE static inline __attribute__((always_inline)) /* linkage of functions that are fast only if inlined */
 #endif
 #endif
 #ifndef VM_INLINE
-#define VM_INLINE VM_API /* which is enough for the results */
+#define VM_INLINE VM_API /* slower, with the same results */
 #endif
 
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
-#define VM_C(x) x##f            /* a constant */
-#define VM_LIBM(name) name##f   /* a function of the C library */
-#define VM_TAG(tag) tag##_float /* a struct tag: a C++ program that mixes precisions has no tag twice */
+#define VM_C(x) x##f            /* the constant x as a vm_real */
+#define VM_LIBM(name) name##f   /* the function of the C library for a vm_real */
+#define VM_TAG(tag) tag##_float /* the tag of a struct: each precision has its own, so that C++ programs can mix them */
 #define VM_EPSILON FLT_EPSILON
 #define VM_MAX FLT_MAX
-#define VM_MIN FLT_MIN /* normal */
+#define VM_MIN FLT_MIN /* the smallest normal number */
 #define VM_MANT_DIG FLT_MANT_DIG
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
@@ -50,32 +58,33 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is a float, as on AVR: table lengths follow it */
+#define VM_MANT_DIG DBL_MANT_DIG /* 24 where double is as short as float (AVR); table lengths depend on it */
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
 #endif
 
-/* an array of -1 elements, and so an error, where -fsingle-precision-constant has made a constant shorter */
+/* -fsingle-precision-constant makes constants shorter than vm_real. This array then has -1 elements, which is an
+   error. */
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)
 #error "define both VM_TABLE and VM_READ, or neither: VM_READ(x) reads x, an element of a table, e.g. as (x)"
 #elif !defined(VM_TABLE) && defined(__AVR__) && defined(__GNUC__) && VM_MANT_DIG == 24
 #include <avr/pgmspace.h>
-#define VM_TABLE static const PROGMEM /* in flash, which plain reads do not see */
+#define VM_TABLE static const PROGMEM /* tables stay in flash, which an ordinary read cannot reach */
 #define VM_READ(x) pgm_read_float(&(x))
 #elif !defined(VM_TABLE)
 #define VM_TABLE static const /* storage of every table */
-#define VM_READ(x) (x)        /* an element of it, always written table[i] or table[i][j] */
+#define VM_READ(x) (x)        /* reads x, an element of a table, which is always written as table[i] or table[i][j] */
 #endif
 
-#ifndef VM_SQRT /* define all of these to use another library; the casts keep C++ from its templates */
+#ifndef VM_SQRT /* To use another library, define all four. The casts keep C++ from choosing a template. */
 #define VM_SQRT(x) VM_LIBM(sqrt)((vm_real)(x))
 #define VM_FABS(x) VM_LIBM(fabs)((vm_real)(x))
 #define VM_FLOOR(x) VM_LIBM(floor)((vm_real)(x))
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__SOFTFP__)
-#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* gcc's inline code for "x = copysign(x, y)" gives y here */
+#define VM_COPYSIGN(x, y) vmi_copysign(x, y) /* here gcc compiles "x = copysign(x, y)" to x = y */
 #else
 #define VM_COPYSIGN(x, y) VM_LIBM(copysign)((vm_real)(x), (vm_real)(y))
 #endif
@@ -86,15 +95,22 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
+/* |x| with the sign of y, which may be -0 */
 VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 {
+    const int negative = y < 0 || (y == 0 && 1 / y < 0);
     x = VM_FABS(x);
-    return y < 0 || (y == 0 && 1 / y < 0) ? -x : x;
+    if (negative) x = -x;
+    return x;
 }
 
+/* The larger and the smaller of two numbers; b where one of them is NaN */
+VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
+VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
+
+/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define VMI_APART \
-    static __attribute__((noinline, unused)) /* what is not done in every step stays out of the loop */
+#define VMI_APART static __attribute__((noinline, unused))
 #else
 #define VMI_APART VM_API
 #endif

@@ -1,4 +1,11 @@
-/* base/scalars.h - expm1, log1p, checked powers and quotients that tend to 0/0 */
+/* base/scalars.h - functions that keep their digits where the plain formula loses them
+
+   e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the limits of the C
+   library's.
+
+       vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
+
+   Tests: tests/test_lambert.c, tests/test_drum.c, tests/test_laws.c. */
 #ifndef VARMASS_BASE_SCALARS_H
 #define VARMASS_BASE_SCALARS_H
 
@@ -8,18 +15,21 @@
 #include "sums.h"
 #include "words.h"
 
-/* x^y for x >= 0, within 0.6 ulp, with the limits of pow at 0 and infinity; NaN for x < 0 */
+/* Infinity if the condition holds, else 0 */
+VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
+
+/* x^y for x >= 0 within 0.6 ulp, with the limits of the C library's pow at 0 and infinity; NaN for x < 0 */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
     if (x != x || y != y || x < 0) return VM_NAN;
     if (y == 0 || x == 1) return 1;
-    if (x == 0 || x > VM_MAX) return (y > 0) == (x > 0) ? VM_INFINITY : 0;
-    if (!VM_IS_FINITE(y)) return (y > 0) == (x > 1) ? VM_INFINITY : 0;
+    if (x == 0 || x > VM_MAX) return vmi_infinity_if((y > 0) == (x > 0));
+    if (!VM_IS_FINITE(y)) return vmi_infinity_if((y > 0) == (x > 1));
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
-/* e^y - 1 in two words: within 2^-(p+4) (1 + e^y), p the type's digits; relative to the result below 2^-p for small
-   y. Infinity where it overflows */
+/* e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real; for small
+   y it is below 2^-p of the result. Infinity where the result overflows. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -28,18 +38,20 @@ VM_API vm_two vmi_expm1(vm_two y)
     vm_two sum, power;
     int k;
     if (y.hi > largest) return vmi_two(VM_INFINITY, 0);
-    if (!(y.hi > least)) return vmi_two(y.hi == y.hi ? -1 : y.hi, 0);
+    if (y.hi != y.hi) return vmi_two(y.hi, 0);
+    if (!(y.hi > least)) return vmi_two(-1, 0);
     p = vmi_exp_core(y.hi, y.lo, &k, &p_lo);
     if (k == 0) return vmi_two(p, p_lo);
     sum = vmi_fast_two_sum(1, p);
     power = vmi_fast_two_sum(sum.hi, sum.lo + p_lo);
     power = vmi_two(vmi_ldexp(power.hi, k), vmi_ldexp(power.lo, k));
     sum = vmi_two_sum(power.hi, -1);
-    return VM_IS_FINITE(power.hi) ? vmi_fast_two_sum(sum.hi, sum.lo + power.lo) : vmi_two(power.hi, 0);
+    if (!VM_IS_FINITE(power.hi)) return vmi_two(power.hi, 0);
+    return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
 }
 
-/* ln(1 + x) in two words, for -1 < x < 1e299 (float 1e34; NaN beyond): relative error below 2^-(p+7), p the type's
-   digits. 1 + x = y (1 + t) with y one word: ln y has it, and t is below an ulp of 1 */
+/* ln(1 + x) in two words for -1 < x < 1e299 (float 1e34), NaN beyond. The relative error is below 2^-(p+7), where p
+   is the number of digits of vm_real. 1 + x = y (1 + t), where y is one word and t is below an ulp of 1. */
 VM_API vm_two vmi_log1p(vm_two x)
 {
     const vm_two sum = vmi_two_sum(1, x.hi), low = vmi_two_sum(sum.lo, x.lo);
@@ -48,21 +60,25 @@ VM_API vm_two vmi_log1p(vm_two x)
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
 }
 
-/* (e^x - 1)/x and ln(1 + x)/x, 1 at x = 0, within 2 eps */
+/* (e^x - 1)/x within 2 eps, 1 at x = 0 */
 VM_API vm_real vmi_exp_ratio(vm_real x)
 {
     if (x > VM_MAX) return x;
-    return x == 0 ? 1 : vmi_expm1(vmi_two(x, 0)).hi / x;
+    if (x == 0) return 1;
+    return vmi_expm1(vmi_two(x, 0)).hi / x;
 }
 
+/* ln(1 + x)/x within 2 eps, 1 at x = 0, NaN for x <= -1 */
 VM_API vm_real vmi_log_ratio(vm_real x)
 {
     if (!(x > -1) || !VM_IS_FINITE(x)) return VM_NAN;
-    return x == 0 ? 1 : vmi_log1p(vmi_two(x, 0)).hi / x;
+    if (x == 0) return 1;
+    return vmi_log1p(vmi_two(x, 0)).hi / x;
 }
 
-/* (x - y)/x^2 with y = ln(1 + x), both given: in two words for |x| >= 1/4, but for what the words of x and y lose in
-   the difference; below that within 2 ulp, by x = 2u/(1 - u), ln(1 + x) = 2 u + 2 u^3 P(u^2), |u| <= 1/7 */
+/* (x - y)/x^2, where y = ln(1 + x) is given with x. For |x| >= 1/4 it is a quotient in two words, whose error is that
+   of x and y, amplified by the subtraction. For smaller |x| it is within 2 ulp, by the series of ln((1 + u)/(1 - u))
+   with u = x/(2 + x), |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
 #if VM_MANT_DIG > 24

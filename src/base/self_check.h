@@ -1,16 +1,26 @@
-/* base/self_check.h - whether this compiler and processor keep the rules of floating-point arithmetic */
+/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
+   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds the others when the
+   program runs: it computes a few numbers whose results show whether sums keep their order, whether results are
+   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+
+       if (!vm_self_check()) return 1; // once, when the program starts
+
+   Tests: tests/test_options.sh. */
 #ifndef VARMASS_BASE_SELF_CHECK_H
 #define VARMASS_BASE_SELF_CHECK_H
 
 #include "real.h"
 #include "sums.h"
 
-/* Whether sums keep their order, as two-word arithmetic needs, and "+ 0" rounds a product. eps: of vm_real */
+/* Whether sums are computed in the order in which they are written, as arithmetic in two words needs, and whether
+   adding 0 rounds a product. eps is VM_EPSILON; split is VM_SPLIT, by which a number is cut into two halves. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
     const vm_two sum = vmi_two_sum(one, eps / 4), other = vmi_two_sum(eps / 4, -one);
-    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* of a sum whose first term is the larger */
+    const vm_real hi = vmi_rounded(third + eps), lo = (third - hi) + eps; /* Dekker's sum of third and eps */
     const vm_real scaled = vmi_rounded(split * above + 0), rest = vmi_rounded(scaled - above), head = scaled - rest;
     const vm_real to_integer = VM_C(1.5) / eps, shifted = vmi_rounded(third + to_integer);
     const vm_real product = vmi_rounded(third * above + 0);
@@ -19,8 +29,8 @@ VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
            head == one && above - head == eps && shifted - to_integer == 0 && product - stored == 0;
 }
 
-/* Whether quotients and roots are rounded to nearest. Where a compiler divides by way of a reciprocal, some of the
-   quotients here that should be 1 become 1 - eps/2. */
+/* Whether quotients and square roots are rounded to the nearest number. A compiler that multiplies by a reciprocal
+   instead of dividing gets 1 - eps/2 for some of the quotients here that are 1. */
 VM_API int vmi_divides(vm_real one)
 {
     const vm_real root_of_2 = VM_C(1.4142135623730950488);
@@ -33,7 +43,8 @@ VM_API int vmi_divides(vm_real one)
     return right && VM_SQRT(49 * one) == 7 && vmi_rounded(VM_SQRT(2 * one)) == root_of_2 && VM_FLOOR(-one / 2) == -1;
 }
 
-/* Whether one + eps is rounded to nearest, to even in the middle, and kept no longer than vm_real */
+/* Whether sums next to 1 are rounded to the nearest number, in the middle between two to the even one, and are not
+   kept with more digits than vm_real has */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -42,7 +53,7 @@ VM_API int vmi_rounds(vm_real one, vm_real eps)
            minus_above + one == -eps;
 }
 
-/* Whether there are NaN, infinity, -0 and numbers below VM_MIN */
+/* Whether NaN, infinity, -0 and the subnormal numbers below VM_MIN exist and compare as they should */
 VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
 {
     const vm_real nan = infinity - infinity, minus_zero = -zero, subnormal = smallest / 8;
@@ -52,9 +63,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* 1 if this compiler, with its options and pragmas, and the processor's modes keep the arithmetic that these headers
-   are made for: sums in their order, correct rounding, NaN, -0, subnormal numbers. 0: results are wrong, as by
-   options of clang that its macros do not show. Costs nothing unless called; a program may call it when it starts. */
+/* Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong. It returns
+   0, for example, with options of clang that its macros do not show, with another rounding mode, or where the
+   processor takes subnormal numbers for zero. It takes about 100 operations; call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;

@@ -1,14 +1,23 @@
-/* base/sums.h - exact sums: numbers in two words */
+/* base/sums.h - sums without rounding error, numbers in two words
+
+   A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
+   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+
+       vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
+
+   Tests: tests/test_jacobi.c, tests/test_headers.sh. */
 #ifndef VARMASS_BASE_SUMS_H
 #define VARMASS_BASE_SUMS_H
 
 #include "real.h"
 
+/* The number hi + lo, where |lo| is at most half an ulp of hi */
 typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
-} vm_two; /* hi + lo, |lo| <= ulp(hi)/2 */
+} vm_two;
 
-/* x without the excess precision in which x87 units compute, and gcc in gnu modes keeps it */
+/* x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps them in
+   variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -19,7 +28,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* a + b exactly (Knuth) */
+/* a + b as an exact pair (Knuth) */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -30,7 +39,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* a + b exactly, for |a| >= |b| (Dekker) */
+/* a + b as an exact pair, for |a| >= |b| (Dekker) */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -39,6 +48,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
+/* The pair hi, lo as it is */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;

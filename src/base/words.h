@@ -1,4 +1,12 @@
-/* base/words.h - products, quotients and roots in two and three words */
+/* base/words.h - products, quotients and roots with two and three times the digits
+
+   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
+   number in three words (vmi_three, hi + mid + lo) three times. p is the number of digits of vm_real, 53 or 24 bits.
+   Errors are relative to the result of a product, quotient or root, and to the larger term of a sum.
+
+       vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
+
+   Source: Dekker, Numer. Math. 18 (1971). Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_WORDS_H
 #define VARMASS_BASE_WORDS_H
 
@@ -6,15 +14,17 @@
 #include "real.h"
 #include "sums.h"
 
-/* a b exactly, for |a|, |b| < VM_MAX/VM_SPLIT whose product neither over- nor underflows: by a fused multiply-add
-   where that is an instruction, else by Dekker's and Veltkamp's splitting, with the same result. "+ 0" makes a
-   product a sum, so that a compiler that contracts cannot put the unrounded product into a later sum. */
+/* Multiplying by this number and subtracting cuts a vm_real into two halves of p/2 digits each (Veltkamp). */
 #if VM_MANT_DIG > 24
 #define VM_SPLIT VM_C(134217729.0)
 #else
 #define VM_SPLIT VM_C(4097.0)
 #endif
 
+/* a b as an exact pair, for |a|, |b| < VM_MAX/VM_SPLIT, if the product neither overflows nor underflows. A fused
+   multiply-add gives it where the processor has one; else both factors are split into halves, with the same result.
+   "+ 0" makes a product a sum, so that a compiler that fuses operations cannot put the unrounded product into a later
+   sum. */
 VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 {
     vm_two p;
@@ -30,44 +40,46 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* x = 4k quarters + *quarter quarters + rest, where the quarter period is q.hi + q.lo > 0 and x >= 0: returns the
-   rest in two words, |rest| <= q/2 but for a rounding, accurate to 2^-(2p) x. From 2^(p-1) quarters on the argument
-   holds no phase: rest 0, quarter 0. */
+/* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
+   apart from rounding, with an error of 2^-(2p) x, and in *quarter this multiple modulo 4. Beyond 2^(p-1) quarter
+   periods the digits of x say nothing about the phase: then both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
-    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* room for the splitting */
+    const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the product from overflowing */
     vm_two p;
     *quarter = 0;
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
     *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
     p = vmi_two_product(j, q.hi * scale);
-    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* the difference is exact */
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi has no rounding error */
     p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
     return vmi_two(p.hi / scale, p.lo / scale);
 }
 
-/* x without the second half of its digits */
+/* x with the second half of its digits set to zero */
 VM_API vm_real vmi_head(vm_real x)
 {
     const vmi_bits above = (vmi_bits)1 << ((VM_MANT_DIG + 1) / 2);
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* Product, sum and quotient of numbers in two words: error below 2^-(2p - 4), relative to the result or the terms */
+/* The product x y of two words each; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
+/* The sum x + y of two words each; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
+/* The quotient x / y of two words each; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -75,12 +87,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* Numbers in three words, hi + mid + lo, each below an ulp of the one before it; the relative error of an operation
-   is below 2^-(3p - 4) */
+/* The number hi + mid + lo, where each word is below an ulp of the word before it. The relative error of each
+   operation below is less than 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
+/* a + b + c as a number in three words, for |a| >= |b| >= |c| or nearly so */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -91,6 +104,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
+/* x + y */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -98,6 +112,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
+/* x y */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -107,6 +122,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
+/* x / y by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -118,15 +134,16 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
+/* x^4 */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* x times a power of two */
+/* x times a power of two, without rounding */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a: one of one word, each of two corrections brings another */
+/* The square root of a: the root of the first word and two corrections by Newton's method, each of which adds a word */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -139,7 +156,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* pi/2, words 0, 1 and 2 */
+/* pi/2 in three words */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -151,33 +168,42 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* a - root^2 */
+/* a - root^2 without loss of digits, for root = sqrt(a) rounded */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The square root of a + a_lo */
+/* The square root of a + a_lo in two words, where a_lo is below an ulp of a */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
     const vm_real root = vmi_rounded(VM_SQRT(a));
     return vmi_two(root, (vmi_root_residual(a, root) + a_lo) / (2 * root));
 }
 
+/* x, or the bound that it lies beyond; NaN stays NaN */
 VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
 {
-    const vm_real below = x > high ? high : x;
-    return below < low ? low : below;
+    if (x > high) x = high;
+    if (x < low) x = low;
+    return x;
 }
 
-/* x times a power of two; x - y */
+/* x times a power of two, without rounding */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
+
+/* x - y */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* For x >= 0 and not below 2^-500 (float 2^-80), where the low word is lost */
-VM_API vm_two vmi_two_root(vm_two x) { return x.hi > 0 ? vmi_root(x.hi, x.lo) : vmi_two(0, 0); }
+/* The square root of x >= 0. Below 2^-500 (float 2^-80) the low word is lost. */
+VM_API vm_two vmi_two_root(vm_two x)
+{
+    if (x.hi > 0) return vmi_root(x.hi, x.lo);
+    return vmi_two(0, 0);
+}
 
+/* -x */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -185,6 +211,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
+/* x / 2 */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -192,6 +219,7 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
+/* x times factor, a number of one word */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);

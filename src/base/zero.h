@@ -1,18 +1,23 @@
-/* base/zero.h - a zero of a function between two bounds */
+/* base/zero.h - a zero of a function between two points where its signs differ
+
+       vm_real x = vmi_find_zero(f, ctx, 0, 2, f(0, ctx), f(2, ctx));
+
+   Tests: tests/test_jeffcott.c, tests/test_diagnostics.c. */
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
 #include "real.h"
 
-/* The zero of f in [a, b], where it has the values fa, fb of opposite signs: regula falsi whose standing end is
-   halved (Illinois), a bisection wherever that does not halve the interval in three steps; to the resolution of x
-   */
+/* The zero of f between a and b, as exact as x can be, where fa = f(a) and fb = f(b) have opposite signs. Method: the
+   secant through the ends of the interval, where the value at an end that has stayed twice is halved (Illinois), and
+   a bisection after every fourth step that has not made the interval eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
     vm_real width = VM_FABS(b - a);
     int i, side = 0;
-    if (fa == 0 || fb == 0) return fa == 0 ? a : b;
+    if (fa == 0) return a;
+    if (fb == 0) return b;
     for (i = 1; i < 3 * VM_MANT_DIG + 60; i++) {
         vm_real x = a - fa * ((b - a) / (fb - fa)), fx;
         if (i % 4 == 0) {
@@ -38,7 +43,8 @@ VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
             side = -1;
         }
     }
-    return VM_FABS(fa) < VM_FABS(fb) ? a : b;
+    if (VM_FABS(fa) < VM_FABS(fb)) return a;
+    return b;
 }
 
 #endif

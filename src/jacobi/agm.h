@@ -1,4 +1,13 @@
-/* jacobi/agm.h - the arithmetic-geometric mean */
+/* jacobi/agm.h - the arithmetic-geometric mean and the quarter period from it
+
+   a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic and their geometric mean. Both
+   tend to the same limit, agm(1, k'), and K = pi/(2 agm(1, k')). The number of right digits doubles in each step.
+   Here the mean is computed in one, two and three words: in one for comparison (jacobi/descending.h), in two and
+   three to reduce arguments next to a zero of an elliptic function (jacobi/reduction.h).
+
+       vmi_three K = vmi_K_three_words(VM_C(0.7), 0); // K(0.3) with three times the digits
+
+   Equations: DLMF 19.8. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_AGM_H
 #define VARMASS_JACOBI_AGM_H
 
@@ -6,18 +15,21 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* 1 - m < 0, NaN or infinite */
+/* 1 where no elliptic function has the complementary parameter m1 = 1 - m: negative, NaN or infinite */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
-#define VMI_LADDER 16 /* levels; 13 are needed at m1 = 5e-324 */
 
+/* Levels of the ladder below; the smallest m1 > 0, 5e-324, needs 13. */
+#define VMI_LADDER 16
+
+/* The numbers a_n, b_n of all steps, from which sn, cn, dn are computed step by step back */
 typedef struct VM_TAG(vmi_ladder) {
-    int n;                                /* last level */
+    int n;                                /* the last level */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 of the last level */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 at the last level */
 } vmi_ladder;
 
-/* agm(1, b0) climbed until k_n^2 = (c_n/a_n)^2 <= eps/4, or for so many steps: there sn differs from sin by at most
-   eps/60, and a_n from its limit by c_n^2/(4 a_n) <= eps/16 a_n. b0 > 0, finite. */
+/* Computes agm(1, b0), b0 > 0 and finite, in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4: there sn
+   differs from the sine by at most eps/60, and a_n from the limit by at most eps/16 of it. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -33,14 +45,16 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
     l->n = n;
 }
 
-/* K in three words, for plans and for arguments next to a multiple of it: relative error < 2^-(3p - 12) */
+/* K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0. Plans need it, and
+   arguments next to a multiple of K. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
-    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* keeps the square of b from under- and overflow */
-    const vm_real lift = m1 < tiny ? 1 / tiny : m1 > 1 / tiny ? VM_EPSILON : 1;
-    vmi_three a = vmi_three_words(1, 0, 0);
-    vmi_three b = vmi_three_sqrt(vmi_three_words(m1 * lift * lift, m1_lo * lift * lift, 0));
-    vm_real c;
+    const vm_real tiny = VM_EPSILON * VM_EPSILON;
+    vm_real lift = 1, c; /* lift keeps the square root's words from underflow and overflow */
+    vmi_three a = vmi_three_words(1, 0, 0), b;
+    if (m1 < tiny) lift = 1 / tiny;
+    if (m1 > 1 / tiny) lift = VM_EPSILON;
+    b = vmi_three_sqrt(vmi_three_words(m1 * lift * lift, m1_lo * lift * lift, 0));
     b = vmi_three_scaled(b, 1 / lift);
     do {
         const vmi_three sum = vmi_three_plus(a, b);
@@ -51,17 +65,20 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-/* agm(1, k') = pi/(2K) in two words until the last step is a series: agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ..),
-   x = (c/s)^2, which leaves a relative error of x eps/8 < 2^-85 (float 2^-41), and less than an eighth of an eps of
-   sn, cn, dn/k', whose slope in u is max(1, k'). m1 > 0. */
+/* agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is the series agm(s + c, s - c) =
+   s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2. It leaves a relative error of x eps/8 < 2^-85 (float 2^-41). For the
+   argument u this changes sn, cn and dn/k', whose slope is at most max(1, k'), by less than eps/8. */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    const vm_real lift = m1 < tiny ? 1 / tiny : 1; /* keeps the square of the root from underflow */
-    const vm_two root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
-    const vm_two kp = vmi_two(root.hi / lift, root.lo / lift);
-    const vm_real slope = kp.hi > 1 ? kp.hi : 1;
-    vm_two a = vmi_two_sum(1, kp.hi), b = vmi_root(kp.hi, kp.lo), p;
+    vm_real lift = 1, slope; /* lift keeps the square root's words from underflow */
+    vm_two root, kp, a, b, p;
+    if (m1 < tiny) lift = 1 / tiny;
+    root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
+    kp = vmi_two(root.hi / lift, root.lo / lift);
+    slope = vmi_larger(kp.hi, 1);
+    a = vmi_two_sum(1, kp.hi);
+    b = vmi_root(kp.hi, kp.lo);
     a = vmi_two(a.hi / 2, (a.lo + kp.lo) / 2);
     for (;;) {
         const vm_real c = ((a.hi - b.hi) + (a.lo - b.lo)) / 2;

@@ -1,4 +1,8 @@
-/* jacobi/amplitude.h - the amplitude am */
+/* jacobi/amplitude.h - the amplitude am, the angle whose sine is sn
+
+       vm_real angle = jacobi_am(VM_C(1.2), VM_C(0.3)); // sin(angle) = sn(1.2 | 0.3)
+
+   DLMF 22.16. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_AMPLITUDE_H
 #define VARMASS_JACOBI_AMPLITUDE_H
 
@@ -10,9 +14,9 @@
 #include "integrals.h"
 #include "theta.h"
 
-/* Jacobi's amplitude: sn = sin am, cn = cos am; continuous, odd, rising (but for 4 ulp), am(u + 2K) = am(u) + pi.
-   Radians, within 8 ulp for |u| <= 100 K. */
-/* j pi + atan(sn/cn), j the multiple of 2K next to u */
+/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. It is odd, continuous and rising
+   (apart from 4 ulp), and am(u + 2K) = am(u) + pi. Within 8 ulp for |u| <= 100 K. NaN for m > 1 and for infinite
+   arguments. Method: j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -27,7 +31,10 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
     j = VM_FLOOR(turns + VM_C(0.5));
     if (!(2 * j < 1 / VM_EPSILON)) return u / K * half_pi.hi;
     odd = j - 2 * VM_FLOOR(j / 2);
-    if ((odd > 0) != (theta.c < 0)) j += turns > j ? 1 : -1; /* next to an odd multiple of K cn knows better */
+    if ((odd > 0) != (theta.c < 0)) { /* next to an odd multiple of K the sign of cn decides */
+        if (turns > j) j += 1;
+        else j -= 1;
+    }
     am = vmi_arctan(VM_FABS(theta.s), VM_FABS(theta.c));
     if ((theta.s < 0) != (theta.c < 0)) am = -am;
     p = vmi_two_product(j, 2 * half_pi.hi);

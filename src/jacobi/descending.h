@@ -1,4 +1,11 @@
-/* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean, for comparison */
+/* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
+
+   The classical method, in which the number of steps shows what accuracy costs. jacobi_sncndn is faster and more
+   accurate; this is for comparison and teaching.
+
+       jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
+
+   Source: DLMF 19.8; Bulirsch, Numer. Math. 7 (1965). Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_DESCENDING_H
 #define VARMASS_JACOBI_DESCENDING_H
 
@@ -8,9 +15,10 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* Down the ladder by Gauss' transformation in homogeneous form, sn : cn : dn : 1 = s : c : d : q,
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     (a+ = a_(n+1))
-   from sin and cos of the phase a_n u. No difference occurs, for m < 0 neither. */
+/* Goes back through the steps of the mean by Gauss' transformation, from the sine and cosine of the phase a_n u. The
+   functions are quotients, sn : cn : dn : 1 = s : c : d : q, and each step is
+     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a+ = a_(n+1).
+   No subtraction occurs, also for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
     int n;
@@ -26,9 +34,10 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* The same functions by the arithmetic-geometric mean [1, 2], steps of the ladder counted: fewer cost less and give
-   less (at least one); from VMI_LADDER - 1 on it climbs as far as the type needs. m < 1. The phase is reduced in two
-   words of pi/2, not of K, so that the error grows with |u|: 3 eps M (1 + M |u|), M = max(1, k'), for |u| <= 5K. */
+/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
+   cost less and are less accurate; from 15 steps on it takes as many as the type needs. The error then is 3 eps M (1
+   + M |u|) with M = max(1, k') for |u| <= 5K: it grows with |u|, since the argument is reduced by pi/2 and not by K.
+   NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -41,14 +50,24 @@ VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_r
     vmi_agm(&l, kp, steps);
     phase = vmi_reduce(l.a[l.n] * VM_FABS(u), vmi_two(half_pi.hi, half_pi.mid), &quarter).hi;
     vmi_descend(&l, phase, &s, &c, &d, &q);
-    *sn = quarter & 1 ? c / d : s / q;
-    *cn = quarter & 1 ? -kp * s / d : c / q;
-    *dn = quarter & 1 ? kp * q / d : d / q;
-    if (quarter & 2) *cn = -*cn;
-    if ((quarter & 2 ? -1 : 1) * VM_COPYSIGN((vm_real)1, u) < 0) *sn = -*sn;
+    if (quarter & 1) {
+        *sn = c / d;
+        *cn = -kp * s / d;
+        *dn = kp * q / d;
+    } else {
+        *sn = s / q;
+        *cn = c / q;
+        *dn = d / q;
+    }
+    if (quarter & 2) {
+        *sn = -*sn;
+        *cn = -*cn;
+    }
+    *sn *= VM_COPYSIGN((vm_real)1, u);
 }
 
-/* Documented with jacobi_agm_sncndn. */
+/* K(m) by the arithmetic-geometric mean, for m <= 1.
+   Within 3 eps. Infinite at m = 1; NaN for m > 1 and infinite m. */
 VM_API vm_real jacobi_agm_K(vm_real m)
 {
     vmi_ladder l;

@@ -1,4 +1,11 @@
-/* jacobi/means.h - mean values of powers of cn */
+/* jacobi/means.h - mean values of cn^2, cn^4 and cn^6 over a period
+
+   Averaged equations of oscillators with a cubic spring need these means: equations (383), (384), (408).
+
+       vm_real C2, C4, C6;
+       jacobi_cn_means(VM_C(0.5), &C2, &C4, &C6);
+
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MEANS_H
 #define VARMASS_JACOBI_MEANS_H
 
@@ -9,13 +16,13 @@
 #include "integrals.h"
 #include "modulus.h"
 
-/* From the nome q of m, |q| <= 0.1, where the recurrences of (384), (408) divide 0 by 0: with d = 1/2 - C2 = q S,
-   m = 16 q R, both recurrences are divided by m on paper. */
+/* The means from the nome q of m, |q| <= 0.1. The recurrences (384), (408) would divide 0 by 0 at m = 0; here both
+   are divided by m on paper, with 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
-    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y)),
-                  high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
+    const vm_real low = -2 + y * (6 + y * (-16 + 37 * y));
+    const vm_real high = -78 + y * (158 + y * (-312 + y * (594 - 1090 * y)));
     const vm_real series = low + (y * y) * (y * y) * high;             /* (S - 1)/q^2 */
     const vm_real S = 1 + y * series, d = q * S, delta = S / (16 * R); /* d/m */
     const vm_real eta = (loss + q * series) / (256 * R * R);           /* (delta - 1/16)/m */
@@ -24,7 +31,7 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* (383), (384), (408), from K and E in two words, for 1 - m = c < 1/2; l = ln(4/k') */
+/* The means by (383), (384), (408) from K and E in two words, for 1 - m = c < 1/2 and l = ln(4/k') */
 VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real m = 1 - c;
@@ -34,20 +41,23 @@ VM_API void vmi_means_from_K(vm_real c, vm_two l, vm_real *C2, vm_real *C4, vm_r
     *C6 = (4 * (m - c) * *C4 + 3 * c * *C2) / (5 * m);
 }
 
-/* Means of cn^2, cn^4 and cn^6 over a period, (383), (384), (408). */
+/* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. Within 8 ulp. 0 at m = 1, where the period is
+   infinite; NaN for m > 1 and infinite m. Equations (383), (384), (408). */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
-    *C2 = *C4 = *C6 = vmi_refused(m1.hi) ? VM_NAN : 0;
-    if (vmi_refused(m1.hi) || m1.hi == 0) return;
+    *C2 = *C4 = *C6 = VM_NAN;
+    if (vmi_refused(m1.hi)) return;
+    *C2 = *C4 = *C6 = 0;
+    if (m1.hi == 0) return;
     if (m1.hi >= VM_C(0.5) && m1.hi <= 5) {
         const vm_real root = VM_SQRT(m1.hi), fourth = VM_SQRT(root);
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        vmi_means_from_K(m1.hi < 1 ? m1.hi : 1 / m1.hi, vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
+        vmi_means_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo), C2, C4, C6);
         if (m1.hi < 1) return;
-        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* cn(u | m) = cd(k'u | mu), of sn's means */
+        *C6 = 1 - 3 * *C2 + 3 * *C4 - *C6; /* for m < 0 cn(u | m) = cd(k'u | mu), whose means are those of sn */
         *C4 = 1 - 2 * *C2 + *C4;
         *C2 = 1 - *C2;
     }

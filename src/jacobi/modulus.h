@@ -1,4 +1,12 @@
-/* jacobi/modulus.h - the parameter from K or from k' K */
+/* jacobi/modulus.h - the parameter m from the quarter period
+
+   Solves K(m) = c and k' K(m) = c for m. The second is equation (307), which gives the Jacobi function whose period
+   is that of a strongly nonlinear oscillator. Both have one solution for each c > 0.
+
+       vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
+
+   Method: Newton's method for the logarithm of the nome; in the middle a fixed-point iteration for the nome itself.
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
@@ -7,8 +15,9 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* m = 16 q R, R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4, from (1 - R)/q, which rounds less; |q| <= 0.1. With
-   b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
+/* (1 - R)/q for |q| <= 0.1, where m = 16 q R and R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. This form loses no digits
+   for small q. With b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3, (1 - b)/q = (2 - q + 2 q^3 - q^5 + 2 q^8 -
+   q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
     const vm_real y = q * q, y2 = y * y, theta3 = 1 + 2 * (q + y2 * (1 + y2 * q));
@@ -16,14 +25,15 @@ VM_API vm_real vmi_theta_loss(vm_real q)
     return rho * ((1 + b) * (1 + b * b));
 }
 
-/* A parameter by its nome q, which is that of m where circular, else exp(-L - L_lo) and that of 1 - m, or where
-   upside that of 1/(1 - m) */
+/* A parameter m, given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
-    int circular, upside;
-    vm_real q, L, L_lo;
+    int circular;        /* 1: q is the nome of m */
+    int upside;          /* for circular = 0; 0: q is the nome of 1 - m, 1: of 1/(1 - m) */
+    vm_real q, L, L_lo;  /* the nome; for circular = 0 it is exp(-L - L_lo) */
 } vmi_solution;
 
-/* theta_4(q)^2 = 2 c/pi: the nome of k'K = c, minus that of K = c, for c within K(-1) and K(1/2) */
+/* The nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of k' K = c, and -q that of K
+   = c. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -31,15 +41,16 @@ VM_API vm_real vmi_solve_middle(vm_real c)
     const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4)/2 = q - q^4 + q^9 */
     vm_real q = start;
     int i;
-    for (i = 0; i < 6; i++)
-        q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q); /* each 3 digits more */
+    for (i = 0; i < 6; i++) /* each step adds 3 digits */
+        q = start + vmi_fourth_power(q) * (1 - vmi_fourth_power(q) * q);
     return q;
 }
 
-#define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5)) /* Newton's next step is below an eps */
+/* After a step of Newton's method that is shorter than this the error is below eps. */
+#define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* L = -ln q with K = L theta_3(q)^2/2 = c, c >= K(1/2): Newton's method for lambda = 2c - L = 2c (1 - theta_3^-2),
-   0 <= lambda < 0.57, from 0, where seven steps do */
+/* L = -ln q for c >= K(1/2), where K = L theta_3(q)^2/2 = c. Newton's method for lambda = 2c - L = 2c (1 -
+   theta_3^-2), 0 <= lambda < 0.57, starts at 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -56,15 +67,16 @@ VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
     s->L_lo = L.lo;
 }
 
-/* ln(1 + x), 0 <= x < 0.0019 */
+/* ln(1 + x) for 0 <= x < 0.0019 by its series */
 VM_API vm_real vmi_small_log(vm_real x)
 {
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* L with k'K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, 0 < c <= K(-1): Newton's method for
+/* L = -ln q for 0 < c <= K(-1), where k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c. Newton's method for
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
-   convex and rising, from above the root, where seven steps do; the last residual in two words */
+   whose left side is convex and rising. It starts above the solution and needs at most seven steps. The residual is
+   computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -85,8 +97,9 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* The parameter with k'K = c > 0, or with K = c: k'K of m is K of m/(m - 1), whose complement is 1/(1 - m). From
-   c = 1000 on 1 - m is 0 or infinite in double precision, in single precision before. */
+/* The parameter with k' K = c, or with K = c where inverse_of_K is 1, for c > 0. Both are one problem, since k' K(m)
+   is K(m/(m - 1)). For c > 1000 (float: much earlier) 1 - m underflows to 0 or overflows, so that c = 1000 serves for
+   all. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1), K(1/2) */
@@ -95,8 +108,10 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     s.circular = c >= least && c <= most;
     s.upside = (c > most) != inverse_of_K;
     s.q = s.L = s.L_lo = 0;
-    if (s.circular) s.q = inverse_of_K ? -vmi_solve_middle(c) : vmi_solve_middle(c);
-    else {
+    if (s.circular) {
+        s.q = vmi_solve_middle(c);
+        if (inverse_of_K) s.q = -s.q;
+    } else {
         if (c > most) vmi_solve_high(c, &s);
         else vmi_solve_low(c, &s);
         s.q = vmi_exp(-s.L, -s.L_lo);
@@ -104,7 +119,7 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* 1 - m; 16 q and 1/(16 q) as exponentials, since q may underflow where they do not */
+/* 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials, since q may underflow where they do not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -114,16 +129,19 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     if (s->circular) return 1 - 16 * s->q * ratio;
     sum = vmi_two_sum(4 * ln2.hi, -s->L);
     sum = vmi_fast_two_sum(sum.hi, sum.lo + (4 * ln2.lo - s->L_lo));
-    return s->upside ? vmi_exp(-sum.hi, -sum.lo) / ratio : vmi_exp(sum.hi, sum.lo) * ratio;
+    if (s->upside) return vmi_exp(-sum.hi, -sum.lo) / ratio;
+    return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
+/* m of the solution */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));
     return 1 - vmi_solution_m1(s);
 }
 
-/* The modulus solver: the one m (or m1) with k'K(k^2) = c, for any c >= 0; m < 0 for c > pi/2. */
+/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m < 0 for c > pi/2, m = 1 for c = 0. Within
+   8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -133,7 +151,8 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* Documented with jacobi_solve_kpK. */
+/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits.
+   c >= 0; NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -143,7 +162,8 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* Documented with jacobi_solve_K. */
+/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits.
+   c >= 0, infinite for c = 0; NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
@@ -153,7 +173,9 @@ VM_API vm_real jacobi_solve_K_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The inverse of K: the one m (or m1) with K(m) = c, for any c >= 0; m < 0 for c < pi/2. */
+/* The parameter m whose quarter period K(m) is c, for c >= 0: the inverse of jacobi_K.
+   m < 0 for c < pi/2, -infinity for c = 0. Within 8 ulp of m, or of 1 - m where that is smaller. NaN for c < 0 and
+   infinite c. */
 VM_API vm_real jacobi_solve_K(vm_real c)
 {
     vmi_solution s;

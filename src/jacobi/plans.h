@@ -1,4 +1,13 @@
-/* jacobi/plans.h - sn, cn, dn for many arguments and one parameter */
+/* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
+
+   A plan holds what depends on m alone: the quarter period in pieces and polynomials in place of the series. Each
+   call then takes about two sines; arrays take half of one where the compiler vectorises the loop. A plan is plain
+   data: it may be copied, and it may be a constant in flash.
+
+       jacobi_plan p;
+       if (jacobi_plan_init(&p, VM_C(0.3)) == 0) jacobi_plan_sncndn(&p, VM_C(1.2), &sn, &cn, &dn);
+
+   Tests: tests/test_jacobi.c, tests/test_plans.sh. Example: examples/jacobi_plan.c. */
 #ifndef VARMASS_JACOBI_PLANS_H
 #define VARMASS_JACOBI_PLANS_H
 
@@ -12,15 +21,16 @@
 #include "reduction.h"
 #include "theta.h"
 
+/* One parameter m, prepared by jacobi_plan_init. Fields that the form does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* near 0, by a and b; or one of two forms of theta functions; what is not used is 0 */
+    int form;            /* VMI_NEAR_FORM, which uses a and b, or VMI_HYPERBOLIC or VMI_RECIPROCAL, which use theta */
     vm_real m1;          /* 1 - m */
-    vm_real K[4], per_K; /* the quarter period in short pieces and a last word (0 at m = 1), and 1/K */
+    vm_real K[4], per_K; /* the quarter period in three short pieces and a last word (0 at m = 1), and 1/K */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of polynomials in u^2 */
-    vmi_theta_form theta;               /* k' is there in any case */
+    vmi_theta_form theta;               /* the field kp, k', is there in every form */
 } jacobi_plan;
 
-/* p(y) = 1 + c_1 y + c_2 y^2 + ... */
+/* 1 + c[0] y + c[1] y^2 + ..., VMI_TERMS terms */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -32,10 +42,11 @@ VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
     return 1 + y * (low + y4 * high);
 }
 
-enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 }; /* what is left out is below eps/500 at a plan's K/2 */
+/* Terms of the series from which a plan's polynomials are made; the terms that are left out are below eps/500 at K/2 */
+enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
-/* The polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^.. by one of degree VMI_TERMS, for 0 <= t <= 1: its highest
-   power is time and again replaced by what Chebyshev's polynomial of that degree has below it */
+/* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by one of degree VMI_TERMS for 0 <= t
+   <= 1. Each step removes the highest power by subtracting a multiple of Chebyshev's polynomial of that degree. */
 VM_API void vmi_shorten(vm_real *c)
 {
     int n, k;
@@ -48,7 +59,8 @@ VM_API void vmi_shorten(vm_real *c)
     }
 }
 
-/* The series of a = theta cs^2(w) and of its kin -theta d(cs^2)/d theta, at w = v/2, in powers of v^2 <= longest^2 */
+/* Fills p->a and p->b: the coefficients of w^2 cs^2(w) and of -theta d(cs^2)/d theta, theta = w^2, at w = v/2 in
+   powers of v^2, for |v| <= longest */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -70,6 +82,7 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
+/* Prepares 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -83,25 +96,31 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
         vmi_pieces(K, p->K);
         p->per_K = 1 / K.hi;
     }
-    is_near = m1 > 0 && K.hi * K.hi / 4 * (m1 > 1 ? m1 : 1) <= VMI_NEAR;
-    p->form = is_near ? VMI_NEAR_FORM : m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
-    if (is_near) vmi_plan_prepare(p, K.hi / 2);
-    else vmi_far_prepare(&p->theta, m1, m1_lo);
+    is_near = m1 > 0 && K.hi * K.hi / 4 * vmi_larger(m1, 1) <= VMI_NEAR;
+    if (is_near) {
+        p->form = VMI_NEAR_FORM;
+        vmi_plan_prepare(p, K.hi / 2);
+    } else {
+        p->form = m1 < 1 ? VMI_HYPERBOLIC : VMI_RECIPROCAL;
+        vmi_far_prepare(&p->theta, m1, m1_lo);
+    }
     return 0;
 }
 
-/* Prepares m (or m1). 0, or -1 if the parameter is refused; then the plan is left as it was. */
+/* Prepares a plan for the parameter m = k^2 <= 1.
+   Returns 0, or -1 for m > 1, NaN and infinite m; then the plan stays as it was. Time: about 200 sines. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_plan_init(p, m1.hi, m1.lo);
 }
 
-/* Documented with jacobi_plan_init. */
+/* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
+   See jacobi_plan_init; m1 keeps its digits where m is close to 1. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1, 0); }
 
-/* As vmi_theta_near, with w = v/2, a and a' = a - theta da/dtheta by polynomials, one duplication, and s = 2 w a',
-   since sc^2 of w has the derivative 2 sc nc dc */
+/* The theta functions near 0 by the plan's polynomials a and b at w = v/2 and one duplication. theta_s is v b, since
+   the derivative of sc^2 is 2 sc nc dc. Compare vmi_theta_near. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -113,7 +132,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* One point u from |u| = j K + rest; no branch where form is known to the compiler */
+/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of quarters are j. There is no branch where the
+   compiler knows the form. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -125,7 +145,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = v.hi > -VMI_LONGEST ? v.hi < VMI_LONGEST ? v.hi : VMI_LONGEST : -VMI_LONGEST; /* NaN stays in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is still in v.lo */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -133,21 +153,25 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Any argument u >= 0 that is too long for K in pieces */
+/* u minus the nearest multiple of K for u >= 0 that is too long for K in pieces, or for m = 1 */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
     vm_two v;
     int quarter;
     *quarters = 0;
-    if (p->per_K == 0) return vmi_three_words(u > VMI_LONGEST ? VMI_LONGEST : u, 0, 0); /* m = 1 */
+    if (p->per_K == 0) { /* m = 1: no period */
+        const vm_real cut = u > VMI_LONGEST ? VMI_LONGEST : u;
+        return vmi_three_words(cut, 0, 0);
+    }
     if (!VM_IS_FINITE(u)) return vmi_three_words(VM_NAN, 0, 0);
     v = vmi_reduce(u, K, &quarter);
     *quarters = (vmi_bits)quarter;
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
-/* As jacobi_sncndn, for the plan's m. */
+/* sn, cn and dn of the argument u for the plan's parameter.
+   Any u; accuracy as jacobi_sncndn. NaN for infinite u, except at m = 1. Time: 1.5 to 5 sines. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -160,14 +184,13 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
-    if (*sn == 0) {
-        /* not almost */
+    if (*sn == 0) { /* then cn and dn are exactly 1 or -1 */
         *cn = VM_COPYSIGN((vm_real)1, *cn);
         *dn = 1;
     }
 }
 
-/* For |u| < VMI_EXACT_QUARTERS K a loop that compilers vectorise */
+/* All n arguments, each |u| < VMI_EXACT_QUARTERS K, in a loop that compilers vectorise */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
@@ -179,19 +202,20 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
     }
     if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
-        if (sn[i] == 0) {
-            /* not almost */
+        if (sn[i] == 0) { /* then cn and dn are exactly 1 or -1 */
             cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
             dn[i] = 1;
         }
 }
 
-/* The same for u[0..n-1]; sn, cn and dn are arrays of n that overlap neither each other nor u. Where the compiler
-   fuses multiplications and additions, the last bits may depend on the place in the array. */
+/* sn, cn and dn of n arguments u[0] ... u[n - 1] for the plan's parameter. The arrays sn, cn, dn have n elements each
+   and overlap neither each other nor u. Values as jacobi_plan_sncndn; where the compiler fuses multiplications and
+   additions, the last bits may depend on the place in the array. Time: about half a sine an argument with gcc -O3
+   -march=native. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
-    const jacobi_plan local = *p; /* the compiler sees that no element of the arrays is a part of it */
+    const jacobi_plan local = *p; /* the compiler can see that the arrays do not overlap this copy */
     int i, any_far = 0;
     for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
     if (any_far)

@@ -1,4 +1,12 @@
-/* jacobi/theta.h - theta functions */
+/* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
+
+   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so
+   on. Here the four are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
+   subtraction loses digits, so that each has a small relative error. Near 0 (VMI_NEAR) they come from the Laurent
+   series of cs^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a nome that is at
+   most 0.003.
+
+   Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
@@ -8,27 +16,30 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* One m prepared once. The plan is plain data: it may be copied, and stored as a constant. */
+/* What the theta functions far from 0 need of m; see vmi_far_prepare */
 typedef struct VM_TAG(vmi_theta_form) {
-    vm_real kp, kp_lo; /* k' = sqrt(1 - m) */
-    vm_real q, defect; /* the nome of 1 - m or 1/(1 - m), and 1 - (phase per unit of argument) */
-    vm_real f[3], g[2], scale[2];
+    vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
+    vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
+    vm_real defect;    /* 1 - (phase per unit of the argument) */
+    vm_real f[3], g[2], scale[2]; /* coefficients */
 } vmi_theta_form;
 
+/* The forms: the series near 0; theta functions with the nome of 1 - m (m near 1), or of 1/(1 - m) (m < -20) */
 enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
+
+/* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions but for a common factor, so that pq = theta_p/theta_q: each relatively accurate, since no
-   difference loses digits */
+/* Neville's theta functions times a common factor: the elliptic function pq is p/q for any two letters p and q */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-/* v^2 max(1, 1 - m) up to which the Laurent series serves: all |v| <= K/2 for -21.5 < m < 0.955 */
+/* The Laurent series is used for v^2 max(1, 1 - m) up to this number: for all |v| <= K/2 if -21.5 < m < 0.955 */
 #define VMI_NEAR VM_C(2.2)
 
-/* Terms 1 to 3 of theta cs^2(w) = 1 + c_1 + c_2 + ..., theta = w^2; cs^2(w) + (2 - m)/3 is Weierstrass' function of
-   w, whence [5]
+/* The terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., for theta = w^2 and m1_theta = (1 - m) w^2. Since
+   cs^2(w) + (2 - m)/3 is Weierstrass' function of w (DLMF 23.9), for k > 3
      c_k = 3/((2k + 1)(k - 3)) (c_2 c_(k-2) + c_3 c_(k-3) + ... + c_(k-2) c_2) */
 VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 {
@@ -38,14 +49,14 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
     c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
 }
 
-/* By this series at w = v/4 to the ninth term (float: the fifth) and two duplications, where no difference occurs but
-   in c and f, far from their zeros: if b/a = sc^2(w),
+/* The theta functions near 0: the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
+   Subtractions occur only in c and f, far from their zeros. If b/a = sc^2(w),
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
-     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
+     s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2.   */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
     vmi_thetas theta;
-    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* w2 may underflow where r does not */
+    const vm_real w = v / 4, w2 = w * w, r = m1 * w * w; /* not m1 * w2, which may underflow */
     vm_real c[4], more, a, f, g, b, s, aa, rb;
 #if VM_MANT_DIG > 24
     vm_real c22;
@@ -63,7 +74,7 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 #endif
     a = 1 + ((c[1] + (c[2] + c[3])) + more);
     f = a * a - r * w2;
-    g = a * ((a + w2) * (a + r)); /* sc^2(2w) = 4 w^2 g/f^2 = b/a from here on */
+    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2, which is called b/a below */
     b = 4 * w2 * g;
     s = 4 * r * g;
     a = f * f;
@@ -76,20 +87,22 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Far from 0, where c <= 0.05: theta functions of the imaginary argument i z, z = u agm(1, k), with the nome q of
-   c = 1 - m, or reciprocal, z = k'u agm(1, k) with that of c = 1/(1 - m), by sn(u | m) = sd(k'u | m/(m - 1))/k' and
-   its kin. The coefficients: with X = q cosh 2z, which is up to sqrt(q)/2 = 0.03,
+/* Prepares the theta functions far from 0. For m near 1 they have the imaginary argument i z, z = u agm(1, k), and
+   the nome q of c = 1 - m; for m < -20 (the reciprocal form) z = k' u agm(1, k), and q is the nome of c = 1/(1 - m),
+   since sn(u | m) = sd(k' u | m/(m - 1))/k'. In both cases c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2
+   = 0.03,
      theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
-     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X;
-   what is left out is below 1e-18. f carries the factor between d and n, so that f0 is near 1/2, and scale is near 1
-   but for 1/k': a simple number and a small part, rounded once. One step of the AGM from 1 and k reaches (1 + k)/2
-   and the parameter x. */
+     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
+   The terms that are left out are below 1e-18. f contains the factor between d and n, so that f0 is near 1/2. scale
+   is near 1 apart from 1/k'. One step of the arithmetic-geometric mean from 1 and k reaches (1 + k)/2 and the
+   parameter x. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
-    const vm_real c = m1 < 1 ? m1 : 1 / m1, root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
+    const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
     const vm_real half = c / (2 * (1 + root)), k1 = 2 * half / (1 + root), x = k1 * k1;
-    const vm_two kp = m1 > 1 ? vmi_root(m1, m1_lo) : vmi_two(VM_SQRT(m1), 0);
+    vm_two kp = vmi_two(VM_SQRT(m1), 0);
     vm_real q2, q4, q6, even, odd, f0, share;
+    if (m1 > 1) kp = vmi_root(m1, m1_lo);
     t->kp = kp.hi;
     t->kp_lo = kp.lo;
     t->q = k1 / 4 * (1 + x * (VM_C(0.25) + x * (VM_C(0.1328125) + x * VM_C(0.087890625))));
@@ -107,16 +120,19 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     t->g[0] = 2 * q4;
     t->g[1] = 4 * q2;
     t->scale[1] = 1 + 2 * half / ((1 + fourth) * fourth);
-    t->scale[0] = m1 > 1 ? (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi : t->scale[1];
+    t->scale[0] = t->scale[1];
+    if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0)) /* exp(-it) is 0: tanh is 1, sech 0 */
+/* Arguments at m = 1 are cut to this number: from there on tanh is 1 and 1/cosh is 0. */
+#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
 
-/* All four by 2 exp(-z), which makes sinh z 1 - exp(-2z) and cosh z 1 + exp(-2z); |argument| <= VMI_LONGEST */
+/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2 exp(-z), so that sinh z
+   becomes 1 - exp(-2z) and cosh z becomes 1 + exp(-2z). */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
-    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* q: then X <= sqrt(q)/2 is negligible */
+    const vm_real tiny = VM_EPSILON * VM_EPSILON; /* a nome below this changes no result: X <= sqrt(q)/2 < eps */
     const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
     const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
     vm_real p, p_lo, power, root, less, e, X, XX, P, Q, E, O, d, n;
@@ -126,30 +142,38 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     root = power + power * p;       /* exp(-z) */
     less = (1 - power) - power * p; /* 1 - exp(-z) */
     e = root * root;
-    X = t->q > tiny ? t->q * ((e + 1 / e) / 2) : 0;
+    X = 0;
+    if (t->q > tiny) X = t->q * ((e + 1 / e) / 2);
     XX = X * X;
-    P = t->f[2] * XX; /* less f0 */
+    P = t->f[2] * XX; /* without f0 */
     Q = t->f[1] * X;
-    E = t->g[1] * XX - t->g[0]; /* less 1 */
+    E = t->g[1] * XX - t->g[0]; /* without 1 */
     O = 2 * X;
     d = root * (1 + (E + O));
     n = (1 + e) * (t->f[0] + (P + Q));
     theta.s = sign * (t->scale[0] * (less * (1 + root) * (t->f[0] + (P - Q))));
     theta.c = t->scale[1] * (root * (1 + (E - O)));
-    theta.d = reciprocal ? n : d;
-    theta.n = reciprocal ? d : n;
+    theta.d = d;
+    theta.n = n;
+    if (reciprocal) {
+        theta.d = n;
+        theta.n = d;
+    }
     return theta;
 }
 
+/* The theta functions far from 0 of one v and one m */
 VM_API vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
     vmi_far_prepare(&t, m1, m1_lo);
-    return vmi_theta_far(&t, m1 > 1, m1 > 1 ? vmi_two_times(v, vmi_two(t.kp, t.kp_lo)) : v);
+    if (m1 > 1) v = vmi_two_times(v, vmi_two(t.kp, t.kp_lo));
+    return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* The thetas so many quarters on: at one s, c, d, n become c, -k's, k'n, d; at two s and c change their sign. With no
-   branch, which would be mispredicted every other time: products with 0 and +-1. */
+/* The theta functions at an argument longer by so many quarter periods. One quarter turns s, c, d, n into c, -k's,
+   k'n, d; two change the signs of s and c. Products with 0, 1 and -1 replace a branch, which would be mispredicted
+   half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
@@ -164,11 +188,11 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* dn lies between 1 and bound */
+/* sn, cn and dn from the theta functions; dn is kept between 1 and bound */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    const vm_real low = bound < 1 ? bound : 1, high = bound > 1 ? bound : 1, per_n = 1 / theta.n;
-    *sn = vmi_clamp(theta.s, -theta.n, theta.n) * per_n; /* n (1/n) rounds to 1 at most */
+    const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;
+    *sn = vmi_clamp(theta.s, -theta.n, theta.n) * per_n; /* |sn| <= 1, since n (1/n) rounds to at most 1 */
     *cn = vmi_clamp(theta.c, -theta.n, theta.n) * per_n;
     *dn = vmi_clamp(theta.d * per_n, low, high);
 }

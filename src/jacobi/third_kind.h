@@ -1,4 +1,10 @@
-/* jacobi/third_kind.h - integrals of the third kind and theta functions of complex argument, for torque-free rotation */
+/* jacobi/third_kind.h - elliptic integrals of the third kind, theta functions of complex argument
+
+   The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
+   kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
+   attitude stays right after a million turns (mechanics/torque_free.h). Everything here is internal.
+
+   Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
 #define VARMASS_JACOBI_THIRD_KIND_H
 
@@ -8,9 +14,9 @@
 #include "../base/words.h"
 #include "theta.h"
 
-/* Carlson's R_F, the symmetric integral of the first kind, by duplication in two words until the series [1,
-   19.36.1] in what the arguments differ by leaves 2^-(2p - 4); x, y, z >= 0, one of them may be 0. An argument
-   2^-n of the largest asks for log2(n) rounds more than the usual 7. */
+/* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
+   are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
+   of 2^-(2p - 4). An argument that is 2^-n of the largest needs log2(n) more. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -42,21 +48,24 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* agm(1, k'), Pi(-N | m)/K(m) and what that is less than 1, by one ladder in two words, for
-   m1 = k'^2 > 0, share = N/(1 + N) and below = 1/(1 + N), N >= 0. From p = sqrt(1 + N) [1, 19.8.6-7] with
-     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2,
-   where sum Q = 2 - sum Q (1 - e), so that both come from positive terms: relatively accurate for any N. */
+/* The complete integral of the third kind */
 typedef struct VM_TAG(vmi_third_kind) {
-    vm_two mean, ratio, rest;
+    vm_two mean;  /* agm(1, k') = pi/(2K) */
+    vm_two ratio; /* Pi(-N | m)/K(m) */
+    vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
+/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below = 1/(1 +
+   N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7) each step is
+     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
+   sum Q = 2 - sum Q (1 - e), so that the ratio and the rest are both sums of positive terms, accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10, and one for every binary digit of p */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one more for each binary digit of p */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -76,7 +85,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* sin and cos of x turns, |x| < 2^13: within an ulp */
+/* The sine and the cosine of the angle of x turns, |x| < 2^13, within an ulp */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -86,26 +95,32 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     z.lo += rest * half_pi.mid;
     vmi_sin_cos(z, &s, &c);
-    *sine = quarter & 1 ? c : s;
-    *cosine = quarter & 1 ? s : c;
+    *sine = s;
+    *cosine = c;
+    if (quarter & 1) {
+        *sine = c;
+        *cosine = s;
+    }
     if (quarter & 2) *sine = -*sine;
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* theta_4(z + i zy) with the nome Q of the doubled lattice, Q = q^2, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K':
-   its argument is what turns a free body beyond its mean rate. Directly where K <= 2K', so that Q <= exp(-pi),
-     1 + sum (-1)^n (C_n cos 2nz - i S_n sin 2nz),  C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)),
-   else by Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi), but for a real factor, as e^(-i pi u
+/* theta_4(z + i zy) with the nome Q = q^2 of the doubled lattice, z = pi u/(2K), zy = pi y/(2K), 0 <= y < K'. The
+   angle of this complex number is the part of the rotation of a torque-free body that its mean rate leaves. The
+   direct form serves where K <= 2K', so that Q <= exp(-pi):
+     1 + sum (-1)^n (C_n cos 2nz - i S_n sin 2nz),  C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)).
+   Elsewhere Jacobi's transformation with Qd = exp(-pi K/(2K')) < exp(-pi) gives, up to a real factor, e^(-i pi u
    y/(4KK')) times the sum of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')),  v = (2n + 1) pi/(4K'),  |u| <= K.
-   Four terms leave 1e-19 of either. The first form as polynomials in cos 2z, the second in exp(+-pi |u|/(2K')). */
+   Four terms of either leave 1e-19. Both are stored as polynomials: in cos 2z, and in exp(+-pi |u|/(2K')). */
 typedef struct VM_TAG(vmi_doubled_theta) {
-    vm_real decay; /* -d ln exp(..)/dx in the second form, x = u/(4K); 0 in the first */
-    vm_real shift; /* turns for each x: the factor before the second sum */
+    vm_real decay; /* the rate of the exponential per x = u/(4K) in the second form; 0 in the direct form */
+    vm_real shift; /* turns per x of the factor e^(-i pi u y/(4KK')) */
     vm_real Q;     /* Qd */
     vm_real re[4], im[4];
 } vmi_doubled_theta;
 
+/* The direct form; Kc is K' */
 VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 {
     vmi_doubled_theta d;
@@ -129,35 +144,42 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* K may be infinite: then x is u itself */
+/* The form by Jacobi's transformation; Kc is K'. K may be infinite: then x is u itself. */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
     vmi_doubled_theta d;
-    vm_real power = 1, sine, cosine;
+    vm_real power = 1, exponent = VMI_LONGEST, sine, cosine;
     int n;
-    d.Q = aperiodic ? 0 : vmi_exp(-VM_PI * K / (2 * Kc), 0);
-    d.decay = aperiodic ? 1 : 2 * VM_PI * K / Kc;
-    d.shift = aperiodic ? 0 : -y / (2 * Kc);
+    d.Q = d.shift = 0;
+    d.decay = 1;
+    if (!aperiodic) {
+        d.Q = vmi_exp(-VM_PI * K / (2 * Kc), 0);
+        d.decay = 2 * VM_PI * K / Kc;
+        d.shift = -y / (2 * Kc);
+    }
+    if (d.Q > 0) exponent = VM_PI * K / (2 * Kc);
     for (n = 0; n < 4; n++) {
         vmi_sincos_turns((vm_real)(2 * n + 1) * y / (8 * Kc), &sine, &cosine);
         d.re[n] = power * cosine; /* Qd^(n^2) */
         d.im[n] = power * sine;
-        power *= vmi_exp(-(vm_real)(2 * n + 1) * (d.Q > 0 ? VM_PI * K / (2 * Kc) : VMI_LONGEST), 0);
+        power *= vmi_exp(-(vm_real)(2 * n + 1) * exponent, 0);
     }
     return d;
 }
 
+/* a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* For |x| <= 1/4, so that |u| <= K; the factor e^(2 pi i shift x) is left to the caller */
+/* The theta function at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller applies */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {
         const vm_real g = vmi_exp(-d->decay * VM_FABS(x), 0), f = d->Q / g, h = d->Q * g;
         const vm_real size = vmi_cubic(d->im, f) - g * vmi_cubic(d->im, h);
         *re = vmi_cubic(d->re, f) + g * vmi_cubic(d->re, h);
-        *im = x < 0 ? -size : size;
+        *im = size;
+        if (x < 0) *im = -size;
     } else {
         vm_real sine, cosine;
         vmi_sincos_turns(2 * x, &sine, &cosine);

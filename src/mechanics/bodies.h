@@ -1,4 +1,12 @@
-/* mechanics/bodies.h - bodies, their momentum, angular momentum and kinetic energy */
+/* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy, balances across an instant
+   A vm_body is a body at an instant: mass, inertia, attitude, position and motion; a vm_body2 moves in the plane.
+   This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and compares them
+   before and after an instant, (4)-(6), (10)-(12). Those of the plane are in bodies2.h.
+
+       vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
+       vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
+
+   Tests: tests/test_momenta.c. */
 #ifndef VARMASS_MECHANICS_BODIES_H
 #define VARMASS_MECHANICS_BODIES_H
 
@@ -7,75 +15,86 @@
 #include "inertia.h"
 #include "vectors.h"
 
+/* A body at an instant */
 typedef struct VM_TAG(vm_body) {
-    vm_real mass;       /* kg */
-    vm_inertia inertia; /* about the own mass centre, in body axes */
-    vm_quat q;          /* turns body axes into inertial ones */
-    vm_vec3 r, v;       /* mass centre (m) and momentum/mass (m/s), inertial axes */
-    vm_vec3 omega;      /* rad/s, inertial axes */
+    vm_real mass;       /* kg, > 0 */
+    vm_inertia inertia; /* kg m^2, about the body's own mass centre, in body axes; all zero for a point */
+    vm_quat q;          /* attitude: turns body axes into inertial ones; any length, all zero is the identity */
+    vm_vec3 r;          /* position of the mass centre, m, inertial axes */
+    vm_vec3 v;          /* momentum/mass, m/s, inertial axes */
+    vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
 } vm_body;
 
+/* An impulse that acts on a body during an instant; inertial axes */
 typedef struct VM_TAG(vm_impulse) {
     vm_vec3 linear; /* N s */
-    vm_vec3 couple; /* N m s */
-    vm_vec3 at;     /* the point at which linear acts, inertial axes */
+    vm_vec3 couple; /* N m s, in addition to the moment of linear */
+    vm_vec3 at;     /* the point at which linear acts, m */
 } vm_impulse;
 
-/* A body that moves in a plane */
+/* A body that moves in the plane, at an instant */
 typedef struct VM_TAG(vm_body2) {
-    vm_real mass;    /* kg */
-    vm_real inertia; /* kg m^2, about the axis through the own mass centre; 0 for a point */
+    vm_real mass;    /* kg, > 0 */
+    vm_real inertia; /* kg m^2, about the axis through the body's own mass centre; 0 for a point */
     vm_real x, y;    /* mass centre, m */
     vm_real angle;   /* rad, anticlockwise */
     vm_real vx, vy;  /* momentum/mass, m/s */
-    vm_real omega;   /* rad/s, anticlockwise */
+    vm_real omega;   /* angular velocity, rad/s, anticlockwise */
 } vm_body2;
 
+/* An impulse that acts on a body of the plane during an instant */
 typedef struct VM_TAG(vm_impulse2) {
     vm_real jx, jy; /* N s */
-    vm_real couple; /* N m s, anticlockwise */
-    vm_real x, y;   /* the point at which jx, jy act */
+    vm_real couple; /* N m s, anticlockwise, in addition to the moment of jx, jy */
+    vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
+/* What some bodies have after an instant less what they had before and what an impulse gave them */
 typedef struct VM_TAG(vm_balance) {
-    vm_vec3 momentum;               /* after - before - impulse, N s: (6) with (20), (21) */
-    vm_vec3 angular_momentum;       /* the same about the point, N m s: (12), (17) with (22) */
-    vm_real momentum_scale;         /* sum of all M |v| and the impulse */
-    /* sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the same for the impulse. It contains |r| because a
-       position is rounded by eps |r|, which changes the angular momentum by eps |r| M |v|, wherever the point is */
+    vm_vec3 momentum;               /* N s: (6) with (20), (21); zero but for rounding errors */
+    vm_vec3 angular_momentum;       /* about the point, N m s: (12), (17) with (22); zero but for rounding errors */
+    vm_real momentum_scale;         /* N s, the sum of all M |v| and the size of the impulse */
+    /* N m s, the sum of all tr(I) |omega| + (|r| + |r - about|) M |v|, and the impulse's share. It contains |r|,
+       since a position is rounded by eps |r|, which changes the angular momentum about any point by eps |r| M |v| */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after - before, J: (94) - (93) */
 } vm_balance;
 
-VM_API vm_vec3 vmi_spin_momentum(const vm_body *body) /* I omega, inertial axes */
+/* ---- momentum, angular momentum and kinetic energy ---- */
+
+/* I omega, the angular momentum about the mass centre, in inertial axes */
+VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 {
-    vmi_mat3 m = vmi_rotation(body->q);
+    const vmi_mat3 m = vmi_rotation(body->q);
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
 }
 
-/* Momentum M v (1)-(3), N s; angular momentum I omega + (r - about) x M v (7)-(9), N m s, about any point; kinetic
-   energy (93), (97), J. Not checked: NaN in, NaN out; NaN for a null pointer. */
+/* Momentum M v of a body (1)-(3), N s. The body is not checked: NaN in it gives NaN, and so does a null pointer. */
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_scale(body->mass, body->v);
 }
 
-/* Documented with vm_momentum. */
+/* Angular momentum of a body about the point `about` (7)-(9), N m s: I omega + (r - about) x M v, in inertial axes.
+   The body is not checked: NaN in it gives NaN, and so does a null pointer. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
     return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
 }
 
-/* Documented with vm_momentum. */
+/* Kinetic energy of a body (93), (97), J: (M v^2 + omega.I omega)/2. The body is not checked: NaN in it gives NaN,
+   and so does a null pointer. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
     return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
 }
 
-/* The plane's body with inertia.zz alone, which is all that motion in the plane asks for */
+/* ---- the plane as a part of space ---- */
+
+/* The body of the plane as a body of space that has inertia.zz alone, which is all that motion in the plane needs */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -87,102 +106,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
-{
-    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
-}
-
-VM_API int vmi_impulse_finite(const vm_impulse *j)
-{
-    return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
-}
-
-/* Add sign times the body's momenta and energy */
-VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
-{
-    vm_vec3 momentum = vm_momentum(body);
-    vm_real size = vmi_norm2(momentum);
-    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
-    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
-    sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
-                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
-    sum->energy += sign * vm_kinetic_energy(body);
-}
-
-/* What is left of the balances of momentum and, about any point, of angular momentum between some bodies before and
-   after an instant in which external, where not NULL, acted (4)-(6), (10)-(12): zero but for rounding errors, a few
-   eps of the scales, where nothing was lost. Any number of bodies, none included, on either side.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE. */
-VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
-                              const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
-{
-    vm_balance sum = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
-    const vm_impulse *j = external_or_NULL;
-    int i;
-    if (!balance || n_before < 0 || n_after < 0 || (n_before > 0 && !before) || (n_after > 0 && !after))
-        return VM_BAD_ARGUMENT;
-    for (i = 0; i < n_before; i++) vmi_balance_add(&sum, -1, before + i, about);
-    for (i = 0; i < n_after; i++) vmi_balance_add(&sum, 1, after + i, about);
-    if (j) {
-        vm_vec3 moment = vmi_impulse_moment(j, about);
-        sum.momentum = vmi_sub(sum.momentum, j->linear);
-        sum.angular_momentum = vmi_sub(sum.angular_momentum, moment);
-        sum.momentum_scale += vmi_norm2(j->linear);
-        sum.angular_momentum_scale +=
-            vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
-    }
-    if (!VM_IS_FINITE(sum.energy) || !VM_IS_FINITE(sum.momentum_scale) ||
-        !VM_IS_FINITE(sum.angular_momentum_scale) || !vmi_vec3_finite(sum.momentum) ||
-        !vmi_vec3_finite(sum.angular_momentum))
-        return VM_NOT_FINITE;
-    *balance = sum;
-    return VM_OK;
-}
-
-VM_API int vmi_body_finite(const vm_body *b)
-{
-    return VM_IS_FINITE(b->mass) && vmi_vec3_finite(b->r) && vmi_vec3_finite(b->v) && vmi_vec3_finite(b->omega) &&
-           vmi_inertia_finite(&b->inertia) && VM_IS_FINITE(b->q.w) &&
-           vmi_vec3_finite(vmi_vec3(b->q.x, b->q.y, b->q.z));
-}
-
-VM_API int vmi_check_body(const vm_body *b)
-{
-    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
-    return vm_inertia_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
-}
-
-VM_API int vmi_check_body2(const vm_body2 *b)
-{
-    const vm_body lifted = vmi_body_to_space(b);
-    if (!vmi_body_finite(&lifted) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
-    if (!(b->mass > 0)) return VM_BAD_MASS;
-    return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
-}
-
-/* Bodies of space or of the plane, whichever pointer is not NULL */
-typedef struct VM_TAG(vmi_bodies) {
-    int n;
-    const vm_body *in_space;
-    const vm_body2 *in_plane;
-} vmi_bodies;
-
-VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
-{
-    return list->in_plane ? vmi_body_to_space(list->in_plane + i) : list->in_space[i];
-}
-
-VM_API int vmi_check_bodies(const vmi_bodies *list)
-{
-    int i, status = VM_OK;
-    if (list->n < 0 || (list->n > 0 && !list->in_space && !list->in_plane)) return VM_BAD_ARGUMENT;
-    for (i = 0; i < list->n && !status; i++)
-        status = list->in_plane ? vmi_check_body2(list->in_plane + i) : vmi_check_body(list->in_space + i);
-    return status;
-}
-
+/* The body of the plane that moves as b does, with this angle */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -195,6 +119,152 @@ VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
     flat.vy = b->v.y;
     flat.omega = b->omega.z;
     return flat;
+}
+
+/* ---- checks ---- */
+
+VM_API int vmi_body_finite(const vm_body *b)
+{
+    return VM_IS_FINITE(b->mass) && vmi_vec3_finite(b->r) && vmi_vec3_finite(b->v) && vmi_vec3_finite(b->omega) &&
+           vmi_inertia_finite(&b->inertia) && vmi_quat_is_finite(b->q);
+}
+
+VM_API int vmi_body2_is_finite(const vm_body2 *b)
+{
+    return VM_IS_FINITE(b->mass) && VM_IS_FINITE(b->inertia) && vmi_vec3_finite(vmi_vec3(b->x, b->y, b->angle)) &&
+           vmi_vec3_finite(vmi_vec3(b->vx, b->vy, b->omega));
+}
+
+VM_API int vmi_impulse_finite(const vm_impulse *j)
+{
+    return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
+}
+
+/* Of two statuses, VM_OK or errors, the error that comes first in the manual's table: VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, by rising size of the number */
+VM_API int vmi_first_error(int a, int b)
+{
+    if (a == VM_OK) return b;
+    if (b == VM_OK) return a;
+    return a > b ? a : b;
+}
+
+/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+VM_API int vmi_check_body(const vm_body *b)
+{
+    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    return vm_inertia_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
+}
+
+/* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
+VM_API int vmi_check_body2(const vm_body2 *b)
+{
+    if (!vmi_body2_is_finite(b)) return VM_NOT_FINITE;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
+}
+
+/* An array of n bodies, of space or of the plane: one of the two pointers is NULL */
+typedef struct VM_TAG(vmi_bodies) {
+    int n;
+    const vm_body *in_space;
+    const vm_body2 *in_plane;
+} vmi_bodies;
+
+VM_API vmi_bodies vmi_bodies_in_space(int n, const vm_body *bodies)
+{
+    vmi_bodies list;
+    list.n = n;
+    list.in_space = bodies;
+    list.in_plane = NULL;
+    return list;
+}
+
+VM_API vmi_bodies vmi_bodies_in_plane(int n, const vm_body2 *bodies)
+{
+    vmi_bodies list;
+    list.n = n;
+    list.in_space = NULL;
+    list.in_plane = bodies;
+    return list;
+}
+
+/* Body i as a body of space */
+VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
+{
+    if (list->in_plane) return vmi_body_to_space(list->in_plane + i);
+    return list->in_space[i];
+}
+
+/* VM_OK if all bodies are valid, else the first of their errors in the table; VM_BAD_ARGUMENT for n < 0 and for
+   bodies that are not there */
+VM_API int vmi_check_bodies(const vmi_bodies *list)
+{
+    int i, status = VM_OK;
+    if (list->n < 0 || (list->n > 0 && !list->in_space && !list->in_plane)) return VM_BAD_ARGUMENT;
+    for (i = 0; i < list->n; i++) {
+        if (list->in_plane) status = vmi_first_error(status, vmi_check_body2(list->in_plane + i));
+        else status = vmi_first_error(status, vmi_check_body(list->in_space + i));
+    }
+    return status;
+}
+
+/* ---- balances ---- */
+
+/* The moment of an impulse about a point, N m s */
+VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
+{
+    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
+}
+
+/* Adds sign times the body's momenta and energy to a balance, and their sizes to its scales */
+VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
+{
+    const vm_vec3 momentum = vm_momentum(body);
+    const vm_real size = vmi_norm2(momentum);
+    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
+    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
+    sum->momentum_scale += size;
+    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
+                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
+    sum->energy += sign * vm_kinetic_energy(body);
+}
+
+/* Takes what an impulse has given from a balance, and adds its size to the scales */
+VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
+{
+    sum->momentum = vmi_sub(sum->momentum, j->linear);
+    sum->angular_momentum = vmi_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
+    sum->momentum_scale += vmi_norm2(j->linear);
+    sum->angular_momentum_scale +=
+        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
+}
+
+VM_API int vmi_balance_is_finite(const vm_balance *b)
+{
+    return VM_IS_FINITE(b->energy) && VM_IS_FINITE(b->momentum_scale) && VM_IS_FINITE(b->angular_momentum_scale) &&
+           vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
+}
+
+/* Balances of momentum, angular momentum and energy between some bodies before and after an instant, (4)-(6),
+   (10)-(12). *balance is what the n_after bodies have less what the n_before bodies had and less what the impulse
+   gave, where one acted. Momentum and, about any point, angular momentum are zero if nothing was lost, but for some
+   eps of their scales. There may be any number of bodies on either side, none included. The bodies are not checked.
+   VM_BAD_ARGUMENT: a null pointer, a negative number of bodies. VM_NOT_FINITE: a sum is not finite. */
+VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
+                              const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
+{
+    vm_balance sum = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
+    int i;
+    if (!balance || n_before < 0 || n_after < 0 || (n_before > 0 && !before) || (n_after > 0 && !after))
+        return VM_BAD_ARGUMENT;
+    for (i = 0; i < n_before; i++) vmi_balance_add(&sum, -1, before + i, about);
+    for (i = 0; i < n_after; i++) vmi_balance_add(&sum, 1, after + i, about);
+    if (external_or_NULL) vmi_balance_take_impulse(&sum, external_or_NULL, about);
+    if (!vmi_balance_is_finite(&sum)) return VM_NOT_FINITE;
+    *balance = sum;
+    return VM_OK;
 }
 
 #endif

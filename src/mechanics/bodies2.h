@@ -1,4 +1,10 @@
-/* mechanics/bodies2.h - bodies that move in a plane */
+/* mechanics/bodies2.h - momentum and energy of bodies in the plane, and such bodies in space
+   The plane's (35)-(39) need one moment of inertia and one angular velocity of a vm_body2 (bodies.h).
+
+       vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
+       vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J
+
+   Tests: tests/test_momenta.c, tests/test_jumps2.c. */
 #ifndef VARMASS_MECHANICS_BODIES2_H
 #define VARMASS_MECHANICS_BODIES2_H
 
@@ -6,14 +12,16 @@
 #include "../base/real.h"
 #include "bodies.h"
 
-/* Documented with vm_momentum. */
+/* Angular momentum of a body of the plane about the point (x, y), N m s, anticlockwise. The body is not checked: NaN
+   in it gives NaN, and so does a null pointer. */
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y)
 {
     if (!body) return VM_NAN;
     return body->inertia * body->omega + body->mass * ((body->x - x) * body->vy - (body->y - y) * body->vx);
 }
 
-/* Documented with vm_momentum. */
+/* Kinetic energy of a body of the plane, J: (M v^2 + I omega^2)/2. The body is not checked: NaN in it gives NaN, and
+   so does a null pointer. */
 VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 {
     if (!body) return VM_NAN;
@@ -21,13 +29,16 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* The plane's body as a lamina in the plane z = 0 of space, which moves as it does. NaN for a null pointer. */
+/* A body of the plane as a lamina in the plane z = 0 of space, which moves as it does: xx = yy = zz/2, q of length
+   1. The body is not checked. NaN for a null pointer. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
-    vm_body b = vmi_body_to_space(body ? body : &none);
+    vm_body b;
+    if (!body) body = &none;
+    b = vmi_body_to_space(body);
     b.inertia.xx = b.inertia.yy = b.inertia.zz / 2;
-    vmi_sincos((body ? body : &none)->angle / 2, &b.q.z, &b.q.w);
+    vmi_sincos(body->angle / 2, &b.q.z, &b.q.w);
     return b;
 }
 

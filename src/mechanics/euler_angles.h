@@ -1,4 +1,13 @@
-/* mechanics/euler_angles.h - Euler's angles */
+/* mechanics/euler_angles.h - Euler's angles
+
+   The attitude of a body by the angles psi, theta, phi of the sequence 3-1-3: turn by psi about z, by theta about the
+   line of nodes, by phi about the body's z axis. Here are the quaternion of three angles, the axes about which they
+   turn, which Lagrange's equations need as domega/dq'_i, and the rates of the angles from an angular velocity.
+
+       vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
+
+   Angles in rad. Errors are within 4 eps for angles up to 0.1/eps (4e14, float 8e5). Beyond 2^(p-1) quarter turns, p
+   the number of digits of vm_real, an angle carries no phase. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
@@ -7,25 +16,22 @@
 #include "../base/status.h"
 #include "vectors.h"
 
-/* Euler's angles psi, theta, phi (3-1-3: about z, the line of nodes, the body's z): the attitude, and domega/dq'_i in
-   inertial and in body axes, omega = psi' axis[0] + theta' axis[1] + phi' axis[2]; rates of an omega in inertial
-   axes, VM_SINGULAR where sin(theta) = 0, VM_NOT_FINITE. Within 4 eps for angles up to
-   0.1/eps (4e14, float 8e5); from 2^(p-1) quarters on they hold no phase. */
+/* Quaternion of length 1 that turns body axes into inertial ones, from Euler's angles. Infinite angles give NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
-    vm_quat turn, tilt, spin;
-    turn.x = turn.y = tilt.y = tilt.z = spin.x = spin.y = 0;
+    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
     vmi_sincos(psi / 2, &turn.z, &turn.w);
     vmi_sincos(theta / 2, &tilt.x, &tilt.w);
     vmi_sincos(phi / 2, &spin.z, &spin.w);
     return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
 }
 
-/* Documented with vm_euler_313. */
+/* Axes about which Euler's angles turn, in inertial axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
+   axis[i] is domega/dq'_i. Nothing is done for a null pointer. */
 VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
 {
+    vm_real s, c, sine, cosine; /* of psi, of theta */
     if (!axis) return;
-    vm_real s, c, sine, cosine;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(0, 0, 1);
@@ -33,11 +39,12 @@ VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
     axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
 }
 
-/* Documented with vm_euler_313. */
+/* Axes about which Euler's angles turn, in body axes: omega = psi' axis[0] + theta' axis[1] + phi' axis[2].
+   Nothing is done for a null pointer. */
 VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
 {
+    vm_real s, c, sine, cosine; /* of phi, of theta */
     if (!axis) return;
-    vm_real s, c, sine, cosine;
     vmi_sincos(phi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     axis[0] = vmi_vec3(sine * s, sine * c, cosine);
@@ -45,10 +52,11 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Documented with vm_euler_313. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_SINGULAR where sin(theta) = 0. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
-    vm_real s, c, sine, cosine, result[3];
+    vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
     if (!rates) return VM_BAD_ARGUMENT;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);

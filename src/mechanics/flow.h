@@ -1,4 +1,41 @@
-/* mechanics/flow.h - a free body with streams of mass */
+/* mechanics/flow.h - a free body in space with streams of mass
+
+   Right-hand sides for rk45 and rk87 of a rigid body whose mass, mass centre and inertia change while it moves: given
+   by its streams (151), (152), given as functions of time (170), or carried off by mass that moves with the body
+   (166). The momenta are the states, and velocity and angular velocity follow from them: a motion that keeps a
+   momentum keeps it exactly here, and rates may jump.
+
+       vm_flow flow;
+       ode_event empty;
+       rk45_options options = rk45_defaults(NULL);
+       rk45 s;
+       vm_real y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
+       memset(&flow, 0, sizeof flow); // a field that is zero has no effect
+       flow.n = 1;
+       flow.streams = &nozzle;
+       flow.least_mass = dry;
+       memset(&empty, 0, sizeof empty);
+       empty.g = vm_flow_mass_left; // stops the run when the tank is empty
+       empty.ctx = &flow;
+       empty.direction = -1;
+       empty.action = ODE_STOP;
+       options.events = &empty;
+       options.n_events = 1;
+       if (vm_flow_start(&flow, &body, y) == VM_OK &&
+           rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
+           vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
+
+   The equations, with the streams' M', u, d, kappa, omega2 of vm_reactive:
+     r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
+     q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
+   r is the mass centre, p = M v the momentum, H the angular momentum about the mass centre, q the attitude, c the
+   mass centre from the reference point in body axes, d = at - c, and R turns body axes into inertial ones. [1] prints
+   the torque of (152) with I' omega2. Where a stream has a store at s, d_s = s - c replaces d in c' and P(d), the
+   store's gyration replaces kappa in I', and the mass on its way through the body holds the momentum M' (s - at) and
+   the angular momentum M' d x d_s. R belongs to q/|q|; the last term of q' is 0 for |q| = 1 and brings the length
+   back to 1, and no integrator loses order by it. The reference point of `at` and of the stores is fixed in the body,
+   at r - R c; if flow.centre is 0 at the start, it is the mass centre at that time.
+   Tests: tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
 
@@ -9,133 +46,131 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* The free body in space. A vm_flow is the ctx of the right-hand sides below:
-
-       vm_flow flow;
-       ode_event empty;
-       rk45_options options = rk45_defaults(NULL);
-       rk45 s;
-       vm_real y[VM_FLOW_STATES], work[RK45_WORK(VM_FLOW_STATES)];
-       memset(&flow, 0, sizeof flow); // what is not set is zero: not there
-       flow.n = 1;
-       flow.streams = &nozzle;
-       flow.least_mass = dry;
-       memset(&empty, 0, sizeof empty);
-       empty.g = vm_flow_mass_left;
-       empty.ctx = &flow;
-       empty.direction = -1;
-       empty.action = ODE_STOP;
-       options.events = &empty;
-       options.n_events = 1;
-       if (vm_flow_start(&flow, &body, y) == VM_OK &&
-           rk45_init(&s, vm_flow_rhs, &flow, VM_FLOW_STATES, 0, y, &options, work) >= 0 && rk45_solve(&s, 3) >= 0)
-           vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
-
-   What depends on the state is set by flow.update: weight is flow->force = y[VM_Y_MASS] g. The reference point of at
-   and of stores stays in the body: it is at r - R c, which flow.centre = 0 makes the first mass centre.
-   The momenta are the states, v = momentum/mass and omega follow from them: what keeps a momentum keeps it exactly
-   here, and rates may jump. States, in inertial axes but for the last two:
-     y[VM_Y_R] r 3, y[VM_Y_Q] attitude 4, y[VM_Y_P] momentum 3, y[VM_Y_H] angular momentum about the mass centre 3,
-     y[VM_Y_MASS], and in body axes y[VM_Y_CENTRE] mass centre c from the reference point 3, y[VM_Y_INERTIA] xx, yy,
-     zz, xy, xz, yz about the mass centre
-     r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
-     q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
-   R turns body axes into inertial ones, d = at - c; these are (151), (152), which [1] prints with I' omega2, in the
-   body. With a store at s, d_s = s - c replaces d in c' and P(d), its gyration kappa in I', and the flow on the way
-   holds the momentum M' (s - at) and the angular momentum M' d x d_s. The last term of q' is 0 where |q| = 1; R is of
-   q/|q|: the length is held, and the order of no integrator suffers.
-   In a trial step beyond the end, the mass may not be positive, or the inertia may be one that no body has (a
-   moment that is not positive, or larger than the two others together). The derivatives are then NaN, so that the
-   step is shortened, and flow.status says why. Use the events below to stop before that. */
+/* Where the states stand in y, inertial axes unless it says body axes; and how many states there are */
 enum {
-    VM_Y_R = 0,
-    VM_Y_Q = 3,
-    VM_Y_P = 7,
-    VM_Y_H = 10,
-    VM_Y_MASS = 13,
-    VM_Y_CENTRE = 14,
-    VM_Y_INERTIA = 17,
-    VM_Y_BALANCE = 23,
-    VM_FLOW_GIVEN_STATES = 13,   /* numbers of states: mass, centre and inertia given by flow.update */
-    VM_FLOW_STATES = 23,         /* or states */
-    VM_FLOW_BALANCED_STATES = 30 /* and the account of momenta and energy */
+    VM_Y_R = 0,        /* r, 3 numbers, m */
+    VM_Y_Q = 3,        /* attitude q = w, x, y, z */
+    VM_Y_P = 7,        /* momentum, 3 numbers, kg m/s; for vm_flow_carried_rhs the velocity v, m/s */
+    VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
+                          angular velocity in body axes, rad/s */
+    VM_Y_MASS = 13,    /* kg */
+    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_INERTIA = 17, /* xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
+    VM_Y_BALANCE = 23, /* vm_flow_balanced_rhs: integrals of momentum 3, angular momentum 3, energy 1 */
+    VM_FLOW_GIVEN_STATES = 13,   /* vm_flow_given_rhs, vm_flow_carried_rhs: flow.update gives mass, centre, inertia */
+    VM_FLOW_STATES = 23,         /* vm_flow_rhs: mass, centre and inertia are states */
+    VM_FLOW_BALANCED_STATES = 30 /* vm_flow_balanced_rhs: these, and the balance */
 };
 
+/* The streams and loads of a body: the ctx of the right-hand sides below. Set all of it to zero first; a field that
+   stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
-    int n;              /* streams */
-    vm_stream *streams; /* the caller's */
+    int n;              /* number of streams */
+    vm_stream *streams; /* n streams, kept by the caller */
     vm_vec3 force;      /* N, resultant of the outer forces, inertial axes */
-    vm_vec3 moment;     /* N m, their moment about the mass centre and the torques, inertial axes */
-    /* null, or called before each evaluation; it may change all that is here; nonzero stops the run. What switches in
-       time belongs into an ODE_RESTART event's change, not here */
+    vm_vec3 moment;     /* N m, their moment about the mass centre and all torques, inertial axes */
+    /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time
+       and state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a
+       rate that follows a valve, and the laws M(t), c(t), I(t) of mass for vm_flow_given_rhs and vm_flow_carried_rhs.
+       (A law of mass is a function here and not a vm_law, because it has ten numbers, which belong together.) It
+       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
+       smooth function of t and y: what switches at some time belongs into the change of an ODE_RESTART event. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
-    void *ctx;                         /* the caller's */
-    vm_real mass;                      /* vm_flow_given_rhs, vm_flow_carried_rhs: the laws M(t), */
-    vm_vec3 centre;                    /* c(t) (vm_flow_start: where the mass centre is at first), */
-    vm_inertia inertia;                /* I(t) */
-    vm_vec3 drift;                     /* and c'(t), vm_flow_carried_rhs */
-    vm_real least_mass, least_inertia; /* of the events */
-    int status;                        /* 0, or why the last evaluations gave NaN or ended the run */
-    /* 0, or how many numbers y has room for, VM_LENGTH(y); all functions here check it. vm_flow_start writes no
-       more than that: VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and if there is room for all VM_FLOW_BALANCED_STATES, also the zeros
-       of the account */
+    void *ctx;             /* for the caller's `update`; not used here */
+    vm_real mass;          /* M(t), kg: vm_flow_given_rhs, vm_flow_carried_rhs */
+    vm_vec3 centre;        /* c(t), m, body axes: vm_flow_given_rhs, and at the start vm_flow_start */
+    vm_inertia inertia;    /* I(t), kg m^2, body axes: vm_flow_given_rhs, vm_flow_carried_rhs */
+    vm_vec3 drift;         /* c'(t), m/s, body axes: vm_flow_carried_rhs */
+    vm_real least_mass;    /* kg, where vm_flow_mass_left is 0 */
+    vm_real least_inertia; /* kg m^2, where vm_flow_inertia_left is 0 */
+    /* VM_OK, or why the last evaluations gave NaN or ended the run. In a trial step beyond the end the mass may not be
+       positive, or the inertia may be one that no body has; the derivatives are then NaN, so that the integrator
+       shortens its step. An event should stop the run before that. */
+    int status;
+    /* 0, or how many numbers y has room for, VM_LENGTH(y). All functions here check it. vm_flow_start writes no more:
+       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, and, if there is room for all VM_FLOW_BALANCED_STATES, the zeros
+       of the balance too. */
     int y_size;
 } vm_flow;
 
-/* The free body */
-/* Whether there are as many streams as there should be */
-VM_INLINE int vmi_flow_has(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
+/* Whether there is an array for n streams */
+VM_INLINE int vmi_flow_has_streams(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
 
-/* Derivatives that make the integrator shorten its step */
-VM_API int vmi_flow_refuse(int n, vm_real *dydt)
+/* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0: the run goes on. */
+VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
 {
     int k;
     for (k = 0; k < n; k++) dydt[k] = VM_NAN;
     return 0;
 }
 
-/* Keeps the first reason of evaluations in a row that are refused: the others follow from its NaN */
-VM_INLINE int vmi_flow_refused(int *kept, int status)
+/* Notes the status of an evaluation in *kept and returns it. Of several failures in a row the first is kept, because
+   the later ones follow from its NaN. */
+VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
 }
 
-/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes: the length comes back within some steps of any explicit
-   method, at a rate that is below that of the rotation itself */
-VM_INLINE void vmi_stream_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
+/* q omega/2 + |omega| (1 - |q|^2) q/8, omega in body axes, square = |q|^2. The second term brings the length back to
+   1 within some steps of any explicit method, at a rate below that of the rotation itself. */
+VM_INLINE void vmi_flow_turning(vm_quat q, vm_real square, vm_vec3 omega, vm_real *dydt)
 {
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8, x = omega.x / 2, y = omega.y / 2,
-                  z = omega.z / 2;
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
     dydt[0] = back * q.w - q.x * x - q.y * y - q.z * z;
     dydt[1] = back * q.x + q.w * x + q.y * z - q.z * y;
     dydt[2] = back * q.y + q.w * y + q.z * x - q.x * z;
     dydt[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
-/* A state taken apart: rotation, velocity and angular velocity; VM_BAD_MASS, VM_BAD_INERTIA */
-VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, vm_real mass, const vm_inertia *inertia,
-                              vm_vec3 centre, vmi_mat3 *turn, vmi_stream_seen *seen)
+/* Mass, mass centre and inertia of a body at an instant */
+typedef struct VM_TAG(vmi_flow_mass) {
+    vm_real mass;
+    vm_vec3 centre;
+    vm_inertia inertia;
+} vmi_flow_mass;
+
+/* They come from the state, or, if given = 1, from the flow's laws */
+VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
+{
+    vmi_flow_mass b;
+    if (given) {
+        b.mass = flow->mass;
+        b.centre = flow->centre;
+        b.inertia = flow->inertia;
+    } else {
+        b.mass = y[VM_Y_MASS];
+        b.centre = vmi_get3(y + VM_Y_CENTRE);
+        b.inertia = vmi_get_inertia(y + VM_Y_INERTIA);
+    }
+    return b;
+}
+
+/* Rotation, velocity and angular velocity of a state. VM_BAD_MASS, VM_BAD_INERTIA */
+VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
+                              vmi_stream_seen *seen)
 {
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
     const vm_vec3 p = vmi_get3(y + VM_Y_P);
-    const vm_real inverse = 1 / mass;
-    vm_vec3 h;
+    const vm_real inverse = 1 / b->mass;
+    vm_vec3 h, p_on_the_way, h_on_the_way;
     vmi_inertia_ldl factors;
-    if (!(mass > 0)) return VM_BAD_MASS;
-    if (!vmi_inertia_factor_if_possible(inertia, &factors)) return VM_BAD_INERTIA;
+    if (!(b->mass > 0)) return VM_BAD_MASS;
+    if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
-    vmi_stream_on_the_way(flow->n, flow->streams, centre, &seen->slip, &seen->omega);
+    vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
-    seen->centre = centre;
+    seen->centre = b->centre;
     seen->v = vmi_scale(inverse, p);
-    seen->slip = vmi_scale(-inverse, seen->slip);
-    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, seen->omega));
+    seen->slip = vmi_scale(-inverse, p_on_the_way);
+    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, h_on_the_way));
     return VM_OK;
 }
 
-/* VM_Y_BALANCE on: momentum, angular momentum and energy carried off by streams less those brought by loads */
+/* The seven rates from VM_Y_BALANCE on: momentum, angular momentum and energy that streams take out, minus what outer
+   loads put in */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -146,73 +181,82 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
 }
 
+/* The right-hand side of n states; n tells which of the three it is */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
-    vm_real mass;
-    vm_vec3 centre, force, moment;
-    vm_inertia inertia;
+    vm_vec3 force, moment;
+    vmi_flow_mass body;
     vmi_mat3 turn;
     vmi_stream_seen seen;
     vmi_stream_sum sum;
-    int status = flow->update ? flow->update(t, y, flow) : 0;
+    int status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return flow->status = VM_SHORT_ARRAY;
-    mass = given ? flow->mass : y[VM_Y_MASS];
-    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
-    inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
-    status = vmi_flow_motion(flow, y, mass, &inertia, centre, &turn, &seen);
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(n, dydt);
+    body = vmi_flow_mass_at(flow, given, y);
+    status = vmi_flow_motion(flow, y, &body, &turn, &seen);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(n, dydt);
     seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
     force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
     force = vmi_add(flow->force, vmi_add(sum.absolute, force));
     moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / mass, sum.crossing))));
-    vmi_stream_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
+    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
+    vmi_flow_turning(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / mass, sum.stored));
+    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / body.mass, sum.stored));
     vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
 }
 
-/* Documented with vm_flow_body. */
+/* Right-hand side of a free body whose streams change mass, mass centre and inertia, (151), (152).
+   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of this chapter. Returns
+   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
+   y_size that is too small; and what flow.update returns. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
-/* 13 states; flow.update sets mass, centre and inertia. With no streams this is (170): what joins or leaves does so
-   at rest where the mass centre is */
+/* Right-hand side of a free body with given laws of mass, mass centre and inertia.
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
+   The streams make forces and moments as in vm_flow_rhs.
+   With no streams this is (170): mass joins and leaves at rest, at the mass centre. Errors as for vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* vm_flow_rhs, and from y[VM_Y_BALANCE] on, zero at first, what streams have carried off less what outer loads have
-   brought: of momentum 3, angular momentum about the origin 3, kinetic energy 1. With the body's own all seven stay
-   constant (the energy but for streams with a store, where angular momentum is y[VM_Y_H] + r x p). The energy goes
-   by the limit of (113), (118), for either sign of M':
+/* Right-hand side vm_flow_rhs with seven integrals that check momentum, angular momentum and energy.
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
+   zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
+   out, minus what the outer loads put in. Added to the body's own they stay constant. (Two exceptions where a stream
+   has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.) The energy
+   has the continuous limit of (113), (118), for either sign of M':
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega:
-   the first sum is what the streams bring, the second what engines give (M' < 0) or plastic impact takes (M' > 0). */
+   the first sum is what the streams bring; the second is what engines give (M' < 0) or plastic impact takes (M' > 0).
+   Errors as for vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_BALANCED_STATES, t, y, dydt);
 }
 
-/* The same for what moves with the body (166). The states are r, q, v (not the momentum), omega in body axes (not the
-   angular momentum); streams are not looked at: v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I
-   omega = M_S */
+/* Right-hand side of a free body that loses or gains mass which moves with the body (166).
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
+   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum); streams
+   are not read. v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S. Errors as for
+   vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -222,47 +266,59 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const vm_vec3 omega = vmi_get3(y + VM_Y_H);
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
-    int status = flow->update ? flow->update(t, y, flow) : 0;
+    int status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
     if (flow->y_size && flow->y_size < VM_FLOW_GIVEN_STATES) return flow->status = VM_SHORT_ARRAY;
     if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = VM_BAD_INERTIA;
     if (!(flow->mass > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW_GIVEN_STATES, dydt);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
     vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
-    vmi_stream_turning(q, square, omega, dydt + VM_Y_Q);
+    vmi_flow_turning(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
-               vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+             vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
-               vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
+             vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
 }
 
-/* How many numbers of the state vm_flow_start makes: as far as it is known that y has room */
+/* How many numbers vm_flow_start writes: as many as y is known to have room for, but the balance only if y_size says
+   so */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
+    if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
     if (flow->y_size && flow->y_size < VM_FLOW_STATES) return VM_FLOW_GIVEN_STATES;
-    return flow->y_size < VM_FLOW_BALANCED_STATES ? VM_FLOW_STATES : VM_FLOW_BALANCED_STATES;
+    return VM_FLOW_STATES;
 }
 
-/* y: the VM_FLOW_STATES first states for body (fewer where y_size says so), streams being as they are at first;
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (that of a rod
-   or a point too) */
+/* What can be wrong in the arguments of vm_flow_start, which also needs the factors of the inertia to exist */
+VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
+{
+    vmi_inertia_ldl factors;
+    int status = vmi_check_body(body);
+    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
+    if (status) return status;
+    if (!(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
+        return VM_NOT_FINITE;
+    if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Initial state y of a body with streams. Writes the VM_FLOW_STATES first states, or as many as flow.y_size says; the
+   mass centre is flow.centre, and the streams are as flow.streams says at the start. Sets flow.mass and flow.inertia
+   too. For vm_flow_given_rhs y_size or the length of y has to be VM_FLOW_GIVEN_STATES at least; the states of
+   vm_flow_carried_rhs are others, and the caller sets them. VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that
+   does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA (a rod or a point, too), VM_SHORT_ARRAY. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
     vm_quat q;
-    vmi_inertia_ldl factors;
     vmi_mat3 turn;
     vm_real start[VM_FLOW_BALANCED_STATES];
     int status, k;
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_streams_are_valid(flow->n, flow->streams);
-    if (!status &&
-        !(vmi_vec3_finite(flow->centre) && vmi_vec3_finite(flow->force) && vmi_vec3_finite(flow->moment)))
-        status = VM_NOT_FINITE;
-    if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
+    status = vmi_flow_check_start(flow, body);
     if (status) return status;
     q = vmi_unit_quat(body->q);
     turn = vmi_rotation(q);
@@ -287,23 +343,25 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body of n states, with q of length 1: n = VM_FLOW_GIVEN_STATES takes mass, centre and inertia from flow, more from y.
-   The states of vm_flow_carried_rhs are other ones: not for them. */
+/* The body that n states y describe, its quaternion with length 1. n = VM_FLOW_GIVEN_STATES takes mass, mass centre
+   and inertia from the flow, a larger n takes them from y. Not for the states of vm_flow_carried_rhs, which are
+   others. VM_BAD_ARGUMENT (n < VM_FLOW_GIVEN_STATES, too), VM_SHORT_ARRAY, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_NOT_FINITE. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
-    const int given = n < VM_FLOW_STATES;
-    vm_vec3 centre;
     vm_body b;
+    vmi_flow_mass now;
     vmi_mat3 turn;
     vmi_stream_seen seen;
     int status;
-    if (!flow || !y || !body || n < VM_FLOW_GIVEN_STATES || !vmi_flow_has(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
+    if (!flow || !y || !body || n < VM_FLOW_GIVEN_STATES) return VM_BAD_ARGUMENT;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < n) return VM_SHORT_ARRAY;
-    b.mass = given ? flow->mass : y[VM_Y_MASS];
-    b.inertia = given ? flow->inertia : vmi_get_inertia(y + VM_Y_INERTIA);
-    centre = given ? flow->centre : vmi_get3(y + VM_Y_CENTRE);
-    status = vmi_flow_motion(flow, y, b.mass, &b.inertia, centre, &turn, &seen);
+    now = vmi_flow_mass_at(flow, n < VM_FLOW_STATES, y);
+    status = vmi_flow_motion(flow, y, &now, &turn, &seen);
     if (status) return status;
+    b.mass = now.mass;
+    b.inertia = now.inertia;
     b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
@@ -313,8 +371,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     return VM_OK;
 }
 
-/* Event functions of vm_flow_rhs and vm_flow_balanced_rhs, ctx the flow: mass - least_mass; least pivot of I - least_inertia,
-   0 where I is singular. They do not watch the triangle inequality, whose limit is near for thin bodies. */
+/* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
+   For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. NaN for a null pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -322,18 +380,17 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
     return y[VM_Y_MASS] - ((const vm_flow *)flow)->least_mass;
 }
 
-/* Documented with vm_flow_mass_left. */
+/* Event function: the least pivot of the inertia minus flow.least_inertia, kg m^2. The pivot is 0 where the inertia
+   is singular. For vm_flow_rhs and vm_flow_balanced_rhs; the event's ctx is the vm_flow. The triangle inequality is
+   not watched, because the inertia of thin bodies is always close to its limit. NaN for a null pointer. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
     const vm_inertia i = vmi_get_inertia(y + VM_Y_INERTIA);
     vmi_inertia_ldl f;
-    vm_real least = i.xx;
+    vm_real least = 0;
     (void)t;
-    if (vmi_inertia_factor(&i, &f)) {
-        if (1 / f.y < least) least = 1 / f.y;
-        if (1 / f.z < least) least = 1 / f.z;
-    } else least = 0;
+    if (vmi_inertia_factor(&i, &f)) least = vmi_smaller(1 / f.z, vmi_smaller(1 / f.y, i.xx));
     return least - ((const vm_flow *)flow)->least_inertia;
 }
 

@@ -1,4 +1,18 @@
-/* mechanics/flow1.h - translation, bodies on a line or an axle with streams of mass */
+/* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
+
+   Right-hand sides of motions with streams of mass that need fewer states than a body in space: translation in space
+   (172), straight motion (175), (176), and rotation about a fixed axle (173a), which has the equation of straight
+   motion with the inertia in the place of the mass.
+
+       vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
+       vm_flow1 flow;
+       vm_real y[VM_FLOW1_STATES] = {0, 0, 100}; // at rest, 100 kg
+       memset(&flow, 0, sizeof flow);
+       flow.n = 1;
+       flow.streams = &jet;
+       status = vm_flow1_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow1_rhs, &flow, ...)
+
+   Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_FLOW1_H
 #define VARMASS_MECHANICS_FLOW1_H
 
@@ -8,101 +22,137 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* Translation (172): 7 states r, momentum, mass; the flow's streams without at, spin and gyration, body axes along
-   the inertial ones */
-enum { VM_TRANSLATION_STATES = 7 };
+/* Where the states of vm_translation_rhs stand in y, and how many there are */
+enum {
+    VM_TRANSLATION_R = 0,    /* mass centre, 3 numbers, m */
+    VM_TRANSLATION_P = 3,    /* momentum, 3 numbers, kg m/s */
+    VM_TRANSLATION_MASS = 6, /* kg */
+    VM_TRANSLATION_STATES = 7
+};
 
-/* One degree of freedom: straight motion (175), (176), and rotation about a fixed axle (173a), which is the same
-   equation. States: x, momentum, mass; or angle, angular momentum, inertia about the axle, with rate M' (kappa +
-   rho^2), rho the distance from the axle, and velocity the stream's angular momentum per unit mass over that. */
+/* Where the states of vm_flow1_rhs stand in y, and how many there are. For an axle read angle (rad), angular momentum
+   (kg m^2/s) and moment of inertia about the axle (kg m^2). */
+enum {
+    VM_FLOW1_X = 0,    /* place, m */
+    VM_FLOW1_P = 1,    /* momentum, kg m/s */
+    VM_FLOW1_MASS = 2, /* kg */
+    VM_FLOW1_STATES = 3
+};
+
+/* A stream of mass onto or off a body on a line, or an axle. For an axle `rate` is M' (kappa + rho^2), with the
+   distance rho from the axle and the gyration kappa of the mass, and `velocity` is the stream's angular momentum per
+   unit mass divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
-    vm_real rate, velocity;
-    int motion;
+    vm_real rate;     /* kg/s; > 0: mass joins. Axle: kg m^2/s */
+    vm_real velocity; /* m/s. Axle: rad/s */
+    int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
+/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow1) {
-    int n;
-    vm_stream1 *streams;
-    vm_real force; /* or moment */
+    int n;               /* number of streams */
+    vm_stream1 *streams; /* n streams, kept by the caller */
+    vm_real force;       /* N, resultant of the outer forces. Axle: their moment, N m */
+    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
+       vm_flow.update does; it returns 0, or another number, which ends the run */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
-    void *ctx;
-    int status;
+    void *ctx;  /* for the caller's `update`; not used here */
+    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-enum { VM_FLOW1_STATES = 3 };
+/* The velocity u of a stream's mass: v is the body's velocity, given that of the stream; one set of axes */
+VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
+{
+    vm_vec3 u = vmi_vec3(0, 0, 0);
+    if (vmi_stream_moves_with_body(motion)) u = v;
+    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    return u;
+}
 
+/* The right-hand side of vm_translation_rhs after flow->update */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
-    const vm_real inverse = 1 / y[6];
-    const vm_vec3 v = vmi_scale(inverse, vmi_get3(y + 3));
+    const vm_real mass = y[VM_TRANSLATION_MASS];
+    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
-    int k;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    int k, status = VM_OK;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < VM_TRANSLATION_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (vmi_flow_refused(&flow->status, y[6] > 0 ? VM_OK : VM_BAD_MASS))
-        return vmi_flow_refuse(VM_TRANSLATION_STATES, dydt);
+    if (!(mass > 0)) status = VM_BAD_MASS;
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_TRANSLATION_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
-        vm_vec3 u = vmi_add(v, s->velocity);
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
-        if (s->motion != VM_RELATIVE)
-            u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : vmi_vec3(0, 0, 0);
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, u));
+        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
-    vmi_set3(dydt, v);
-    vmi_set3(dydt + 3, force);
-    dydt[6] = rate;
+    vmi_set3(dydt + VM_TRANSLATION_R, v);
+    vmi_set3(dydt + VM_TRANSLATION_P, force);
+    dydt[VM_TRANSLATION_MASS] = rate;
     return 0;
 }
 
-VM_INLINE int vmi_rates1(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
-{
-    const vm_real v = y[1] / y[2];
-    vm_real force = flow->force, rate = 0;
-    int k;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    if (vmi_flow_refused(&flow->status, y[2] > 0 ? VM_OK : VM_BAD_MASS)) return vmi_flow_refuse(VM_FLOW1_STATES, dydt);
-    for (k = 0; k < flow->n; k++) {
-        const vm_stream1 *s = flow->streams + k;
-        vm_real u = v + s->velocity;
-        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
-        if (s->motion != VM_RELATIVE) u = s->motion == VM_ABSOLUTE ? s->velocity : s->motion == VM_CARRIED ? v : 0;
-        rate += s->rate;
-        force += s->rate * u;
-    }
-    dydt[0] = v;
-    dydt[1] = force;
-    dydt[2] = rate;
-    return 0;
-}
-
-/* Apart, so that nothing is saved for a call that is not made */
-VMI_APART int vmi_translation_updated(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
+/* flow->update, then the rates. Out of line, so that a flow without update saves no registers for the call. */
+VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
-    return status ? status : vmi_translation_rates(flow, y, dydt);
+    if (status) return status;
+    return vmi_translation_rates(flow, y, dydt);
 }
 
-VMI_APART int vmi_updated1(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
-{
-    const int status = flow->update(t, y, flow);
-    return status ? status : vmi_rates1(flow, y, dydt);
-}
-
+/* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
+   An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
+   are used. Body axes are along the inertial ones; at, spin, gyration and stores of the streams are not read. Returns
+   VM_BAD_ARGUMENT or VM_SHORT_ARRAY, which end the run, for a null pointer, n < 0, a motion that does not exist, a
+   y_size that is too small; and what flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     vm_flow *f = (vm_flow *)flow;
-    return f->update ? vmi_translation_updated(t, y, dydt, f) : vmi_translation_rates(f, y, dydt);
+    if (f->update) return vmi_translation_updated_rates(t, y, dydt, f);
+    return vmi_translation_rates(f, y, dydt);
 }
 
+/* The right-hand side of vm_flow1_rhs after flow->update */
+VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
+{
+    const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
+    vm_real force = flow->force, rate = 0;
+    int k, status = VM_OK;
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    if (!(y[VM_FLOW1_MASS] > 0)) status = VM_BAD_MASS;
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW1_STATES, dydt);
+    for (k = 0; k < flow->n; k++) {
+        const vm_stream1 *s = flow->streams + k;
+        if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
+        rate += s->rate;
+        force += s->rate * vmi_stream_velocity1(s->motion, v, s->velocity);
+    }
+    dydt[VM_FLOW1_X] = v;
+    dydt[VM_FLOW1_P] = force;
+    dydt[VM_FLOW1_MASS] = rate;
+    return 0;
+}
+
+/* flow->update, then the rates; out of line for the reason given above */
+VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
+{
+    const int status = flow->update(t, y, flow);
+    if (status) return status;
+    return vmi_flow1_rates(flow, y, dydt);
+}
+
+/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176). An ode_rhs of
+   VM_FLOW1_STATES states; ctx is a vm_flow1. x' = p/M, p' = F + sum M' u, M' = sum of the rates. Returns
+   VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what flow.update
+   returns. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
     vm_flow1 *f = (vm_flow1 *)flow1;
-    return f->update ? vmi_updated1(t, y, dydt, f) : vmi_rates1(f, y, dydt);
+    if (f->update) return vmi_flow1_updated_rates(t, y, dydt, f);
+    return vmi_flow1_rates(f, y, dydt);
 }
 
 #endif

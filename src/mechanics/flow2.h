@@ -1,4 +1,17 @@
-/* mechanics/flow2.h - a body in a plane with streams of mass */
+/* mechanics/flow2.h - a body in a plane with streams of mass
+
+   The right-hand side of mechanics/flow.h for motion in a plane, with 10 states in the place of 23. The streams have
+   no stores; else everything is as in space.
+
+       vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
+       vm_flow2 flow;
+       vm_real y[VM_FLOW2_STATES] = {0, 0, 0, 0, 0, 1, 100, 0, 0, 20}; // spins slowly, 100 kg, 20 kg m^2
+       memset(&flow, 0, sizeof flow);
+       flow.n = 1;
+       flow.streams = &jet;
+       status = vm_flow2_rhs(0, y, dydt, &flow); // or integrate it: rk45_init(&s, vm_flow2_rhs, &flow, ...)
+
+   Tests: tests/test_flow2.c. */
 #ifndef VARMASS_MECHANICS_FLOW2_H
 #define VARMASS_MECHANICS_FLOW2_H
 
@@ -9,38 +22,52 @@
 #include "flow.h"
 #include "streams.h"
 
-/* The plane: as in space. States: x, y, angle, momentum 2, angular momentum about the mass centre, mass, mass centre
-   from the reference point in body axes 2, inertia about it. No stores. */
+/* Where the states stand in y, inertial axes unless it says body axes; and how many there are */
+enum {
+    VM_FLOW2_X = 0,       /* mass centre, 2 numbers x, y, m */
+    VM_FLOW2_ANGLE = 2,   /* rad, anticlockwise */
+    VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
+    VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
+    VM_FLOW2_MASS = 6,    /* kg */
+    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
+    VM_FLOW2_STATES = 10
+};
+
+/* A stream of mass in the plane */
 typedef struct VM_TAG(vm_stream2) {
-    vm_real rate;
-    int motion;
-    vm_real x, y;   /* where it crosses */
-    vm_real vx, vy; /* velocity */
-    vm_real spin;
-    vm_real gyration; /* m^2 */
+    vm_real rate;     /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    vm_real x, y;     /* m, body axes: the point of crossing, from the body's reference point */
+    vm_real vx, vy;   /* m/s, velocity of the mass when it crosses */
+    vm_real spin;     /* rad/s, angular velocity of the mass when it crosses */
+    vm_real gyration; /* m^2, inertia per unit mass of the crossing mass, about its own mass centre */
 } vm_stream2;
 
+/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set all of it to zero first. */
 typedef struct VM_TAG(vm_flow2) {
-    int n;
-    vm_stream2 *streams;
-    vm_real fx, fy, moment;
+    int n;               /* number of streams */
+    vm_stream2 *streams; /* n streams, kept by the caller */
+    vm_real fx, fy;      /* N, resultant of the outer forces, inertial axes */
+    vm_real moment;      /* N m, their moment about the mass centre and all torques */
+    /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
+       vm_flow.update does; it returns 0, or another number, which ends the run */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
-    void *ctx;
-    int status;
+    void *ctx;  /* for the caller's `update`; not used here */
+    int status; /* VM_OK, or why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-enum { VM_FLOW2_STATES = 10 };
-
-/* sin and cos of x within 0.6 eps of 1: vmi_sincos, with a shorter reduction below 2^20 quarters (float 2^10). pi/2
-   less its first piece, of 33 (14) bits, whose products are exact, is known to 2^-87 (2^-38); rounding j times it
-   costs 2^-67 (2^-28) */
+/* sin and cos of x, with errors below 0.6 eps. The same as vmi_sincos, with a shorter reduction below 2^20 quarter
+   turns (float 2^10): pi/2 is the sum of `first`, of 33 (float 14) bits, whose products with j are exact, and
+   `second`, which is known to 2^-87 (2^-38). Rounding j times `second` costs 2^-67 (2^-28). */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
-    const vm_real most = VM_C(1048576.0), first = VM_C(1.570796326734125614166),
-                  second = VM_C(6.077100506506192601e-11);
+    const vm_real most = VM_C(1048576.0);
+    const vm_real first = VM_C(1.570796326734125614166), second = VM_C(6.077100506506192601e-11);
 #else
-    const vm_real most = VM_C(1024.0), first = VM_C(1.5706787109375), second = VM_C(1.176158573966192321e-4);
+    const vm_real most = VM_C(1024.0);
+    const vm_real first = VM_C(1.5706787109375), second = VM_C(1.176158573966192321e-4);
 #endif
     const vm_real quarters = x * VM_C(0.63661977236758134308);
     vm_real s, c, rest, tail;
@@ -60,21 +87,36 @@ VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
     *cosine = (j & 1 ? s : c) * (vm_real)(1 - ((j + 1) & 2));
 }
 
-/* Sums of the streams in the plane, body axes but for fx, fy */
+/* The motion of a body in the plane as its streams need it */
+typedef struct VM_TAG(vmi_stream_seen2) {
+    vm_real sine, cosine;       /* of the body's angle */
+    vm_real vx, vy;             /* momentum/mass, body axes */
+    vm_real omega;              /* rad/s */
+    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+} vmi_stream_seen2;
+
+/* The sums over the streams of a body in the plane, in body axes except fx, fy; the letters of vm_reactive */
 typedef struct VM_TAG(vmi_stream_sum2) {
-    vm_real rate, carried, px, py, fx, fy, moment, sx, sy, inertia;
+    vm_real rate;    /* sum M' */
+    vm_real carried; /* sum M' of the streams whose velocity is relative to the body */
+    vm_real px, py;  /* sum M' (u - v) of these streams */
+    vm_real fx, fy;  /* sum M' u of the other streams, inertial axes, and the outer force */
+    vm_real moment;  /* sum d x M' (u - v) + M' kappa omega2, and the outer moment */
+    vm_real sx, sy;  /* sum M' d */
+    vm_real inertia; /* sum M' (kappa + d^2) */
 } vmi_stream_sum2;
 
-/* bx, by: v in body axes, of which sine and cosine are the direction */
-VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_real omega, vm_real bx, vm_real by,
-                               vm_real sine, vm_real cosine, vmi_stream_sum2 *sum)
+/* Adds a stream of known motion to the sums */
+VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
-    vm_real ux, uy, spin = 0; /* M' (u - v) */
-    if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
-        ux = -omega * dy;
-        uy = omega * dx;
-        spin = omega;
-        if (s->motion == VM_RELATIVE) {
+    const int given = vmi_stream_velocity_is_given(s->motion);
+    const vm_real dx = s->x - b->centre_x, dy = s->y - b->centre_y;
+    vm_real ux, uy, spin = 0; /* M' (u - v) in the end, and omega2 */
+    if (vmi_stream_moves_with_body(s->motion)) {
+        ux = -b->omega * dy;
+        uy = b->omega * dx;
+        spin = b->omega;
+        if (given) {
             ux += s->vx;
             uy += s->vy;
             spin += s->spin;
@@ -85,15 +127,15 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
         sum->px += ux;
         sum->py += uy;
     } else {
-        ux = -s->rate * bx;
-        uy = -s->rate * by;
-        if (s->motion == VM_ABSOLUTE) {
-            const vm_real ax = s->rate * s->vx, ay = s->rate * s->vy;
-            sum->fx += ax;
-            sum->fy += ay;
+        ux = -s->rate * b->vx;
+        uy = -s->rate * b->vy;
+        if (given) {
+            const vm_real fx = s->rate * s->vx, fy = s->rate * s->vy;
+            sum->fx += fx;
+            sum->fy += fy;
             spin = s->spin;
-            ux += cosine * ax + sine * ay;
-            uy += cosine * ay - sine * ax;
+            ux += b->cosine * fx + b->sine * fy;
+            uy += b->cosine * fy - b->sine * fx;
         }
     }
     sum->rate += s->rate;
@@ -103,44 +145,61 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, vm_real dx, vm_real dy, vm_r
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
+/* VM_OK if the mass and the inertia of the state y are positive */
+VM_INLINE int vmi_flow2_check_state(const vm_real *y)
+{
+    if (!(y[VM_FLOW2_MASS] > 0)) return VM_BAD_MASS;
+    if (!(y[VM_FLOW2_INERTIA] > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Right-hand side of a body in the plane with streams of mass, (151), (152).
+   An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
+   Returns VM_BAD_ARGUMENT, which ends the run, for a null pointer, n < 0, a motion that does not exist; and what
+   flow.update returns. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow2 *flow = (vm_flow2 *)ctx;
     vmi_stream_sum2 sum = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-    vm_real sine, cosine, inverse, vx, vy, omega, sx, sy;
-    int k, status = flow->update ? flow->update(t, y, flow) : 0;
+    vmi_stream_seen2 seen;
+    vm_real sine = 0, cosine = 1, inverse, vx, vy, sx, sy;
+    int k, status = 0;
+    if (flow->update) status = flow->update(t, y, flow);
     if (status) return status;
-    if (!vmi_flow_has(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    status = !(y[6] > 0) ? VM_BAD_MASS : y[9] > 0 ? VM_OK : VM_BAD_INERTIA;
-    if (vmi_flow_refused(&flow->status, status)) return vmi_flow_refuse(VM_FLOW2_STATES, dydt);
-    sine = 0;
-    cosine = 1;
-    if (flow->n) vmi_sincos_of_angle(y[2], &sine, &cosine);
-    inverse = 1 / y[6];
-    vx = y[3] * inverse;
-    vy = y[4] * inverse;
-    omega = y[5] / y[9];
+    if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
+    status = vmi_flow2_check_state(y);
+    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW2_STATES, dydt);
+    if (flow->n) vmi_sincos_of_angle(y[VM_FLOW2_ANGLE], &sine, &cosine);
+    inverse = 1 / y[VM_FLOW2_MASS];
+    vx = y[VM_FLOW2_P] * inverse;
+    vy = y[VM_FLOW2_P + 1] * inverse;
+    seen.sine = sine;
+    seen.cosine = cosine;
+    seen.vx = cosine * vx + sine * vy;
+    seen.vy = cosine * vy - sine * vx;
+    seen.omega = y[VM_FLOW2_H] / y[VM_FLOW2_INERTIA];
+    seen.centre_x = y[VM_FLOW2_CENTRE];
+    seen.centre_y = y[VM_FLOW2_CENTRE + 1];
     sum.fx = flow->fx;
     sum.fy = flow->fy;
     sum.moment = flow->moment;
     for (k = 0; k < flow->n; k++) {
         if (!vmi_stream_motion_is_known(flow->streams[k].motion)) return flow->status = VM_BAD_ARGUMENT;
-        vmi_stream_add2(flow->streams + k, flow->streams[k].x - y[7], flow->streams[k].y - y[8], omega,
-                        cosine * vx + sine * vy, cosine * vy - sine * vx, sine, cosine, &sum);
+        vmi_stream_add2(flow->streams + k, &seen, &sum);
     }
     sx = sum.sx * inverse;
     sy = sum.sy * inverse;
-    dydt[0] = vx + cosine * sx - sine * sy;
-    dydt[1] = vy + sine * sx + cosine * sy;
-    dydt[2] = omega;
-    dydt[3] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
-    dydt[4] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
-    dydt[5] = sum.moment;
-    dydt[6] = sum.rate;
-    dydt[7] = sx;
-    dydt[8] = sy;
-    dydt[9] = sum.inertia;
+    dydt[VM_FLOW2_X] = vx + cosine * sx - sine * sy;
+    dydt[VM_FLOW2_X + 1] = vy + sine * sx + cosine * sy;
+    dydt[VM_FLOW2_ANGLE] = seen.omega;
+    dydt[VM_FLOW2_P] = sum.fx + sum.carried * vx + cosine * sum.px - sine * sum.py;
+    dydt[VM_FLOW2_P + 1] = sum.fy + sum.carried * vy + sine * sum.px + cosine * sum.py;
+    dydt[VM_FLOW2_H] = sum.moment;
+    dydt[VM_FLOW2_MASS] = sum.rate;
+    dydt[VM_FLOW2_CENTRE] = sx;
+    dydt[VM_FLOW2_CENTRE + 1] = sy;
+    dydt[VM_FLOW2_INERTIA] = sum.inertia;
     return 0;
 }
 

@@ -1,32 +1,35 @@
-/* mechanics/inertia.h - tensors of inertia */
+/* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
+   A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
+   says whether a body can have it, moves it to a parallel axis (40), and finds its principal moments and axes.
+
+       vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
+       vm_vec3 d = {0.5, 0, 0};              // m
+       if (vm_inertia_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
+
+   The other functions are internal: they turn, add and invert tensors for the chapters on jumps, streams and scenes.
+   Tests: tests/test_momenta.c, tests/test_jumps.c. */
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
 #include "../base/real.h"
 #include "vectors.h"
 
+/* A tensor of inertia by its entries, kg m^2. Products of inertia have the sign that they have in the tensor:
+   xy = -integral of x y dm. */
 typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
-} vm_inertia; /* kg m^2, entries of the tensor */
+} vm_inertia;
 
+VM_API int vmi_inertia_finite(const vm_inertia *i)
+{
+    return vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz));
+}
+
+/* i a */
 VM_API vm_vec3 vmi_inertia_times(const vm_inertia *i, vm_vec3 a)
 {
     return vmi_vec3(i->xx * a.x + i->xy * a.y + i->xz * a.z, i->xy * a.x + i->yy * a.y + i->yz * a.z,
                     i->xz * a.x + i->yz * a.y + i->zz * a.z);
-}
-
-/* m^T i m: the entries along the columns of m */
-VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
-{
-    vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
-    vm_inertia t;
-    t.xx = vmi_dot(m->x, x);
-    t.yy = vmi_dot(m->y, y);
-    t.zz = vmi_dot(m->z, z);
-    t.xy = vmi_dot(m->x, y);
-    t.xz = vmi_dot(m->x, z);
-    t.yz = vmi_dot(m->y, z);
-    return t;
 }
 
 /* a + c b */
@@ -41,7 +44,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T: the inertia of a unit mass at d */
+/* P(d) = |d|^2 E - d d^T: the inertia about the origin of a unit mass at d */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -54,169 +57,21 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-typedef struct VM_TAG(vmi_principal) {
-    vm_real moment[3];
-    vm_vec3 axis[3];
-} vmi_principal;
-
-/* One of Jacobi's rotations, in the plane of axes p and q: annihilates a[p][q], turns the columns of v along */
-VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
+/* m^T i m: the entries of i along the columns of m */
+VM_API vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
-    vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
-    vm_real t = VM_COPYSIGN(1, theta) / (VM_FABS(theta) + root), c = 1 / VM_SQRT(t * t + 1), s = t * c, x, y;
-    int k = 3 - p - q;
-    a[p][p] -= t * a[p][q];
-    a[q][q] += t * a[p][q];
-    a[p][q] = a[q][p] = 0;
-    x = a[k][p];
-    y = a[k][q];
-    a[k][p] = a[p][k] = c * x - s * y;
-    a[k][q] = a[q][k] = s * x + c * y;
-    for (k = 0; k < 3; k++) {
-        x = v[k][p];
-        y = v[k][q];
-        v[k][p] = c * x - s * y;
-        v[k][q] = s * x + c * y;
-    }
+    const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
+    vm_inertia t;
+    t.xx = vmi_dot(m->x, x);
+    t.yy = vmi_dot(m->y, y);
+    t.zz = vmi_dot(m->z, z);
+    t.xy = vmi_dot(m->x, y);
+    t.xz = vmi_dot(m->x, z);
+    t.yz = vmi_dot(m->y, z);
+    return t;
 }
 
-/* Principal moments and axes; the rotations converge quadratically, in four or five sweeps */
-VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
-{
-    const int most_sweeps = 12;
-    vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    vmi_principal result;
-    int sweep, p, q;
-    a[0][0] = i->xx;
-    a[1][1] = i->yy;
-    a[2][2] = i->zz;
-    a[0][1] = a[1][0] = i->xy;
-    a[0][2] = a[2][0] = i->xz;
-    a[1][2] = a[2][1] = i->yz;
-    for (sweep = 0; sweep < most_sweeps; sweep++)
-        for (p = 0; p < 2; p++)
-            for (q = p + 1; q < 3; q++)
-                if (a[p][q] != 0) vmi_jacobi_rotation(a, v, p, q);
-    for (p = 0; p < 3; p++) {
-        result.moment[p] = a[p][p];
-        result.axis[p] = vmi_vec3(v[0][p], v[1][p], v[2][p]);
-    }
-    return result;
-}
-
-/* Moments of a body: none larger than the two others together, to within slack (kg m^2) */
-VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
-{
-    vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
-    return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack; /* so none is below -slack */
-}
-
-/* Moments that a body can have exactly, of a tensor that is possible within slack. A moment lost in the rounding
-   errors of terms of these sizes becomes 0, one above the sum of the others that sum. 1 where anything changed */
-VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
-{
-    int k, changed = 0;
-    for (k = 0; k < 3; k++) {
-        vm_vec3 e = vmi_abs(p->axis[k]);
-        if (p->moment[k] > 8 * VM_EPSILON * vmi_dot(e, vmi_inertia_times(sizes, e)) || p->moment[k] == 0) continue;
-        p->moment[k] = 0;
-        changed = 1;
-    }
-    for (k = 0; k < 3; k++) {
-        vm_real others = p->moment[(k + 1) % 3] + p->moment[(k + 2) % 3];
-        if (p->moment[k] <= others) continue;
-        p->moment[k] = others;
-        changed = 1;
-    }
-    return changed;
-}
-
-/* The tensor with these principal moments and axes */
-VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
-{
-    vm_inertia i = {0, 0, 0, 0, 0, 0};
-    int k;
-    for (k = 0; k < 3; k++) {
-        vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
-        i.xx += m.x * e.x;
-        i.yy += m.y * e.y;
-        i.zz += m.z * e.z;
-        i.xy += m.x * e.y;
-        i.xz += m.x * e.z;
-        i.yz += m.y * e.z;
-    }
-    return i;
-}
-
-VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
-
-/* What rounding may do to an inertia whose entries come from sums of the size of i */
-VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_trace(i); }
-
-VM_API int vmi_inertia_finite(const vm_inertia *i)
-{
-    return vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz));
-}
-
-/* A body can have the inertia i where tr(i)/2 E - i, the second moments integral of r r^T dm, has no eigenvalue below
-   zero. By elimination, with a slack added against which the rounding errors, some eps of the trace, are small */
-VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
-{
-    vm_real half, x, y, z, yz;
-    half = (i->xx + i->yy + i->zz + slack) / 2;
-    if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
-    x = half - i->xx;
-    if (!(x > 0)) return 0;
-    y = half - i->yy - i->xy / x * i->xy;
-    if (!(y > 0)) return 0;
-    yz = i->yz + i->xy / x * i->xz;
-    z = half - i->zz - i->xz / x * i->xz;
-    return z - yz / y * yz > 0;
-}
-
-/* 1 where a body can have this inertia: no principal moment negative or larger than the two others together, by more
-   than 32 eps of the trace; rods and points are bodies. 0 otherwise, and for NaN and a null pointer. */
-VM_API int vm_inertia_possible(const vm_inertia *inertia)
-{
-    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
-}
-
-/* Inertia about a point d away from the mass centre, same axes, of a body whose own is given (40); with -mass the
-   way back. */
-VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
-{
-    const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
-    return vmi_inertia_plus(own ? *own : none, mass, vmi_inertia_of_point(d));
-}
-
-/* omega with i omega = h but for what points along axes without moment */
-VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
-{
-    vm_vec3 omega = vmi_vec3(0, 0, 0);
-    int k;
-    for (k = 0; k < 3; k++)
-        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
-    return omega;
-}
-
-/* omega with i omega = h, refined once. About an axis without moment (of a rod, a point) it stays the one before: 1
-   where more than noise of h would have been left for that axis to carry */
-VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
-                          vm_vec3 *omega)
-{
-    vm_vec3 w = vmi_vec3(0, 0, 0);
-    int k, left = 0;
-    for (k = 0; k < 3; k++) {
-        if (p->moment[k] > 0) continue;
-        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
-        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
-    }
-    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
-    *omega = w;
-    return left;
-}
-
-/* Entries of the size of the terms that those of m^T i m are sums of */
+/* The sizes of the terms that the entries of m^T i m are sums of; their rounding errors are some eps of these */
 VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -233,6 +88,10 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
     return vmi_inertia_along(&a, &b);
 }
 
+/* |xx| + |yy| + |zz|, which is the trace of an inertia that a body has */
+VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
+
+/* Six numbers of a state as an inertia, and back */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
 {
     vm_inertia i;
@@ -255,14 +114,189 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* L D L^T of an inertia; 0 where a pivot is lost in its own rounding errors, or is not positive */
+/* What roundings may add to an inertia whose entries are sums of terms of the size of i, kg m^2 */
+VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_trace(i); }
+
+/* 1 if a body can have the inertia i to within slack (kg m^2): tr(i)/2 E - i, the second moments integral of r r^T
+   dm, must have no negative eigenvalue. By elimination, after slack, which exceeds the rounding errors, has been
+   added */
+VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
+{
+    const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
+    vm_real x, y, z, yz; /* pivots, and the entry left beside the last two */
+    if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
+    x = half - i->xx;
+    if (!(x > 0)) return 0;
+    y = half - i->yy - i->xy / x * i->xy;
+    if (!(y > 0)) return 0;
+    yz = i->yz + i->xy / x * i->xz;
+    z = half - i->zz - i->xz / x * i->xz;
+    return z - yz / y * yz > 0;
+}
+
+/* 1 if a body can have this inertia, 0 if not, and for NaN and a null pointer. A body's principal moments are not
+   negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace count as
+   rounding errors. Rods and points are bodies. */
+VM_API int vm_inertia_possible(const vm_inertia *inertia)
+{
+    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
+}
+
+/* The inertia about a point at distance d from the mass centre, along the same axes, (40): own + mass P(d), where
+   own is about the mass centre, kg m^2. With -mass it goes back to the mass centre. NaN for a null pointer; NaN in
+   the arguments gives NaN. */
+VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
+{
+    const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
+    return vmi_inertia_plus(own ? *own : none, mass, vmi_inertia_of_point(d));
+}
+
+/* ---- principal axes ---- */
+
+/* Principal moments, kg m^2, and unit vectors along the axes */
+typedef struct VM_TAG(vmi_principal) {
+    vm_real moment[3];
+    vm_vec3 axis[3];
+} vmi_principal;
+
+/* One of Jacobi's rotations, in the plane of axes p and q: a[p][q] becomes 0, the columns of v turn with the axes.
+   t, c, s are tangent, cosine and sine of the angle, of which the smaller one is taken. */
+VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
+{
+    const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
+    const vm_real t = VM_COPYSIGN(1, theta) / (VM_FABS(theta) + root), c = 1 / VM_SQRT(t * t + 1), s = t * c;
+    const int other = 3 - p - q;
+    vm_real x = a[other][p], y = a[other][q];
+    int k;
+    a[p][p] -= t * a[p][q];
+    a[q][q] += t * a[p][q];
+    a[p][q] = a[q][p] = 0;
+    a[other][p] = a[p][other] = c * x - s * y;
+    a[other][q] = a[q][other] = s * x + c * y;
+    for (k = 0; k < 3; k++) {
+        x = v[k][p];
+        y = v[k][q];
+        v[k][p] = c * x - s * y;
+        v[k][q] = s * x + c * y;
+    }
+}
+
+/* Principal moments and axes by Jacobi's rotations, which converge quadratically, in four or five sweeps */
+VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
+{
+    const int most_sweeps = 12; /* a bound that is not reached */
+    vm_real a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    vmi_principal result;
+    int sweep, p, q;
+    a[0][0] = i->xx;
+    a[1][1] = i->yy;
+    a[2][2] = i->zz;
+    a[0][1] = a[1][0] = i->xy;
+    a[0][2] = a[2][0] = i->xz;
+    a[1][2] = a[2][1] = i->yz;
+    for (sweep = 0; sweep < most_sweeps; sweep++)
+        for (p = 0; p < 2; p++)
+            for (q = p + 1; q < 3; q++)
+                if (a[p][q] != 0) vmi_jacobi_rotation(a, v, p, q);
+    for (p = 0; p < 3; p++) {
+        result.moment[p] = a[p][p];
+        result.axis[p] = vmi_vec3(v[0][p], v[1][p], v[2][p]);
+    }
+    return result;
+}
+
+/* The tensor that has these principal moments and axes */
+VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
+{
+    vm_inertia i = {0, 0, 0, 0, 0, 0};
+    int k;
+    for (k = 0; k < 3; k++) {
+        const vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
+        i.xx += m.x * e.x;
+        i.yy += m.y * e.y;
+        i.zz += m.z * e.z;
+        i.xy += m.x * e.y;
+        i.xz += m.x * e.z;
+        i.yz += m.y * e.z;
+    }
+    return i;
+}
+
+/* 1 if these are moments of a body: none is larger than the sum of the two others, to within slack (kg m^2). Then
+   none is below -slack either. */
+VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
+{
+    const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
+    return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
+}
+
+/* A moment below this share of the terms that it is a sum of is made of their rounding errors */
+#define VMI_LOST_SHARE (8 * VM_EPSILON)
+
+/* 1 if a moment about an axis is lost in the rounding errors of a tensor whose entries are sums of terms of these
+   sizes; also for a negative moment and NaN */
+VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
+{
+    const vm_vec3 e = vmi_abs(axis);
+    return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
+}
+
+/* Turns moments that are possible within roundings into some that a body can have exactly: a moment that is lost in
+   the rounding errors becomes 0, one larger than the sum of the others becomes that sum. 1 if anything changed */
+VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
+{
+    int k, changed = 0;
+    for (k = 0; k < 3; k++) {
+        if (p->moment[k] == 0 || !vmi_moment_is_lost(p->moment[k], p->axis[k], sizes)) continue;
+        p->moment[k] = 0;
+        changed = 1;
+    }
+    for (k = 0; k < 3; k++) {
+        const vm_real others = p->moment[(k + 1) % 3] + p->moment[(k + 2) % 3];
+        if (p->moment[k] <= others) continue;
+        p->moment[k] = others;
+        changed = 1;
+    }
+    return changed;
+}
+
+/* The angular velocity omega with i omega = h, where parts of h along axes without moment are left out */
+VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
+{
+    vm_vec3 omega = vmi_vec3(0, 0, 0);
+    int k;
+    for (k = 0; k < 3; k++)
+        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
+    return omega;
+}
+
+/* *omega with i omega = h, corrected once. About an axis without moment (of a rod, a point) the spin stays as it was
+   before. Returns 1 if more angular momentum than noise was left about such an axis, which it cannot carry. */
+VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
+                          vm_vec3 *omega)
+{
+    vm_vec3 w = vmi_vec3(0, 0, 0);
+    int k, left = 0;
+    for (k = 0; k < 3; k++) {
+        if (p->moment[k] > 0) continue;
+        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
+        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
+    }
+    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
+    *omega = w;
+    return left;
+}
+
+/* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
+
+/* The factors of i = L D L^T: xy, xz, yz of L, and x, y, z of 1/D */
 typedef struct VM_TAG(vmi_inertia_ldl) {
-    vm_real xy, xz, yz, x, y, z; /* of L; of 1/D */
+    vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
+/* Factors of i; returns 0 if a pivot is not positive or is lost in its own rounding errors, else 1 */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
-    const vm_real lost = 8 * VM_EPSILON;
     vm_real y, z, t;
     f->x = 1 / i->xx;
     f->xy = i->xy * f->x;
@@ -273,33 +307,10 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     f->yz = t * f->y;
     z = i->zz - f->xz * i->xz - f->yz * t;
     f->z = 1 / z;
-    return i->xx > 0 && y > lost * i->yy && z > lost * i->zz;
+    return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* Whether a body can have the inertia i, whose moments are positive, at some time of a run. The inertia of a flat
-   body keeps to the bound of the triangle inequality but for the roundings of all steps, so that the slack has room
-   for 1e7 (float 3000) of them. */
-VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* sqrt(eps), of the trace */
-    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
-}
-
-/* First a test that is cheap and enough for most bodies: tr(i)/2 E - i is positive definite where its least diagonal
-   entry is larger than the others in its row can be. */
-VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real half = (i->xx + i->yy + i->zz) / 2;
-    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
-    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
-}
-
-/* The same, with the factors that a body needs to be accelerated */
-VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
-{
-    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
-}
-
+/* i^-1 h from the factors of i */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -308,6 +319,30 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     w.y = w.y * f->y - f->yz * w.z;
     w.x = h.x * f->x - f->xy * w.y - f->xz * w.z;
     return w;
+}
+
+/* vmi_running_inertia_is_possible for thin bodies. The inertia of a flat body meets the triangle inequality with
+   equality, except for the roundings of all steps: the slack sqrt(eps) allows 1e7 (float 3000) of them. */
+VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
+{
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* of the trace */
+    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
+}
+
+/* 1 if a body can have the inertia i, whose moments are positive, at some time of an integration. A cheap test is
+   enough for most bodies: tr(i)/2 E - i is positive definite if its least diagonal entry is larger than all the
+   others of a row together can be. */
+VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
+{
+    const vm_real half = (i->xx + i->yy + i->zz) / 2;
+    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
+    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
+}
+
+/* vmi_inertia_factor that also returns 0 if no body has the inertia i */
+VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
+{
+    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
 }
 
 #endif

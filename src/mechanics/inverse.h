@@ -1,4 +1,13 @@
-/* mechanics/inverse.h - how a part must leave for the rest to move as wanted */
+/* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
+   The inverse question of a separation: Tables 2 to 4 of [1] ask which motions of the part leave a rest that does
+   not turn, that rests, or that moves on as the whole did.
+
+       vm_vec3 none = {0, 0, 0};
+       vm_body moving; // whole and part are vm_bodies
+       int status = vm_separation_for_rest(&whole, &part, NULL, NULL, &none, &moving); // VM_OK: with this omega of
+                                                                                      // part the rest does not turn
+
+   Tests: tests/test_inverse.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_INVERSE_H
 #define VARMASS_MECHANICS_INVERSE_H
 
@@ -10,154 +19,192 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* (24) for v2: v + (linear - M1 (v1 - v))/m */
-VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external,
+/* The velocity of the part that gives the rest the velocity rest_v: v2 = v + (linear - M1 (v1 - v))/m by (24) */
+VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
     vm_vec3 momentum = vmi_scale(part->mass - whole->mass, vmi_sub(rest_v, whole->v));
-    if (external) momentum = vmi_add(momentum, external->linear);
-    return vmi_add(whole->v, vmi_vec3(momentum.x / part->mass, momentum.y / part->mass, momentum.z / part->mass));
+    if (external_or_NULL) momentum = vmi_add(momentum, external_or_NULL->linear);
+    return vmi_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The I2 Omega_r of the part with which the rest turns with rest_omega: h - I1 (rest_omega - Omega), where h is what
-   the rest has when the part does not turn relative to the whole */
+/* I2 Omega_r of the part with which the rest turns with rest_omega: h - I1 (rest_omega - Omega), where h is the
+   angular momentum that the rest has if the part turns as the whole does */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
-    vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
+    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
     return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* The load that the rest would be, with the part leaving at b's velocity but turning with the whole */
-VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *b, const vm_impulse *external, vmi_frame *frame,
-                             vmi_lump *rest)
+/* What the rest would be if the part left with its velocity, but turned as the whole does; the bodies are valid, but
+   for an infinite velocity of the part */
+VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
+                             vmi_frame *frame, vmi_lump *rest)
 {
-    vm_body unturned = *b;
-    vmi_bodies list;
+    vm_body unturned = *part;
+    const vmi_bodies list = vmi_bodies_in_space(1, &unturned);
     vmi_principal p;
-    int status = vmi_check_body(whole);
-    list.n = 1;
-    list.in_space = &unturned;
-    list.in_plane = NULL;
-    if (!status) status = vmi_check_bodies(&list);
-    if (status) return status;
+    int status;
+    if (!vmi_vec3_finite(part->v)) return VM_NOT_FINITE;
     unturned.omega = whole->omega;
-    *frame = vmi_frame_of(whole, &list, -1);
-    status = vmi_jump_total(frame, whole, -1, &list, external, rest);
+    *frame = vmi_frame_of(whole, &list, VMI_SEPARATE);
+    status = vmi_jump_total(frame, whole, VMI_SEPARATE, &list, external_or_NULL, rest);
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* The inverse question: how must the part leave for the rest to move as wanted? *moving is the part with the velocity
-   that gives the rest the velocity *rest_v, and then the angular velocity that gives it *rest_omega; what is not
-   asked for (NULL) stays the part's. *rest_omega = 0: no rotation (Table 2, 5 and 7; Table 4, 2); *rest_v = 0 too: at
-   rest (Table 3, 6 and 8); the whole's own motion: unchanged (Table 3, 7).
-   VM_NULL_AXIS where the part would have to spin about an axis without inertia; errors as vm_separate. */
-VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
-                           const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
+/* Gives part the angular velocity with which the rest turns with rest_omega. VM_NULL_AXIS where it would have to
+   spin about an axis without inertia. */
+VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
-    vmi_frame frame, own;
-    vmi_lump rest, load;
+    vmi_frame own = *frame; /* with the part's axes */
+    vmi_lump lump;
     vmi_principal p;
+    vm_vec3 spin;
+    int status;
+    own.q = part->q;
+    own.turn = vmi_rotation(part->q);
+    lump = vmi_lump_of(&own, part);
+    lump.h = vmi_part_spin_momentum(frame, rest, rest_omega);
+    lump.noise = rest->noise + vmi_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
+    status = vmi_lump_clamp_moments(&lump, &p);
+    if (status) return status;
+    if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
+    part->omega = vmi_add(own.omega, spin);
+    return status;
+}
+
+/* Inverse of vm_separate: how must the part leave, so that the rest moves as wanted? *moving is the part with the
+   velocity that gives the rest the velocity *rest_v_or_NULL (m/s), and then with the angular velocity that gives it
+   *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is asked for, and the part keeps its own motion.
+   With *rest_omega = 0 the rest does not turn (Table 2, 5 and 7; Table 4, 2), with *rest_v = 0 too it is at rest
+   (Table 3, 6 and 8), and with the whole's motion it moves on as the whole did (Table 3, 7).
+
+   VM_NULL_AXIS (> 0, done as far as possible): the part would have to spin about an axis without inertia. Other
+   statuses as those of vm_separate. */
+VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
+                                  const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
+{
+    const vmi_bodies parts = vmi_bodies_in_space(1, part);
+    vmi_frame frame;
+    vmi_lump rest;
     vm_body b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    status = vmi_check_body(part); /* before the division by its mass */
+    if (rest_v_or_NULL && !vmi_vec3_finite(*rest_v_or_NULL)) return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !vmi_vec3_finite(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    status = vmi_check_jump(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
     if (rest_v_or_NULL) b.v = vmi_part_velocity(whole, part, external_or_NULL, *rest_v_or_NULL);
     status = vmi_unturned_rest(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
-    if (rest_omega_or_NULL) {
-        own = frame;
-        own.q = b.q;
-        own.turn = vmi_rotation(b.q); /* along the part's axes */
-        load = vmi_lump_of(&own, &b);
-        load.h = vmi_part_spin_momentum(&frame, &rest, *rest_omega_or_NULL);
-        load.noise = rest.noise +
-                     vmi_trace(&rest.inertia) * (vmi_norm1(*rest_omega_or_NULL) + vmi_norm1(frame.omega));
-        status = vmi_lump_clamp_moments(&load, &p);
-        if (status) return status;
-        if (vmi_lump_spin(&own, &load, &p, vmi_sub(b.omega, own.omega), &b.omega)) status = VM_NULL_AXIS;
-        b.omega = vmi_add(own.omega, b.omega);
-    }
+    if (rest_omega_or_NULL) status = vmi_turn_part(&frame, &rest, *rest_omega_or_NULL, &b);
+    if (status < 0) return status;
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *moving = b;
     return status;
 }
 
-/* The same as vmi_unturned_rest */
-VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *b, const vm_impulse2 *external,
-                              vmi_frame *frame, vmi_lump *rest)
+/* ---- the plane ---- */
+
+/* vmi_part_velocity in the plane: sets vx and vy of *part */
+VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
+                           vm_body2 *part)
 {
-    vm_body2 unturned = *b;
-    vmi_bodies list;
-    int status = vmi_check_body2(b);
-    if (status) return status;
-    unturned.omega = whole->omega;
-    list.n = 1;
-    list.in_space = NULL;
-    list.in_plane = &unturned;
-    return vmi_jump_total2(whole, &list, -1, external, frame, rest);
+    const vm_body from = vmi_body_to_space(whole), leaving = vmi_body_to_space(part);
+    const vm_impulse *given = NULL;
+    vm_impulse impulse;
+    vm_vec3 v;
+    if (external_or_NULL) {
+        impulse = vmi_impulse_to_space(external_or_NULL);
+        given = &impulse;
+    }
+    v = vmi_part_velocity(&from, &leaving, given, vmi_vec3(rest_v[0], rest_v[1], 0));
+    part->vx = v.x;
+    part->vy = v.y;
 }
 
-/* The same in the plane; *rest_v is vx, vy */
-VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
-                            const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL, vm_body2 *moving)
+/* vmi_unturned_rest in the plane */
+VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
+                              vmi_frame *frame, vmi_lump *rest)
 {
+    vm_body2 unturned = *part;
+    const vmi_bodies list = vmi_bodies_in_plane(1, &unturned);
+    if (!VM_IS_FINITE(part->vx) || !VM_IS_FINITE(part->vy)) return VM_NOT_FINITE;
+    unturned.omega = whole->omega;
+    return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
+}
+
+/* vmi_turn_part in the plane */
+VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
+                          vm_body2 *part)
+{
+    vmi_lump lump = *rest;
+    vm_real spin;
+    int left;
+    lump.inertia.zz = part->inertia;
+    lump.h = vmi_part_spin_momentum(frame, rest, vmi_vec3(0, 0, rest_omega));
+    lump.noise += rest->inertia.zz * (VM_FABS(rest_omega) + VM_FABS(whole->omega));
+    left = vmi_lump_spin2(&lump, part->omega - whole->omega, &spin);
+    part->omega = spin + whole->omega;
+    return left ? VM_NULL_AXIS : VM_OK;
+}
+
+/* Inverse of vm_separate2: how must the part leave, so that the rest moves as wanted, in the plane? *moving is the
+   part with the velocity that gives the rest the velocity rest_v_or_NULL[0], rest_v_or_NULL[1] (m/s, along x and y),
+   and then with the angular velocity that gives it *rest_omega_or_NULL (rad/s). Where a pointer is NULL, nothing is
+   asked for, and the part keeps its own motion. Statuses as those of vm_separation_for_rest. */
+VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
+                                   const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
+                                   vm_body2 *moving)
+{
+    const vmi_bodies parts = vmi_bodies_in_plane(1, part);
     vmi_frame frame;
-    vmi_lump rest, load;
+    vmi_lump rest;
     vm_body2 b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    status = vmi_check_body2(part);
+    if (rest_v_or_NULL && !(VM_IS_FINITE(rest_v_or_NULL[0]) && VM_IS_FINITE(rest_v_or_NULL[1])))
+        return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !VM_IS_FINITE(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    status = vmi_check_jump2(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
-    if (rest_v_or_NULL) {
-        const vm_body from = vmi_body_to_space(whole), leaving = vmi_body_to_space(part);
-        vm_impulse blow;
-        vm_vec3 v;
-        if (external_or_NULL) blow = vmi_impulse_to_space(external_or_NULL);
-        v = vmi_part_velocity(&from, &leaving, external_or_NULL ? &blow : NULL,
-                              vmi_vec3(rest_v_or_NULL[0], rest_v_or_NULL[1], 0));
-        b.vx = v.x;
-        b.vy = v.y;
-    }
+    if (rest_v_or_NULL) vmi_push_part2(whole, external_or_NULL, rest_v_or_NULL, &b);
     status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
-    if (rest_omega_or_NULL) {
-        load = rest;
-        load.inertia.zz = b.inertia;
-        load.h = vmi_part_spin_momentum(&frame, &rest, vmi_vec3(0, 0, *rest_omega_or_NULL));
-        load.noise += rest.inertia.zz * (VM_FABS(*rest_omega_or_NULL) + VM_FABS(whole->omega));
-        if (vmi_lump_spin2(&load, b.omega - whole->omega, &b.omega)) status = VM_NULL_AXIS;
-        b.omega += whole->omega;
-    }
+    if (rest_omega_or_NULL) status = vmi_turn_part2(whole, &frame, &rest, *rest_omega_or_NULL, &b);
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
     *moving = b;
     return status;
 }
 
-/* The part keeps its spin: which velocity gives the rest the angular velocity rest_omega? Of those that do, the one
-   with the least v_r, which is orthogonal to SS2; any v_r along SS2 may be added (Table 3, 7, asked for v_r).
-   VM_SINGULAR where SS2 = 0; errors as vm_separate2. */
-/* What is left of h - I1 (rest_omega - Omega) must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
+/* Velocity of the part that gives the rest the angular velocity rest_omega (rad/s), in the plane, while the part
+   keeps its own spin (Table 3, 7, asked for v_r). *moving is the part with, of all such velocities, the one with the
+   least v_r relative to the whole, which is orthogonal to SS2; any velocity along SS2 may be added. The velocity in
+   *part is not read. VM_SINGULAR if SS2 = 0, so that no velocity turns the rest. Other statuses as those of
+   vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
-                                 vm_real rest_omega, vm_body2 *moving)
+                                   vm_real rest_omega, vm_body2 *moving)
 {
     vmi_frame frame;
     vmi_lump rest;
     vm_body2 b;
+    const vmi_bodies parts = vmi_bodies_in_plane(1, &b);
     vm_real dx, dy, h, c;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(rest_omega)) return VM_NOT_FINITE;
     b = *part;
-    dx = b.x - whole->x;
+    dx = b.x - whole->x; /* SS2 */
     dy = b.y - whole->y;
-    b.vx = whole->vx - whole->omega * dy;
+    b.vx = whole->vx - whole->omega * dy; /* v_r = 0 */
     b.vy = whole->vy + whole->omega * dx;
-    status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
+    status = vmi_check_jump2(whole, &parts, external_or_NULL);
+    if (!status) status = vmi_unturned_rest2(whole, &b, external_or_NULL, &frame, &rest);
     if (status) return status;
     if (dx == 0 && dy == 0) return VM_SINGULAR;
+    /* h, what the part's spin and the rest's leave, must be m M/M1 SS2 x v_r, with v_r = c k x SS2 */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
     c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
     b.vx -= c * dy;

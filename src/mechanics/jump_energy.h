@@ -1,4 +1,12 @@
-/* mechanics/jump_energy.h - the energy that a jump sets free or takes */
+/* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
+   Kinetic energy is not kept when bodies separate or join. The change is the kinetic energy of the motions relative
+   to the whole: theorem (113), (118), the form for both of Carnot's theorem.
+
+       vm_body rest; // whole and part are known vm_bodies
+       vm_real gain = VM_NAN;
+       if (vm_separate(&whole, &part, NULL, &rest) == VM_OK) gain = vm_energy_gain(&whole, 1, &part, NULL, &rest);
+
+   Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMP_ENERGY_H
 #define VARMASS_MECHANICS_JUMP_ENERGY_H
 
@@ -7,43 +15,47 @@
 #include "relative.h"
 #include "vectors.h"
 
-/* Kinetic energy of the motions relative to the whole of n bodies and one more; the impulse's work on the whole */
-VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more,
-                                   const vm_impulse *external, vm_real *work)
+/* Kinetic energy of the motions of n bodies and one more relative to the whole; NaN for a null pointer and n < 0 */
+VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *bodies, const vm_body *one_more)
 {
     vm_real sum = 0;
     vm_body b;
     int i;
     if (!whole || !one_more || n < 0 || (n > 0 && !bodies)) return VM_NAN;
-    for (i = 0; i <= n; i++) {
-        b = i < n ? bodies[i] : *one_more;
-        vm_to_relative(whole, &b, &b);
+    for (i = 0; i < n; i++) {
+        b = vmi_relative_motion(whole, bodies[i]);
         sum += vm_kinetic_energy(&b);
     }
-    *work = 0;
-    if (external)
-        *work = vmi_dot(whole->v, external->linear) + vmi_dot(whole->omega, vmi_impulse_moment(external, whole->r));
-    return sum;
+    b = vmi_relative_motion(whole, *one_more);
+    return sum + vm_kinetic_energy(&b);
 }
 
-/* Kinetic energy that the n parts and the rest have more than the whole had, J, as the theorem (113), (118) has it:
-   the sum of the kinetic energies of their motions relative to the whole, exact in space, and the impulse's work
-   v_S.linear + Omega.moment about S. At high speed it has digits that the difference of the energies has lost. NaN
-   for a null pointer and n < 0. */
+/* Work of an impulse on a body, J: v_S.linear + Omega.moment about S; 0 without an impulse or a body */
+VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
+{
+    const vm_body *b = body_or_NULL;
+    const vm_impulse *j = external_or_NULL;
+    if (!b || !j) return 0;
+    return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
+}
+
+/* Energy gained at a separation, J: the kinetic energy of the n parts and the rest less that of the whole (113),
+   (118). It is the kinetic energy of their motions relative to the whole plus the impulse's work on the whole,
+   v_S.linear + Omega.moment about S; exact in space. At high speed it has digits that the difference of the energies
+   has lost. whole moves as before the jump, parts and rest as after it. NaN for a null pointer and n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
-    vm_real work = 0, sum = vmi_relative_energy(whole, n, parts, rest, external_or_NULL, &work);
-    return sum + work;
+    return vmi_relative_energy(whole, n, parts, rest) + vmi_impulse_work(whole, external_or_NULL);
 }
 
-/* What body and the n added have more than the whole has, J: Carnot's loss, the kinetic energies of their motions
-   relative to the whole, less the work of the impulse on it. */
+/* Energy lost at an attachment, J: the kinetic energy of body and the n added less that of the whole, Carnot's loss.
+   It is the kinetic energy of their motions relative to the whole less the impulse's work on the whole. body and
+   added move as before the jump, whole as after it. NaN for a null pointer and n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)
 {
-    vm_real work = 0, sum = vmi_relative_energy(whole, n, added, body, external_or_NULL, &work);
-    return sum - work;
+    return vmi_relative_energy(whole, n, added, body) - vmi_impulse_work(whole, external_or_NULL);
 }
 
 #endif

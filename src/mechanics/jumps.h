@@ -1,4 +1,14 @@
-/* mechanics/jumps.h - parts separate from a body or are attached to it */
+/* mechanics/jumps.h - parts separate from a body or are attached to it, in space
+   In an instant the mass, mass centre, inertia, velocity and angular velocity of a body jump, while its attitude
+   stays: (13)-(15), (24), (33), (34), (40). An impulse may act in the same instant, and any number of parts may take
+   part.
+
+       vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
+       vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
+       int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: how the rest moves on
+
+   Jumps in the plane are in jumps2.h, in relative motions in relative.h, the inverse question (how must a part
+   leave?) in inverse.h, the energy in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
@@ -8,50 +18,58 @@
 #include "inertia.h"
 #include "vectors.h"
 
-/* Separation (sign = -1) and attachment (+1) of another body, with d = SS2, M1 = M + sign m, every inertia about its
-   own mass centre, and the impulse's moment about S1:
+/* How it is computed. A body (mass M, velocity v, mass centre S) becomes one of mass M1 = M + sign m and mass centre
+   S1, when another (m, v2, S2) is attached (sign = 1) or separates (sign = -1). With d = SS2, every inertia about
+   the body's own mass centre, and moment for the impulse's moment about S1:
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   which is the same law for both with a negative mass and inertia for what leaves, and the same in a frame that turns
-   with any Omega, when omegas and v2 - v are those relative to it, (42) in space. The frame is chosen so that what
-   cancels is small: it moves with the heaviest body, and for a separation it turns with the whole. */
+   So a separation is an attachment of negative mass and inertia. The law is the same in a frame that moves and turns
+   with any Omega, if all omegas and v2 - v are taken relative to it, (42) in space. The frame is chosen so that the
+   terms that cancel are small, and few digits are lost: it moves with the heaviest body, and at a separation it
+   turns with the whole. */
+enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* values of sign */
+
+/* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q; /* of the first body, along whose axes inertias are added up */
-    vmi_mat3 turn;
-    vm_vec3 r, v, omega;
+    vm_quat q;           /* attitude of the first body, along whose axes inertias are added */
+    vmi_mat3 turn;       /* its rotation matrix */
+    vm_vec3 r, v, omega; /* place, velocity and angular velocity of the frame */
 } vmi_frame;
 
-/* What a body brings into the jump, or a sum of such */
+/* What a body, or several bodies joined, bring into the jump. "lump" as in a lumped mass. */
 typedef struct VM_TAG(vmi_lump) {
     vm_real mass;
-    vm_vec3 r, v;              /* from the frame's */
-    vm_vec3 h;                 /* I (omega - Omega) */
-    vm_inertia inertia, sizes; /* and the sizes of the terms that its entries are sums of */
-    vm_real noise;             /* h is right to some eps of this */
+    vm_vec3 r, v;       /* mass centre and velocity, less those of the frame */
+    vm_vec3 h;          /* angular momentum I (omega - Omega), inertial axes */
+    vm_inertia inertia; /* about the mass centre, along the frame's axes q */
+    vm_inertia sizes;   /* the sizes of the terms whose sums are the entries of inertia */
+    vm_real noise;      /* the size of h before cancellation: h is right to some eps of it */
 } vmi_lump;
 
 VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
-    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, own = vmi_rotation(body->q);
+    const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
-    vm_vec3 spin = vmi_sub(body->omega, frame->omega);
-    vmi_lump load;
+    const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
+    vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* the frame's axes in those of the body */
+    vmi_lump lump;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* equal attitudes cost no digits */
         turn.x = vmi_times_transposed(&own, frame->turn.x);
         turn.y = vmi_times_transposed(&own, frame->turn.y);
         turn.z = vmi_times_transposed(&own, frame->turn.z);
     }
-    load.mass = body->mass;
-    load.r = vmi_sub(body->r, frame->r);
-    load.v = vmi_sub(body->v, frame->v);
-    load.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
-    load.inertia = vmi_inertia_along(&body->inertia, &turn);
-    load.sizes = vmi_inertia_sizes(&body->inertia, &turn);
-    load.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
-    return load;
+    lump.mass = body->mass;
+    lump.r = vmi_sub(body->r, frame->r);
+    lump.v = vmi_sub(body->v, frame->v);
+    lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
+    lump.inertia = vmi_inertia_along(&body->inertia, &turn);
+    lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
+    lump.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
+    return lump;
 }
 
-/* P(d) in the frame's axes, and the sizes of its terms when d has the rounding errors of positions of size reach */
+/* P(d) along the frame's axes, and the sizes of its terms, if d has the rounding errors of positions as large as
+   reach */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -69,21 +87,32 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* a + sign b */
+/* The noise that b and the term m M/M1 d x slip add to a lump: d is as uncertain as positions of the size of reach */
+VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
+                              vm_real reduced, vm_vec3 reach, vm_vec3 slip)
+{
+    const vm_real distance = vmi_norm1(vmi_sub(b->r, a->r));
+    const vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v);
+    const vm_real moved = sign < 0 ? b->mass : reduced;
+    return b->noise + VM_FABS(reduced) * distance * speeds +
+           moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
+}
+
+/* Attaches b to a (sign = 1) or separates it from a (sign = -1). VM_BAD_MASS if no mass is left. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
-    const vm_real mass = a->mass + sign * b->mass, share = sign * (b->mass / mass), reduced = a->mass * share;
-    vm_vec3 origin = vmi_abs(frame->r), d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
-    vm_vec3 u = vmi_sub(v, vmi_cross(frame->omega, d));
-    vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v), turning = vmi_norm1(frame->omega);
+    const vm_real mass = a->mass + sign * b->mass;
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* sign m/M1, sign m M/M1 */
+    const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
+    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* v2 - v relative to the frame */
+    const vm_vec3 origin = vmi_abs(frame->r);
+    const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
+    a->noise += vmi_join_noise(frame, a, sign, b, reduced, reach, slip);
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
-    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, u))));
-    a->noise += b->noise + VM_FABS(reduced) * vmi_norm1(d) * speeds +
-                (sign < 0 ? b->mass : reduced) * vmi_norm1(reach) * (vmi_norm1(d) * turning + vmi_norm1(u));
+    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
     if (b->mass > a->mass) { /* from the heavier, so that a light body's motion costs no digits of it */
         a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
         a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
@@ -95,14 +124,17 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
     return VM_OK;
 }
 
+/* Adds an impulse to the velocity and the angular momentum of a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
-    vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
-    a->v = vmi_add(a->v, vmi_vec3(j.x / a->mass, j.y / a->mass, j.z / a->mass));
+    const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
+    a->v = vmi_add(a->v, vmi_over(j, a->mass));
     a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
+/* The frame of a jump: it moves with the heaviest of all bodies. At a separation, and where only an impulse acts, it
+   turns with the first body, at an attachment not at all. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -112,7 +144,8 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     frame.turn = vmi_rotation(body->q);
     frame.r = body->r;
     frame.v = body->v;
-    frame.omega = sign < 0 || others->n == 0 ? body->omega : vmi_vec3(0, 0, 0);
+    frame.omega = vmi_vec3(0, 0, 0);
+    if (sign < 0 || others->n == 0) frame.omega = body->omega;
     for (i = 0; i < others->n; i++) {
         const vm_body b = vmi_list_body(others, i);
         if (b.mass > mass) {
@@ -124,116 +157,135 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
     return frame;
 }
 
-/* The body with the others joined (sign = 1) or without them (-1), struck by the impulse */
-VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
-                          const vm_impulse *external, vmi_lump *total)
+/* The status of what is given for a jump */
+VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
-    vmi_lump sum = vmi_lump_of(frame, body);
+    const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
+    if (!external_or_NULL || vmi_impulse_finite(external_or_NULL)) return status;
+    return vmi_first_error(status, VM_NOT_FINITE);
+}
+
+/* The first body after the jump: with the others attached (sign = 1) or without them (-1), and after the impulse.
+   The others are joined among each other first. VM_BAD_MASS if no mass is left. */
+VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real sign, const vmi_bodies *others,
+                          const vm_impulse *external_or_NULL, vmi_lump *total)
+{
+    vmi_lump sum;
     int i, status = VM_OK;
-    *total = sum;
+    *total = vmi_lump_of(frame, body);
     for (i = 0; i < others->n && !status; i++) {
         const vm_body other = vmi_list_body(others, i);
-        const vmi_lump load = vmi_lump_of(frame, &other);
-        if (i == 0) sum = load;
-        else status = vmi_join(frame, &sum, 1, &load);
+        const vmi_lump lump = vmi_lump_of(frame, &other);
+        if (i == 0) sum = lump;
+        else status = vmi_join(frame, &sum, 1, &lump);
     }
     if (others->n > 0 && !status) status = vmi_join(frame, total, sign, &sum);
-    if (status || !external) return status;
-    if (!vmi_impulse_finite(external)) return VM_NOT_FINITE;
-    vmi_apply_impulse(frame, total, external);
+    if (!status && external_or_NULL) vmi_apply_impulse(frame, total, external_or_NULL);
+    return status;
+}
+
+/* Principal axes of a lump, whose moments become some that a body can have exactly. VM_NOT_FINITE, VM_BAD_INERTIA if
+   the moments are not possible within the rounding errors. */
+VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
+{
+    if (!vmi_inertia_finite(&lump->inertia)) return VM_NOT_FINITE;
+    *p = vmi_principal_axes(&lump->inertia);
+    if (!vmi_inertia_is_possible(p, vmi_slack(&lump->sizes))) return VM_BAD_INERTIA;
+    if (vmi_clamp_moments(p, &lump->sizes)) lump->inertia = vmi_inertia_from(p);
     return VM_OK;
 }
 
-/* The angular velocity, relative to the frame, of a load whose inertia has been settled */
-VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *load, const vmi_principal *p, vm_vec3 before,
+/* *omega: the angular velocity relative to the frame, inertial axes, of a lump with principal axes p; before: what
+   it was before the jump. Returns 1 if angular momentum was left about an axis without moment, else 0. */
+VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
-    const vm_real noise = 2 * VM_EPSILON * (load->noise + vmi_norm1(load->h));
-    int left = vmi_solve_spin(&load->inertia, p, vmi_times_transposed(&frame->turn, load->h), noise,
-                              vmi_times_transposed(&frame->turn, before), omega);
-    *omega = vmi_times(&frame->turn, *omega);
+    const vm_real noise = 2 * VM_EPSILON * (lump->noise + vmi_norm1(lump->h));
+    vm_vec3 spin;
+    const int left = vmi_solve_spin(&lump->inertia, p, vmi_times_transposed(&frame->turn, lump->h), noise,
+                                    vmi_times_transposed(&frame->turn, before), &spin);
+    *omega = vmi_times(&frame->turn, spin);
     return left;
 }
 
-VM_API int vmi_lump_clamp_moments(vmi_lump *load, vmi_principal *p)
+/* The jump of a body by n others with sign, and by an impulse */
+VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
+                    const vm_impulse *external_or_NULL, vm_body *result)
 {
-    if (!vmi_inertia_finite(&load->inertia)) return VM_NOT_FINITE;
-    *p = vmi_principal_axes(&load->inertia);
-    if (!vmi_inertia_is_possible(p, vmi_slack(&load->sizes))) return VM_BAD_INERTIA;
-    if (vmi_clamp_moments(p, &load->sizes)) load->inertia = vmi_inertia_from(p);
-    return VM_OK;
-}
-
-VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign, const vm_impulse *external,
-                    vm_body *result)
-{
-    vmi_bodies list;
+    const vmi_bodies list = vmi_bodies_in_space(n, others);
     vmi_frame frame;
-    vmi_lump load;
+    vmi_lump lump;
     vmi_principal p;
     vm_body b;
     int status;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    list.n = n;
-    list.in_space = others;
-    list.in_plane = NULL;
-    status = vmi_check_body(body);
-    if (!status) status = vmi_check_bodies(&list);
+    status = vmi_check_jump(body, &list, external_or_NULL);
     if (status) return status;
     frame = vmi_frame_of(body, &list, sign);
-    status = vmi_jump_total(&frame, body, sign, &list, external, &load);
-    if (!status) status = vmi_lump_clamp_moments(&load, &p);
+    status = vmi_jump_total(&frame, body, sign, &list, external_or_NULL, &lump);
+    if (!status) status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
-    b.mass = load.mass;
-    b.inertia = load.inertia;
+    b.mass = lump.mass;
+    b.inertia = lump.inertia;
     b.q = body->q;
-    b.r = vmi_add(frame.r, load.r);
-    b.v = vmi_add(frame.v, load.v);
-    if (vmi_lump_spin(&frame, &load, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    b.r = vmi_add(frame.r, lump.r);
+    b.v = vmi_add(frame.v, lump.v);
+    if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
     b.omega = vmi_add(frame.omega, b.omega);
     if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
 }
 
-/* A part, which moved as given the instant after, has left the whole: rest gets mass, mass centre (15), inertia by
-   the parallel axes, velocity (24) and angular velocity (34) of what remains; its attitude is the whole's.
-   external, where not NULL, acted during the instant. Exact in space: momentum and angular momentum of rest and
-   part are those of the whole plus the impulse. Where the rest is a rod or a point the spin about its null axis
-   stays the whole's; VM_NULL_AXIS says that there was angular momentum left which that axis cannot carry.
+/* Separation of a part from a body: *rest is what remains, the instant after. *part has left the whole and moves as
+   given; rest gets mass, mass centre (15), inertia by the parallel axes (40), velocity (24) and angular velocity
+   (34), and the whole's attitude. *external, where not NULL, acted during the instant. Exact in space: momentum and
+   angular momentum of rest and part are those of the whole plus the impulse. rest may be whole or part.
 
-   A part that moves on as before leaves the rest's motion as it was, however little of the inertia is left: only
-   motions relative to the whole are added up, so that neither its speed nor a place far from the origin costs digits
-   of omega. The rest's inertia is right to 8 eps of the whole's, far from the origin to what an eps of the positions
-   changes; a moment below that counts as none.
-   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS (a part as heavy as the whole, for one), VM_BAD_INERTIA (a part that
-   cannot have been in the whole, for one). */
+   A part that moves on as before leaves the motion of the rest as it was, however little of the inertia is left:
+   only motions relative to the whole are added, so that neither high speed nor a place far from the origin costs
+   digits of omega. The inertia of the rest is right to 8 eps of the whole's, and far from the origin to what an eps
+   of the positions changes; a moment below that becomes 0.
+
+   VM_NULL_AXIS (> 0, done): the rest is a rod or a point, and angular momentum was left about its null axis, which
+   cannot carry it; the spin about this axis stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE.
+   VM_BAD_MASS: a mass is not positive, that of the rest included. VM_BAD_INERTIA: an inertia that no body has, as
+   that of a rest if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
-    return vmi_jump(whole, 1, part, -1, external_or_NULL, rest);
+    return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Two bodies, moving as given the instant before, have become one (which is plastic impact) (24), (33): its attitude
-   is body's, and so is the spin about a null axis. */
+/* Attachment of one body to another (plastic impact): *whole is the two together, the instant after (24), (33). body
+   and added move as given the instant before; *external, where not NULL, acted during the instant. The attitude of
+   the whole is body's. Statuses as those of vm_separate; with VM_NULL_AXIS, for a whole that is a rod or a point,
+   the spin about the null axis stays body's. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
-    return vmi_jump(body, 1, added, 1, external_or_NULL, whole);
+    return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* n parts at once, n >= 0: but for rounding errors what comes of one after another. n = 0 is a blow on the body. */
+/* Separation of n parts at once, n >= 0: *rest is what remains. Except for rounding errors it is what n calls of
+   vm_separate give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate, and
+   VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
-    return vmi_jump(whole, n, parts, -1, external_or_NULL, rest);
+    return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate_all. */
+/* Attachment of n bodies at once, n >= 0: *whole is all of them together. Except for rounding errors it is what n
+   calls of vm_attach give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach, and
+   VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
-    return vmi_jump(body, n, added, 1, external_or_NULL, whole);
+    return vmi_jump(body, n, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
+/* ---- the inertia of a whole and of its parts ---- */
+
+/* A body that does not move, its axes the inertial ones */
 VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -243,6 +295,7 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
+/* Inertia and mass centre by a jump of bodies at rest, the first at the origin and the second at d */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -259,20 +312,23 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia, about its own mass centre, of a and b together, and of what is left of the whole without the part
-   (13)-(15), (40). d leads from the mass centre of the first to that of the second, *centre from that of the first to
-   the result's: SS2 and SS1 of (15). One set of axes. Accuracy and errors are those of vm_attach and vm_separate. */
+/* Inertia of two bodies together, about their common mass centre, (13)-(15), (40). All inertias are along one set of
+   axes, each about its body's own mass centre, kg m^2. d leads from the mass centre of a to that of b, *centre from
+   that of a to the common one, m. Accuracy as that of vm_separate. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
-    return vmi_joined_inertia(mass_a, a, 1, mass_b, b, d, whole, centre);
+    return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Documented with vm_combine_inertia. */
+/* Inertia of what is left of a body without a part, about its own mass centre, (13)-(15), (40): the way back from
+   vm_combine_inertia. d leads from the mass centre of the whole to that of the part (SS2), *centre from that of the
+   whole to that of the rest (SS1), m. Statuses as those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {
-    return vmi_joined_inertia(mass, whole, -1, part_mass, part, d, rest, centre);
+    return vmi_joined_inertia(mass, whole, VMI_SEPARATE, part_mass, part, d, rest, centre);
 }
 
 #endif

@@ -1,4 +1,11 @@
-/* mechanics/jumps2.h - parts separate or are attached in a plane */
+/* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
+   The plane's form of jumps.h, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
+   The same code joins the masses; only the last step, from angular momentum to angular velocity, is the plane's own.
+
+       vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
+       int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: how the rest moves on
+
+   Tests: tests/test_jumps2.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS2_H
 #define VARMASS_MECHANICS_JUMPS2_H
 
@@ -8,6 +15,7 @@
 #include "jumps.h"
 #include "vectors.h"
 
+/* The impulse of the plane in space */
 VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
 {
     vm_impulse lifted;
@@ -17,91 +25,122 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* (44) and its like: a load's spin relative to the frame, which without inertia is the one before */
-VM_API int vmi_lump_spin2(const vmi_lump *load, vm_real before, vm_real *omega)
+/* The moment of a lump of the plane becomes one that a body can have exactly: a moment that is lost in rounding
+   errors becomes 0. VM_NOT_FINITE, VM_BAD_INERTIA if it is negative beyond rounding errors. */
+VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
-    *omega = load->inertia.zz > 0 ? load->h.z / load->inertia.zz : before;
-    return !(load->inertia.zz > 0) && VM_FABS(load->h.z) > 2 * VM_EPSILON * (load->noise + VM_FABS(load->h.z));
-}
-
-VM_API int vmi_lump_clamp_moments2(vmi_lump *load)
-{
-    if (!VM_IS_FINITE(load->inertia.zz)) return VM_NOT_FINITE;
-    if (load->inertia.zz < -32 * VM_EPSILON * load->sizes.zz) return VM_BAD_INERTIA;
-    if (load->inertia.zz <= 8 * VM_EPSILON * load->sizes.zz) load->inertia.zz = 0;
+    if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
+    if (lump->inertia.zz < -32 * VM_EPSILON * lump->sizes.zz) return VM_BAD_INERTIA;
+    if (lump->inertia.zz <= VMI_LOST_SHARE * lump->sizes.zz) lump->inertia.zz = 0;
     return VM_OK;
 }
 
-/* Checks, and the total of vmi_jump_total for bodies of the plane */
-VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
-                           const vm_impulse2 *external, vmi_frame *frame, vmi_lump *load)
+/* *omega: the angular velocity of a lump relative to the frame, (44), or what it was before if there is no inertia.
+   Returns 1 if angular momentum was left, which a lump without inertia cannot carry, else 0. */
+VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
-    vm_impulse blow;
-    vm_body lifted;
-    int status = vmi_check_body2(body);
-    if (!status) status = vmi_check_bodies(others);
-    if (status) return status;
-    lifted = vmi_body_to_space(body);
-    if (external) blow = vmi_impulse_to_space(external);
-    *frame = vmi_frame_of(&lifted, others, sign);
-    status = vmi_jump_total(frame, &lifted, sign, others, external ? &blow : NULL, load);
-    return status ? status : vmi_lump_clamp_moments2(load);
+    if (lump->inertia.zz > 0) {
+        *omega = lump->h.z / lump->inertia.zz;
+        return 0;
+    }
+    *omega = before;
+    return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign, const vm_impulse2 *external,
-                     vm_body2 *result)
+/* vmi_check_jump in the plane */
+VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
-    vmi_bodies list;
+    const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
+    vm_impulse impulse;
+    if (!external_or_NULL) return status;
+    impulse = vmi_impulse_to_space(external_or_NULL);
+    return vmi_impulse_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
+}
+
+/* vmi_jump_total for bodies of the plane, with the moment of the total clamped */
+VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
+                           const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
+{
+    const vm_body lifted = vmi_body_to_space(body);
+    const vm_impulse *given = NULL;
+    vm_impulse impulse;
+    int status;
+    if (external_or_NULL) {
+        impulse = vmi_impulse_to_space(external_or_NULL);
+        given = &impulse;
+    }
+    *frame = vmi_frame_of(&lifted, others, sign);
+    status = vmi_jump_total(frame, &lifted, sign, others, given, total);
+    return status ? status : vmi_lump_clamp_moments2(total);
+}
+
+/* The jump of a body of the plane by n others with sign, and by an impulse */
+VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
+                     const vm_impulse2 *external_or_NULL, vm_body2 *result)
+{
+    const vmi_bodies list = vmi_bodies_in_plane(n, others);
     vmi_frame frame;
-    vmi_lump load;
+    vmi_lump lump;
     vm_body2 b;
     int status;
-    if (!body || !result || (n > 0 && !others)) return VM_BAD_ARGUMENT;
-    list.n = n;
-    list.in_space = NULL;
-    list.in_plane = others;
-    status = vmi_jump_total2(body, &list, sign, external, &frame, &load);
+    if (!body || !result) return VM_BAD_ARGUMENT;
+    status = vmi_check_jump2(body, &list, external_or_NULL);
+    if (!status) status = vmi_jump_total2(body, &list, sign, external_or_NULL, &frame, &lump);
     if (status) return status;
-    b.mass = load.mass;
-    b.inertia = load.inertia.zz;
+    b.mass = lump.mass;
+    b.inertia = lump.inertia.zz;
     b.angle = body->angle;
-    b.x = frame.r.x + load.r.x;
-    b.y = frame.r.y + load.r.y;
-    b.vx = frame.v.x + load.v.x;
-    b.vy = frame.v.y + load.v.y;
-    if (vmi_lump_spin2(&load, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
+    b.x = frame.r.x + lump.r.x;
+    b.y = frame.r.y + lump.r.y;
+    b.vx = frame.v.x + lump.v.x;
+    b.vy = frame.v.y + lump.v.y;
+    if (vmi_lump_spin2(&lump, body->omega - frame.omega.z, &b.omega)) status = VM_NULL_AXIS;
     b.omega += frame.omega.z;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
 }
 
-/* The same in the plane (35)-(39); *_all2 as above */
+/* Separation of a part from a body in the plane (35)-(39): *rest is what remains, the instant after. *part has left
+   the whole and moves as given; *external, where not NULL, acted during the instant. Momentum and angular momentum
+   of rest and part are those of the whole plus the impulse. rest may be whole or part. Accuracy as that of
+   vm_separate.
+
+   VM_NULL_AXIS (> 0, done): the rest is a point, and angular momentum about it was left, which it cannot carry;
+   omega stays the whole's. VM_BAD_ARGUMENT: a null pointer. VM_NOT_FINITE. VM_BAD_MASS: a mass is not positive, that
+   of the rest included. VM_BAD_INERTIA: an inertia is negative, that of the rest included. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
-    return vmi_jump2(whole, 1, part, -1, external_or_NULL, rest);
+    return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate2. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the two together, the instant after.
+   body and added move as given the instant before; *external, where not NULL, acted during the instant. The angle of
+   the whole is body's. Statuses as those of vm_separate2; with VM_NULL_AXIS, for two points at one place, omega
+   stays body's. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
-    return vmi_jump2(body, 1, added, 1, external_or_NULL, whole);
+    return vmi_jump2(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Documented with vm_separate2. */
+/* Separation of n parts at once in the plane, n >= 0: *rest is what remains. Except for rounding errors it is what n
+   calls of vm_separate2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_separate2, and
+   VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
-    return vmi_jump2(whole, n, parts, -1, external_or_NULL, rest);
+    return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate2. */
+/* Attachment of n bodies at once in the plane, n >= 0: *whole is all of them together. Except for rounding errors it
+   is what n calls of vm_attach2 give. With n = 0 only the impulse acts on the body. Statuses as those of vm_attach2,
+   and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
-    return vmi_jump2(body, n, added, 1, external_or_NULL, whole);
+    return vmi_jump2(body, n, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
 #endif

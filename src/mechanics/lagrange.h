@@ -1,4 +1,29 @@
-/* mechanics/lagrange.h - Lagrange's equations with variable mass */
+/* mechanics/lagrange.h - Lagrange's equations with variable mass
+
+   Integrates any system of n generalized coordinates whose kinetic energy you can write down, with masses that depend
+   on time and position (247). You give the energy, the masses and the generalized forces; mass matrix and derivatives
+   are found from the energy. The states are the coordinates q and the momenta pi = dT/dq', so that neither rates of
+   momenta nor rates of masses are needed:
+     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0.
+   (247) corrected, with T of the velocities of the material and r2 the place where a stream crosses:
+     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
+   A derivative that lets the masses vary with q, as (244)-(247) may be read, is wrong.
+
+       static vm_real energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+       {
+           return masses[0] * rates[0] * rates[0] / 2; // and t, q, ctx as they are needed
+       }
+       ...
+       vm_real y[2], work[VM_LAGRANGE_RHS_WORK(1, 1)];
+       vm_lagrange_system system = {1, 1, masses, energy, forces, NULL, NULL, work};
+       status = vm_lagrange_start(&system, 0, q, rates, y); // y for rk45_init(&s, vm_lagrange_rhs, &system, 2, ...)
+
+   Q holds what the streams bring, too. A pendulum of length l that leaks at its bob has Q = -m g l sin q + m' l^2 q'
+   if the leaking mass moves on with the bob and takes its momentum along; without the last term the mass would leave
+   at rest.
+   Accuracy: A and b come from T by differences over unit rates, which are exact except for roundings of T at unit
+   rates and at rest. dT/dq comes from central differences of order 6, within 2e-13 of the largest T (float 1e-5) if T
+   varies in q over the given scales. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -7,170 +32,195 @@
 #include "../base/real.h"
 #include "../base/status.h"
 
-/* (247) corrected: with T(t, q, q', masses) of the material velocities, r2 where a stream crosses,
-     d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i]
-   A derivative that lets masses vary with q, as (244)-(247) may be read, is wrong. As first-order equations: states
-   are q and the momenta pi = dT/dq', from which q' follows; neither rates of momenta nor of masses are needed.
-     pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0
-   Q has what streams bring: a pendulum l long that leaks at its bob has -m g l sin q + m' l^2 q', where a leak that
-   moves on with the bob takes its momentum along; without the last term it would leave at rest.
-   A and b come from T itself by differences over unit rates, exact but for roundings of T there and at rest; dT/dq by
-   central differences of order 6, within 2e-13 of the largest T (float 1e-5) over a scale on which T varies in q. */
+/* A mechanical system: the ctx of vm_lagrange_rhs */
 typedef struct VM_TAG(vm_lagrange_system) {
-    int n;        /* coordinates */
-    int n_masses; /* masses, inertias, whatever is frozen */
-    void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx); /* null where n_masses is 0 */
+    int n;        /* number of coordinates, > 0 */
+    int n_masses; /* number of masses, inertias and other quantities that are frozen in dT/dq, >= 0 */
+    /* sets the n_masses masses at t and q; NULL where n_masses is 0 */
+    void (*masses)(vm_real t, const vm_real *q, vm_real *masses, void *ctx);
+    /* the kinetic energy T, J: a polynomial of degree 2 in the n rates q' */
     vm_real (*energy)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx);
-    /* null, or adds the generalized forces to Q, vm_lagrange_add_force does; nonzero stops the run */
+    /* NULL, or adds the n generalized forces to Q (vm_lagrange_add_force does); returns 0, or a number that ends the
+       run */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
-    void *ctx;
-    const vm_real *scales; /* of each q; null: 1 */
-    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers */
+    void *ctx;             /* for the three functions; not used here */
+    const vm_real *scales; /* of each coordinate: over which change T varies noticeably; NULL: 1 for all */
+    vm_real *work;         /* VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, kept by the caller */
 } vm_lagrange_system;
 
+/* Length of vm_lagrange_system.work */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
 
-/* Parts of work: A, b and then a right-hand side, rates, a trial point, masses */
+/* The parts of a system's work */
 typedef struct VM_TAG(vmi_lagrange_parts) {
-    vm_real *A, *b, *rates, *trial, *masses;
+    vm_real *A;      /* n n numbers */
+    vm_real *b;      /* n numbers */
+    vm_real *rates;  /* n numbers: pi - b, then the rates q' */
+    vm_real *trial;  /* n numbers: rates or coordinates at which T is tried */
+    vm_real *masses; /* n_masses numbers */
 } vmi_lagrange_parts;
 
-VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *l)
+VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
 {
     vmi_lagrange_parts w;
-    w.A = l->work;
-    w.b = w.A + (ptrdiff_t)l->n * l->n;
-    w.rates = w.b + l->n;
-    w.trial = w.rates + l->n;
-    w.masses = w.trial + l->n;
+    w.A = system->work;
+    w.b = w.A + (ptrdiff_t)system->n * system->n;
+    w.rates = w.b + system->n;
+    w.trial = w.rates + system->n;
+    w.masses = w.trial + system->n;
     return w;
 }
 
-/* T at rates x e_i + z e_j */
-VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *l, vm_real t, const vm_real *q, int i, vm_real x, int j,
-                                 vm_real z)
+/* T at the rates x e_i + z e_j; an index -1 means that the term is left out */
+VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
+                                   int j, vm_real z)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
-    for (k = 0; k < l->n; k++) w.trial[k] = (k == i ? x : 0) + (k == j ? z : 0);
-    return l->energy(t, q, w.trial, w.masses, l->ctx);
+    for (k = 0; k < system->n; k++) w.trial[k] = 0;
+    if (i >= 0) w.trial[i] = x;
+    if (j >= 0) w.trial[j] += z;
+    return system->energy(t, q, w.trial, w.masses, system->ctx);
 }
 
-/* A and b from T; steps of the size of 1/sqrt(A_ii) keep the roundings of unlike coordinates apart */
-VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *l, vm_real t, const vm_real *q)
+/* Finds A and b from T. Off the diagonal the steps have the size 1/sqrt(A_ii), so that a coordinate with a large
+   energy does not cover the other's digits. */
+VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    const int n = l->n;
-    const vm_real T0 = vmi_lagrange_energy(l, t, q, -1, 0, -1, 0);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    const int n = system->n;
+    const vm_real T0 = vmi_lagrange_energy(system, t, q, -1, 0, -1, 0);
     int i, j;
     for (i = 0; i < n; i++) {
-        const vm_real plus = vmi_lagrange_energy(l, t, q, i, 1, -1, 0);
-        const vm_real minus = vmi_lagrange_energy(l, t, q, i, -1, -1, 0);
+        const vm_real plus = vmi_lagrange_energy(system, t, q, i, 1, -1, 0);
+        const vm_real minus = vmi_lagrange_energy(system, t, q, i, -1, -1, 0);
         w.A[i * n + i] = (plus - T0) + (minus - T0);
         w.b[i] = (plus - minus) / 2;
     }
     for (i = 0; i < n; i++)
         for (j = 0; j < i; j++) {
             const vm_real x = 1 / VM_SQRT(w.A[i * n + i]), z = 1 / VM_SQRT(w.A[j * n + j]);
-            const vm_real same = vmi_lagrange_energy(l, t, q, i, x, j, z) + vmi_lagrange_energy(l, t, q, i, -x, j, -z);
-            const vm_real apart = vmi_lagrange_energy(l, t, q, i, x, j, -z) + vmi_lagrange_energy(l, t, q, i, -x, j, z);
-            w.A[i * n + j] = w.A[j * n + i] = (same - apart) / (4 * x * z);
+            const vm_real same = vmi_lagrange_energy(system, t, q, i, x, j, z) +
+                                 vmi_lagrange_energy(system, t, q, i, -x, j, -z);
+            const vm_real opposite = vmi_lagrange_energy(system, t, q, i, x, j, -z) +
+                                     vmi_lagrange_energy(system, t, q, i, -x, j, z);
+            w.A[i * n + j] = w.A[j * n + i] = (same - opposite) / (4 * x * z);
         }
 }
 
-VM_API void vmi_lagrange_freeze(const vm_lagrange_system *l, vm_real t, const vm_real *q)
+/* Puts the masses at (t, q) into the work, where they stay while T is differentiated */
+VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
-    if (l->masses) l->masses(t, q, vmi_lagrange_work(l).masses, l->ctx);
+    if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* q' into the work */
-VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *l, vm_real t, const vm_real *y)
+/* Puts q' = A^-1 (pi - b) of the state y into the work. VM_SINGULAR */
+VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
-    vmi_lagrange_freeze(l, t, y);
-    vmi_lagrange_quadratic(l, t, y);
-    for (k = 0; k < l->n; k++) w.rates[k] = y[l->n + k] - w.b[k];
-    return vmi_solve_mass(l->n, w.A, w.rates, w.trial);
+    vmi_lagrange_freeze(system, t, y);
+    vmi_lagrange_quadratic(system, t, y);
+    for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
+    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
 }
 
-/* h^6/140 of the seventh derivative against eps/h: h = 2^-7 for eps = 2^-52, 2^-3 for 2^-23 */
-VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+/* dT/dq_i with the masses in the work, by a central difference of order 6. Its error is h^6/140 of the seventh
+   derivative plus a rounding error of eps/h; both are small for h = 2^-7 where eps = 2^-52, and for 2^-3 where eps =
+   2^-23. */
+VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
+                                       const vm_real *rates, int i)
 {
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    const vm_real h = (VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125)) * (l->scales ? l->scales[i] : 1);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
     const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
-    vm_real sum = 0;
+    vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125), sum = 0;
     int k;
-    for (k = 0; k < l->n; k++) w.trial[k] = q[k];
+    if (system->scales) h *= system->scales[i];
+    for (k = 0; k < system->n; k++) w.trial[k] = q[k];
     for (k = 3; k > 0; k--) {
         vm_real difference;
         w.trial[i] = q[i] + (vm_real)k * h;
-        difference = l->energy(t, w.trial, rates, w.masses, l->ctx);
+        difference = system->energy(t, w.trial, rates, w.masses, system->ctx);
         w.trial[i] = q[i] - (vm_real)k * h;
-        difference -= l->energy(t, w.trial, rates, w.masses, l->ctx);
+        difference -= system->energy(t, w.trial, rates, w.masses, system->ctx);
         sum += weights[k - 1] * difference;
     }
     return sum / h;
 }
 
-VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *l)
+/* Whether all that vm_lagrange_system asks for is there */
+VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 {
-    return l && l->n > 0 && l->n_masses >= 0 && l->energy && l->work && (l->n_masses == 0 || l->masses);
+    return system && system->n > 0 && system->n_masses >= 0 && system->energy && system->work &&
+           (system->n_masses == 0 || system->masses);
 }
 
-/* An ode_rhs of 2 n states q, pi, ctx a vm_lagrange_system. Where A is singular, as in vm_lagrange_separate, or masses have
-   become negative, VM_SINGULAR stops it: stop before, by an event */
+/* Right-hand side of Lagrange's equations with variable mass (247).
+   An ode_rhs of 2 n states: n coordinates q, then n momenta pi; ctx is a vm_lagrange_system. Returns VM_BAD_ARGUMENT,
+   VM_SINGULAR, where the mass matrix is not positive definite (as for vm_lagrange_separate; a mass has become
+   negative, for example), and what system->forces returns; each of them ends the run. An event should stop it before.
+   Time:
+   2 n^2 + 6 n + 1 calls of system->energy. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
-    const vm_lagrange_system *l = (const vm_lagrange_system *)lagrange;
-    if (!y || !dydt || !vmi_lagrange_is_valid(l)) return VM_BAD_ARGUMENT;
-    const vmi_lagrange_parts w = vmi_lagrange_work(l);
-    int k, status = vmi_lagrange_solve_rates(l, t, y);
+    const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
+    vmi_lagrange_parts w;
+    int k, n, status;
+    if (!y || !dydt || !vmi_lagrange_is_valid(system)) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    status = vmi_lagrange_solve_rates(system, t, y);
     if (status) return status;
-    for (k = 0; k < l->n; k++) {
+    for (k = 0; k < n; k++) {
         dydt[k] = w.rates[k];
-        dydt[l->n + k] = 0;
+        dydt[n + k] = 0;
     }
-    if (l->forces) status = l->forces(t, y, w.rates, w.masses, dydt + l->n, l->ctx);
-    for (k = 0; k < l->n; k++) dydt[l->n + k] += vmi_lagrange_derivative(l, t, y, w.rates, k);
+    if (system->forces) status = system->forces(t, y, w.rates, w.masses, dydt + n, system->ctx);
+    for (k = 0; k < n; k++) dydt[n + k] += vmi_lagrange_derivative(system, t, y, w.rates, k);
     return status;
 }
 
-/* y = q, pi from q and rates q', and rates from y; VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE */
-VM_API int vm_lagrange_start(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
+/* Initial state y = q, pi of a system at time t, from its n coordinates q and n rates q'.
+   y is an array of 2 n numbers. VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
-    int i, j;
-    if (!vmi_lagrange_is_valid(l) || !q || !rates || !y) return VM_BAD_ARGUMENT;
-    w = vmi_lagrange_work(l);
-    vmi_lagrange_freeze(l, t, q);
-    vmi_lagrange_quadratic(l, t, q);
-    for (i = 0; i < l->n; i++)
-        for (j = 0; j < l->n; j++) w.b[i] += w.A[i * l->n + j] * rates[j];
-    if (!vmi_all_finite(l->n, w.b) || !vmi_all_finite(l->n, q)) return VM_NOT_FINITE;
-    for (i = 0; i < l->n; i++) {
+    int i, j, n;
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || !y) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++)
+        for (j = 0; j < n; j++) w.b[i] += w.A[i * n + j] * rates[j];
+    if (!vmi_all_finite(n, w.b) || !vmi_all_finite(n, q)) return VM_NOT_FINITE;
+    for (i = 0; i < n; i++) {
         y[i] = q[i];
-        y[l->n + i] = w.b[i];
+        y[n + i] = w.b[i];
     }
     return VM_OK;
 }
 
-/* Documented with vm_lagrange_start. */
-VM_API int vm_lagrange_rates(vm_lagrange_system *l, vm_real t, const vm_real *y, vm_real *rates)
+/* Rates q' of a system at time t, from its state y = q, pi.
+   y has 2 n numbers, rates n. VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE. */
+VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
-    if (!vmi_lagrange_is_valid(l) || !y || !rates) return VM_BAD_ARGUMENT;
-    status = vmi_lagrange_solve_rates(l, t, y);
-    return status ? status : vmi_copy_if_finite(l->n, vmi_lagrange_work(l).rates, rates);
+    if (!vmi_lagrange_is_valid(system) || !y || !rates) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_solve_rates(system, t, y);
+    if (status) return status;
+    return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* dT/dq_i with the masses frozen at (t, q); NaN for i outside 0 .. n - 1 */
-VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates, int i)
+/* Partial derivative dT/dq_i of a system's kinetic energy with the masses frozen, J per unit of q_i.
+   The masses are those at (t, q).    q and rates have n numbers. NaN for i outside 0 ... n - 1 and for a null
+   pointer. */
+VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
+                                     int i)
 {
-    if (!vmi_lagrange_is_valid(l) || !q || !rates || i < 0 || i >= l->n) return VM_NAN;
-    vmi_lagrange_freeze(l, t, q);
-    return vmi_lagrange_derivative(l, t, q, rates, i);
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
+    vmi_lagrange_freeze(system, t, q);
+    return vmi_lagrange_derivative(system, t, q, rates, i);
 }
 
 #endif

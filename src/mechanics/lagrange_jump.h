@@ -1,4 +1,16 @@
-/* mechanics/lagrange_jump.h - Lagrange's equations across a jump */
+/* mechanics/lagrange_jump.h - Lagrange's equations across a jump
+
+   Generalized velocities after a part separates from a system, or is attached to it, in an instant (96), and after an
+   impact. Mass matrices are arrays of n n numbers, row after row; velocities, momenta and impulses have n. The
+   matrices and momenta of rigid bodies are assembled from dr[i] = dv/dqdot_i of the body's mass centre and turn[i] =
+   d omega/dqdot_i, in inertial axes, (87)-(90).
+
+       vm_real before[4], after[4], part[2], qdot[2], work[VM_LAGRANGE_WORK(2)];
+       ... // vm_lagrange_mass and vm_lagrange_momentum add to arrays that are zero at first
+       status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
+
+   The coordinates may be quasi-coordinates, too: velocities qdot_i that are no derivatives, as those about body axes.
+   Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
 
@@ -12,56 +24,55 @@
 #include "generalized_force.h"
 #include "vectors.h"
 
-/* (96): d(T2 - T1)/dqdot = impulse, where the part's velocity relative to the body is held while differentiating, so
-   that d(T of the part)/dqdot is its generalized momentum part:
-     after qdot_after = before qdot - part + impulse    separation
-     after qdot_after = before qdot + part + impulse    attachment
-   Mass matrices n by n; part and impulse may be null (zero); qdot_after may be qdot. A part of little mass changes
-   qdot by little, and that to a few eps of the change. VM_SINGULAR where a coordinate, or several together, move no
-   mass, or a negative one: an entry on after's diagonal is not positive, or a pivot below 4 n eps once that is scaled
-   to 1. */
+/* Length of `work` for n coordinates */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Generalized coordinates q_i, i < n (or velocities qdot_i that are no derivatives, as those about the axes). A body
-   enters by dr[i] = dv/dqdot_i of its mass centre and turn[i] = d omega/dqdot_i, in inertial axes (87)-(90). With
-   these each function adds to its last argument: a body's share of the mass matrix (n by n, T = qdot^T matrix
-   qdot/2), the generalized momentum of a body (as it moves), the generalized impulse (95) of what acts on a body
-   whose mass centre is at r; its moment is that about r, as (23a) should have said. dr or turn may be null: no part
-   of it. With another null pointer nothing is added. */
-VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *matrix)
+/* Adds a body's share to the mass matrix of T = qdot^T matrix qdot/2.
+   dr and turn are arrays of n; without one of them its term is left out; without body or matrix nothing is done. */
+VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
+                             vm_real *matrix)
 {
-    if (!body || !matrix) return;
-    const vm_vec3 none = {0, 0, 0};
     int i, j;
+    if (!body || !matrix) return;
     for (j = 0; j < n; j++) {
-        vm_body moved = *body;
-        vm_vec3 spin;
-        moved.omega = turn ? turn[j] : none;
-        spin = vmi_spin_momentum(&moved);
-        for (i = 0; i < n; i++)
-            matrix[i * n + j] +=
-                (dr ? body->mass * vmi_dot(dr[i], dr[j]) : 0) + (turn ? vmi_dot(turn[i], spin) : 0);
+        vm_vec3 spin = vmi_vec3(0, 0, 0);
+        if (turn_or_NULL) {
+            vm_body moved = *body;
+            moved.omega = turn_or_NULL[j];
+            spin = vmi_spin_momentum(&moved);
+        }
+        for (i = 0; i < n; i++) {
+            vm_real sum = 0;
+            if (dr_or_NULL) sum = body->mass * vmi_dot(dr_or_NULL[i], dr_or_NULL[j]);
+            if (turn_or_NULL) sum += vmi_dot(turn_or_NULL[i], spin);
+            matrix[i * n + j] += sum;
+        }
     }
 }
 
-/* Documented with vm_lagrange_mass. */
-VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr, const vm_vec3 *turn, vm_real *p)
+/* Adds the generalized momentum of a body, as it moves, to p.
+   dr, turn and p are arrays of n; without dr or turn its term is left out; without body or p nothing is done. */
+VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
+                                 vm_real *p)
 {
     if (!body || !p) return;
-    vm_lagrange_add_force(n, vm_momentum(body), dr, vmi_spin_momentum(body), turn, p);
+    vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Documented with vm_lagrange_mass. */
-VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr, const vm_vec3 *turn,
-                                vm_real *p)
+/* Adds the generalized impulse (95) of an impulse on a body whose mass centre is at r to p.
+   r in m, inertial axes. The moment of the impulse is that about r, which (23a) does not say. dr, turn and p are
+   arrays of n; without dr or turn its term is left out; without impulse or p nothing is done. */
+VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
+                                const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
     const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
-    vm_lagrange_add_force(n, impulse->linear, dr, moment, turn, p);
+    vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
-/* matrix (qdot_after - qdot) = b, of which work has b behind room for the matrix */
-VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after, vm_real *work)
+/* Solves matrix (qdot_after - qdot) = b. work holds room for the matrix, then b, then room for n numbers. */
+VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
+                                   vm_real *work)
 {
     vm_real *a = work, *b = a + n * n, *scale = b + n;
     int i;
@@ -72,22 +83,32 @@ VM_API int vmi_lagrange_solve(int n, const vm_real *matrix, const vm_real *qdot,
     return vmi_copy_if_finite(n, b, qdot_after);
 }
 
-/* after (qdot_after - qdot) = (before - after) qdot + sign part + impulse: so a small part changes qdot by little,
-   with a small error */
+/* Solves after (qdot_after - qdot) = (before - after) qdot + sign part + impulse. The unknown is the change, so that
+   a part of little mass changes qdot by little, with an error that is small against this change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
-                             const vm_real *part, vm_real sign, const vm_real *impulse, vm_real *qdot_after,
-                             vm_real *work)
+                             const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
+                             vm_real *qdot_after, vm_real *work)
 {
     int i, j;
     if (n <= 0 || !before || !after || !qdot || !qdot_after || !work) return VM_BAD_ARGUMENT;
     for (i = 0; i < n; i++) {
-        vm_real sum = part ? sign * part[i] : 0;
+        vm_real sum = 0;
+        if (part_or_NULL) sum = sign * part_or_NULL[i];
         for (j = 0; j < n; j++) sum += (before[i * n + j] - after[i * n + j]) * qdot[j];
-        work[n * n + i] = impulse ? sum + impulse[i] : sum;
+        if (impulse_or_NULL) sum += impulse_or_NULL[i];
+        work[n * n + i] = sum;
     }
-    return vmi_lagrange_solve(n, after, qdot, qdot_after, work);
+    return vmi_lagrange_jump_solve(n, after, qdot, qdot_after, work);
 }
 
+/* Velocities after a part separates: after qdot_after = before qdot - part + impulse (96).
+   (96) is d(T2 - T1)/dqdot = impulse, where the velocity of the part relative to the body is held while
+   differentiating; then the part's share is its generalized momentum `part`. before and after are the mass matrices
+   with and without the part. Without part or impulse its term is 0; qdot_after may be qdot; work has
+   VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot by little, and this change is right to a few eps of
+   itself. VM_BAD_ARGUMENT (a null pointer, n <= 0), VM_NOT_FINITE; VM_SINGULAR where a coordinate, or several
+   together, move no mass or a negative one: an entry on the diagonal of `after` is not positive, or a pivot is below
+   4 n eps when the diagonal is scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -95,6 +116,8 @@ VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *aft
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, -1, impulse_or_NULL, qdot_after, work);
 }
 
+/* Velocities after a part is attached: after qdot_after = before qdot + part + impulse (96).
+   `part` is the generalized momentum of the part before it is attached; the rest is as for vm_lagrange_separate. */
 VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                               const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                               vm_real *work)
@@ -102,10 +125,12 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
     return vmi_lagrange_jump(n, before, after, qdot, part_or_NULL, 1, impulse_or_NULL, qdot_after, work);
 }
 
-/* matrix (qdot_after - qdot) = impulse: no mass changes. Also a separation, free of cancellation for m -> M, where
-   matrix is that of the rest and -impulse the momentum of the part's motion relative to the body. */
+/* Velocities after an impact that changes no mass: matrix (qdot_after - qdot) = impulse.
+   It is also a separation that stays accurate where the part is nearly the whole body: then `matrix` is that of the
+   rest, and `impulse` is minus the generalized momentum of the part's motion relative to the body. Arrays, errors and
+   work as for vm_lagrange_separate; impulse must be there. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
-                           vm_real *qdot_after, vm_real *work)
+                              vm_real *qdot_after, vm_real *work)
 {
     if (!impulse) return VM_BAD_ARGUMENT;
     return vmi_lagrange_jump(n, matrix, matrix, qdot, NULL, 0, impulse, qdot_after, work);

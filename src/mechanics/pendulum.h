@@ -1,4 +1,14 @@
-/* mechanics/pendulum.h - a pendulum from which a part is cut */
+/* mechanics/pendulum.h - a pendulum from which a part is cut
+
+   Example (119)-(132) in corrected form: a uniform rod of mass M and length L swings about its end O; its outer
+   length l, with the mass m = M l/L, is cut off and leaves with a velocity and an angular velocity relative to the
+   rod. The result is the motion of both, their energies and momenta, and the impulse of the pivot.
+
+       vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
+       vm_pendulum_cut cut;
+       status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
+
+   Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
 
@@ -6,27 +16,37 @@
 #include "../base/real.h"
 #include "../base/status.h"
 
-/* Example (119)-(132), corrected: a uniform rod of mass M swings about its end O; the outer length l, and with it
-   m = M l/L, leaves at the relative velocity u and angular velocity Omega. */
+/* How the angle of a pendulum is measured */
 enum {
-    VM_AXES_COS_SIN = 0, /* S2 at (cos, sin) angle: angle from x, counterclockwise; what (122), (125), (132) need */
-    VM_AXES_SIN_COS = 1  /* S2 at (sin, cos) angle (123): x across, y along, so that the angle turns clockwise */
+    VM_AXES_COS_SIN = 0, /* the rod is along (cos, sin) of the angle, which counts from x counterclockwise; the formulas
+                            (122), (125), (132) need this */
+    VM_AXES_SIN_COS = 1  /* the rod is along (sin, cos) of the angle (123), x across and y along: the angle turns
+                            clockwise */
 };
 
+/* A uniform rod that swings about its end O, the origin */
 typedef struct VM_TAG(vm_pendulum) {
-    vm_real mass, length; /* M, L > 0 */
-    vm_real angle, rate;  /* phi, phi' */
-    int axes;
+    vm_real mass;   /* M > 0, kg */
+    vm_real length; /* L > 0, m */
+    vm_real angle;  /* phi, rad */
+    vm_real rate;   /* phi', rad/s */
+    int axes;       /* VM_AXES_COS_SIN or VM_AXES_SIN_COS */
 } vm_pendulum;
 
+/* The pendulum and the part after the cut. S1 and S2 are the mass centres of the rest and of the part. */
 typedef struct VM_TAG(vm_pendulum_cut) {
-    vm_pendulum rest;         /* rest.rate is phi1' */
-    vm_real mass;             /* of the part, m */
-    vm_real x, y, vx, vy;     /* of S2 (123), (121) */
-    vm_real rate;             /* of the part, phi' + Omega; turns as phi does */
-    vm_real T1, T_S1, T_S2;   /* kinetic energies (119), (124), (122) corrected, J */
-    vm_real L1, L2;           /* angular momenta about O of the rest (130) and the part (128) corrected */
-    vm_real pivot_x, pivot_y; /* impulse of the pivot on the rest during the cut, N s */
+    vm_pendulum rest; /* rest.rate is phi1' */
+    vm_real mass;     /* m of the part, kg */
+    vm_real x, y;     /* place of S2 (123), m */
+    vm_real vx, vy;   /* velocity of S2 (121), m/s */
+    vm_real rate;     /* angular velocity of the part, phi' + Omega, rad/s; it has the sense of phi */
+    vm_real T1;       /* kinetic energy before the cut (119), J */
+    vm_real T_S1;     /* kinetic energy of the rest (124), J */
+    vm_real T_S2;     /* kinetic energy of the part (122), corrected, J */
+    vm_real L1;       /* angular momentum of the rest about O (130), kg m^2/s */
+    vm_real L2;       /* angular momentum of the part about O (128), corrected, kg m^2/s */
+    vm_real pivot_x;  /* impulse of the pivot on the rest during the cut, N s */
+    vm_real pivot_y;
 } vm_pendulum_cut;
 
 VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
@@ -36,12 +56,37 @@ VM_API int vmi_check_pendulum(const vm_pendulum *p, vm_real part)
         return VM_NOT_FINITE;
     if (!(p->mass > 0)) return VM_BAD_MASS;
     if (p->axes != VM_AXES_COS_SIN && p->axes != VM_AXES_SIN_COS) return VM_DOMAIN;
-    return part > 0 && part < p->length ? VM_OK : VM_DOMAIN;
+    if (!(part > 0 && part < p->length)) return VM_DOMAIN;
+    return VM_OK;
 }
 
-/* part is l, 0 < l < L; u in the axes of the pendulum. phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y
-   u_x)), s = 1 for (cos, sin), -1 for (sin, cos): (125), (132) corrected, with what cancels cancelled */
-/* With e from O to S2, f across it the way the angle grows: x u_y - y u_x = s rho u.f */
+/* Unit vectors of a pendulum: e from O along the rod, f across it in the direction in which the angle grows */
+VM_API void vmi_pendulum_directions(const vm_pendulum *p, vm_real *ex, vm_real *ey, vm_real *fx, vm_real *fy)
+{
+    if (p->axes == VM_AXES_COS_SIN) {
+        vmi_sincos(p->angle, ey, ex);
+        *fx = -*ey;
+        *fy = *ex;
+    } else {
+        vmi_sincos(p->angle, ex, ey);
+        *fx = *ey;
+        *fy = -*ex;
+    }
+}
+
+VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
+{
+    return VM_IS_FINITE(c->rest.rate) && VM_IS_FINITE(c->vx) && VM_IS_FINITE(c->vy) && VM_IS_FINITE(c->T1) &&
+           VM_IS_FINITE(c->L1) && VM_IS_FINITE(c->L2) && VM_IS_FINITE(c->T_S1) && VM_IS_FINITE(c->T_S2) &&
+           VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
+}
+
+/* Motion of a pendulum and of the part that is cut off it, (119)-(132).
+   part is the length l of the part, m, 0 < l < L; Omega (rad/s) is its angular velocity relative to the rod, in the
+   sense of phi; (ux, uy) (m/s) is the velocity of its mass centre relative to the rod, in the axes of the pendulum.
+     phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 s (x u_y - y u_x)),  s = 1 for (cos, sin), -1 for (sin, cos):
+   this is (125), (132) corrected and simplified by hand, so that no digits cancel. VM_BAD_ARGUMENT, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_DOMAIN (a part that is not shorter than the rod, axes that do not exist). */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -51,22 +96,15 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
     if (status) return status;
-    if (pendulum->axes == VM_AXES_COS_SIN) {
-        vmi_sincos(pendulum->angle, &ey, &ex);
-        fx = -ey;
-        fy = ex;
-    } else {
-        vmi_sincos(pendulum->angle, &ex, &ey);
-        fx = ey;
-        fy = -ex;
-    }
-    rho = pendulum->length - part / 2;
+    vmi_pendulum_directions(pendulum, &ex, &ey, &fx, &fy);
+    rho = pendulum->length - part / 2; /* from O to S2 */
     left = pendulum->length - part;
-    across = ux * fx + uy * fy;
+    rest_mass = pendulum->mass * (left / pendulum->length);
+    across = ux * fx + uy * fy; /* rho across = s (x u_y - y u_x) */
     change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
 
     c.rest = *pendulum;
-    c.rest.mass = rest_mass = pendulum->mass * (left / pendulum->length);
+    c.rest.mass = rest_mass;
     c.rest.length = left;
     c.rest.rate = pendulum->rate + change;
     c.mass = pendulum->mass * (part / pendulum->length);
@@ -80,12 +118,9 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
     c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
-    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after less before */
+    c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* momentum after minus momentum before */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
-    if (!VM_IS_FINITE(c.rest.rate) || !VM_IS_FINITE(c.vx) || !VM_IS_FINITE(c.vy) || !VM_IS_FINITE(c.T1) ||
-        !VM_IS_FINITE(c.L1) || !VM_IS_FINITE(c.L2) || !VM_IS_FINITE(c.T_S1) || !VM_IS_FINITE(c.T_S2) ||
-        !VM_IS_FINITE(c.pivot_x) || !VM_IS_FINITE(c.pivot_y))
-        return VM_NOT_FINITE;
+    if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
 }

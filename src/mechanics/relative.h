@@ -1,4 +1,16 @@
-/* mechanics/relative.h - motion relative to a moving body */
+/* mechanics/relative.h - motion relative to a moving body, and jumps given in such motions
+   The motion of a body relative to the frame that moves and turns rigidly with another one (25), (26), (41), and the
+   jump laws in such motions, (28)-(31), (42)-(44): often only the velocity with which a part leaves the whole is
+   known.
+
+       vm_body part = whole, rest; // whole is a vm_body
+       part.mass = 1;
+       part.v.x = part.v.y = part.omega.x = part.omega.y = part.omega.z = 0;
+       part.v.z = 2;                                       // it leaves at 2 m/s, relative to the whole
+       vm_separate_relative(&whole, &part, NULL, &rest);   // so rest moves relative to the whole, too
+       vm_to_absolute(&whole, &rest, &rest);
+
+   Tests: tests/test_relative.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
@@ -9,110 +21,146 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* Velocity of the point r of what moves on rigidly with a body: the dragging velocity of (25) */
-VM_API vm_vec3 vmi_velocity_at(const vm_body *by, vm_vec3 r)
+/* Velocity of the point r of the frame that moves rigidly with a body: the dragging velocity of (25) */
+VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
-    return vmi_add(by->v, vmi_cross(by->omega, vmi_sub(r, by->r)));
+    return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
 }
 
-/* Motion relative to what moves on rigidly with a body: v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101) and
-   Omega_r = omega - Omega (41), (99), (102) in v and omega; and back. All else is copied. VM_BAD_ARGUMENT. */
+/* The motion of b relative to the frame that moves rigidly with the body `to`; nothing is checked */
+VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
+{
+    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
+    b.omega = vmi_sub(b.omega, to->omega);
+    return b;
+}
+
+/* The absolute motion of b, which is given relative to the body `to`; nothing is checked */
+VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
+{
+    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vmi_add(to->omega, b.omega);
+    return b;
+}
+
+/* *result becomes b, if all numbers are finite */
+VM_API int vmi_put_body(const vm_body *b, vm_body *result)
+{
+    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    *result = *b;
+    return VM_OK;
+}
+
+/* *result becomes b, a body of the plane with this angle, if all numbers are finite */
+VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
+{
+    const vm_body2 flat = vmi_body_to_plane(b, angle);
+    if (!vmi_body2_is_finite(&flat)) return VM_NOT_FINITE;
+    *result = flat;
+    return VM_OK;
+}
+
+/* Motion of a body relative to the frame that moves rigidly with the body `to`: v and omega of *relative become
+     v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
+   and all else is copied; axes and origin stay the inertial ones. relative may be absolute. VM_BAD_ARGUMENT: a null
+   pointer. VM_NOT_FINITE: a number of absolute or of the motion of `to`, or a result, is not finite. Masses and
+   inertias are not looked at otherwise. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    b = *absolute;
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
-    *relative = b;
-    return VM_OK;
+    b = vmi_relative_motion(to, *absolute);
+    return vmi_put_body(&b, relative);
 }
 
-/* Documented with vm_to_relative. */
+/* Absolute motion of a body that is given relative to the body `to`: the way back from vm_to_relative, with its
+   statuses. absolute may be relative. */
 VM_API int vm_to_absolute(const vm_body *to, const vm_body *relative, vm_body *absolute)
 {
     vm_body b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
-    b = *relative;
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
-    *absolute = b;
-    return VM_OK;
+    b = vmi_absolute_motion(to, *relative);
+    return vmi_put_body(&b, absolute);
 }
 
-/* Documented with vm_to_relative. */
+/* Motion of a body of the plane relative to the frame that moves rigidly with the body `to`: vx, vy and omega change
+   as in vm_to_relative, all else is copied. Statuses as those of vm_to_relative. */
 VM_API int vm_to_relative2(const vm_body2 *to, const vm_body2 *absolute, vm_body2 *relative)
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     whole = vmi_body_to_space(to);
-    b = vmi_body_to_space(absolute);
-    vm_to_relative(&whole, &b, &b);
-    *relative = vmi_body_to_plane(&b, absolute->angle);
-    return VM_OK;
+    b = vmi_relative_motion(&whole, vmi_body_to_space(absolute));
+    return vmi_put_body2(&b, absolute->angle, relative);
 }
 
-/* Documented with vm_to_relative. */
+/* Absolute motion of a body of the plane that is given relative to the body `to`: the way back from vm_to_relative2,
+   with its statuses */
 VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body2 *absolute)
 {
     vm_body whole, b;
     if (!to || !absolute || !relative) return VM_BAD_ARGUMENT;
     whole = vmi_body_to_space(to);
-    b = vmi_body_to_space(relative);
-    vm_to_absolute(&whole, &b, &b);
-    *absolute = vmi_body_to_plane(&b, relative->angle);
-    return VM_OK;
+    b = vmi_absolute_motion(&whole, vmi_body_to_space(relative));
+    return vmi_put_body2(&b, relative->angle, absolute);
 }
 
-/* The law has the same form in the frame that moves and turns with the first body */
-VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign, const vm_impulse *external,
-                             vm_body *result)
+/* ---- jumps ---- */
+
+/* A jump in motions relative to the first body, which is at rest in them: the law has the same form in its frame */
+VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
+                             const vm_impulse *external_or_NULL, vm_body *result)
 {
     vm_body still;
     if (!body) return VM_BAD_ARGUMENT;
     still = *body;
     still.v = still.omega = vmi_vec3(0, 0, 0);
-    return vmi_jump(&still, 1, other, sign, external, result);
+    return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
+/* vmi_jump_relative in the plane */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
-                              const vm_impulse2 *external, vm_body2 *result)
+                              const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
     vm_body2 still;
     if (!body) return VM_BAD_ARGUMENT;
     still = *body;
     still.vx = still.vy = still.omega = 0;
-    return vmi_jump2(&still, 1, other, sign, external, result);
+    return vmi_jump2(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* The jump in relative motions, (28)-(31), (42)-(44): those of the part given and of the rest returned are relative
-   to the whole, those of the body added and of the whole relative to the body; what the first body itself does does
-   not matter. */
+/* Separation in motions relative to the whole, (28)-(31), (42)-(44): v and omega of part are relative to the whole,
+   and so are those of *rest. The whole's own v and omega do not matter. Otherwise as vm_separate, statuses included.
+   */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
-    return vmi_jump_relative(whole, part, -1, external_or_NULL, rest);
+    return vmi_jump_relative(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate_relative. */
+/* Attachment in motions relative to the first body, (28)-(31), (42)-(44): v and omega of added are relative to body,
+   and so are those of *whole. The own v and omega of body do not matter. Otherwise as vm_attach, statuses included.
+   */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
-    return vmi_jump_relative(body, added, 1, external_or_NULL, whole);
+    return vmi_jump_relative(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Documented with vm_separate_relative. */
+/* Separation in the plane, in motions relative to the whole: vx, vy, omega of part are relative to the whole, and so
+   are those of *rest. The whole's own motion does not matter. Otherwise as vm_separate2, statuses included. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
-    return vmi_jump_relative2(whole, part, -1, external_or_NULL, rest);
+    return vmi_jump_relative2(whole, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Documented with vm_separate_relative. */
+/* Attachment in the plane, in motions relative to the first body: vx, vy, omega of added are relative to body, and
+   so are those of *whole. The own motion of body does not matter. Otherwise as vm_attach2, statuses included. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
-    return vmi_jump_relative2(body, added, 1, external_or_NULL, whole);
+    return vmi_jump_relative2(body, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
 #endif

@@ -1,4 +1,12 @@
-/* mechanics/rocket.h - closed forms: Tsiolkovsky's rocket, linear flow, jet damping */
+/* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
+
+   Motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151), (171) and
+   (175), (176); the motion along a line at a constant rate of mass; the spin of a rocket whose jet damps it, from
+   Euler's equations. All are right to a few eps, down to a rate of zero.
+
+       vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
+
+   Tests: tests/test_flow1.c. */
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
@@ -13,68 +21,88 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* Jet damping of an axisymmetric body without outer loads: omega after t, body axes, z the axis of symmetry. Mass
-   is taken from around the mass centre, which stays, and leaves through a nozzle on the axis (or the other way
-   round); A, C are the transverse and the axial moment of inertia, A' = rate gyration_transverse, C' = rate
-   gyration_axial:
-     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-     omega_z constant, phase of omega_t: omega_z integral (C/A - 1) dt
-   Within 8 eps of what an eps in the inputs makes; VM_BAD_INERTIA where A or C is not positive, VM_NOT_FINITE */
+/* A spinning axisymmetric body whose mass is taken from around the mass centre, which stays in its place, and leaves
+   through a nozzle on the axis (rate < 0), or goes the other way (rate > 0). The z axis is the axis of symmetry. */
 typedef struct VM_TAG(vm_jet) {
-    vm_real rate;                /* kg/s, < 0: leaves */
-    vm_real axial, transverse;   /* C0, A0, kg m^2 */
-    vm_real gyration_axial;      /* m^2, of what is stored and, alike, of what crosses */
-    vm_real gyration_transverse; /* m^2, of what is stored, */
-    vm_real gyration_out;        /* and of what crosses */
-    vm_real nozzle;              /* m, from the mass centre */
+    vm_real rate;                /* kg/s, < 0: mass leaves */
+    vm_real axial;               /* C0, kg m^2, moment of inertia about the axis at t = 0 */
+    vm_real transverse;          /* A0, kg m^2, moment of inertia across the axis at t = 0 */
+    vm_real gyration_axial;      /* m^2, inertia per unit mass about the axis, of stored and of crossing mass */
+    vm_real gyration_transverse; /* m^2, inertia per unit mass across the axis, of the stored mass */
+    vm_real gyration_out;        /* m^2, inertia per unit mass across the axis, of the crossing mass */
+    vm_real nozzle;              /* m, distance of the nozzle from the mass centre */
 } vm_jet;
 
-/* Closed forms */
-/* ln(1 + x)/x and (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34; NaN beyond), within 2 ulp */
-VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
+VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 {
-    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
-    *second = vmi_log1p_rest(whole, l).hi;
-    *first = VM_FABS(x) < VM_EPSILON ? 1 - x / 2 : l.hi / x;
+    return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Documented with vm_velocity_by_momentum. */
+/* Velocity when the mass has come from m0 to m and all mass joined with the absolute velocity u (151), (171).
+   v0 (m/s) is the velocity at mass m0 (kg), impulse (N s) that of the outer forces meanwhile. u = 0 is Levi-Civita's
+   case. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
+   terms. NaN where a mass is not positive and for infinite arguments. */
+VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
+{
+    if (!vmi_masses_are_good(m0, m)) return VM_NAN;
+    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
+    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
+}
+
+/* Velocity of Tsiolkovsky's rocket when its mass has come from m0 to m: v0 + w ln(m/m0), (175), (176).
+   v0 (m/s) is the velocity at mass m0 (kg), w (m/s) that of the crossing mass relative to the body; there is no outer
+   force. About a fixed axle the same formula gives the angular velocity from moments of inertia. Within 4 eps of the
+   terms. NaN where a mass is not positive and for infinite arguments. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
-    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
+    if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(w)) return VM_NAN;
     if (m < 2 * m0 && m0 < 2 * m) l = vmi_two_log(vmi_two_sum(1, (m - m0) / m0)); /* m - m0 is exact */
     else l = vmi_two_plus(vmi_log(m), vmi_minus(vmi_log(m0)));
     return v0 + w * l.hi;
 }
 
-/* Position and velocity after t under constant rate, force and velocity of the stream (VM_RELATIVE, VM_ABSOLUTE),
-   through rate = 0 without loss: 8 eps of the terms; VM_BAD_MASS where m0 + rate t or m0 is not positive */
-/* With tau = rate t/m0, L = ln(1 + tau)/tau, B = (tau - ln(1 + tau))/tau^2, constant force and u:
-     v - v0 = (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B
-   as M (v - u) + const; and with constant w:
-     v - v0 = (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B) */
+/* *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), NaN beyond; within 2 ulp.
+   They are the means of 1/m over a flow at constant rate. */
+VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
+{
+    const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
+    *second = vmi_log1p_rest(whole, l).hi;
+    if (VM_FABS(x) < VM_EPSILON) *first = 1 - x / 2;
+    else *first = l.hi / x;
+}
+
+/* Position and velocity on a line after t seconds of a stream of constant rate.
+   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0; the force (N), the rate and the velocity of the stream are constant.
+   t may be negative. With tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2, for an absolute
+   velocity u:
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) t^2/m0 B;
+   for a velocity w relative to the body:
+     v = v0 + (force + rate w) t/m0 L,            x = x0 + v0 t + (force + rate w) t^2/m0 (L - B).
+   Within 8 eps of the terms, for every rate, zero included. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS where m0 or
+   m0 + rate t is not positive. */
 VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force, const vm_stream1 *stream,
                           vm_real *x, vm_real *v)
 {
-    vm_real tau, first, second, less, pull, result[2];
+    vm_real tau, first, second, difference, given = 0, acceleration, result[2];
     if (!stream || !x || !v || !vmi_stream_motion_is_known(stream->motion)) return VM_BAD_ARGUMENT;
     if (!(m0 > 0)) return VM_BAD_MASS;
     tau = stream->rate * t / m0;
     if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(stream->velocity)) return VM_NOT_FINITE;
     if (!(tau > -1)) return VM_BAD_MASS;
     vmi_stream_log_means(tau, &first, &second);
-    less = tau < VM_C(-0.5) ? ((1 + tau) * first - 1) / tau : first - second; /* near -1 both are large */
-    pull = stream->motion == VM_RELATIVE || stream->motion == VM_ABSOLUTE ? stream->velocity : 0;
-    if (stream->motion == VM_RELATIVE || stream->motion == VM_CARRIED) {
-        pull = (force + stream->rate * pull) / m0;
-        result[1] = v0 + pull * t * first;
-        result[0] = x0 + t * (v0 + pull * t * less);
+    if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
+    if (vmi_stream_moves_with_body(stream->motion)) {
+        difference = first - second;
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* near -1 both are large */
+        acceleration = (force + stream->rate * given) / m0;
+        result[0] = x0 + t * (v0 + acceleration * t * difference);
+        result[1] = v0 + acceleration * t * first;
     } else {
-        pull = (force + stream->rate * (pull - v0)) / m0;
-        result[1] = v0 + pull * t / (1 + tau);
-        result[0] = x0 + t * (v0 + pull * t * second);
+        acceleration = (force + stream->rate * (given - v0)) / m0;
+        result[0] = x0 + t * (v0 + acceleration * t * second);
+        result[1] = v0 + acceleration * t / (1 + tau);
     }
     if (!vmi_all_finite(2, result)) return VM_NOT_FINITE;
     *x = result[0];
@@ -82,25 +110,31 @@ VM_API int vm_linear_flow(vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real
     return VM_OK;
 }
 
-/* With tau = rate gyration t/A0 and c likewise: ln(A/A0) = tau L, integral (C/A - 1) dt = t (C0/A0 L - 1 + rate t
-   gyration_axial/A0 B) */
+/* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
+   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
+   gyration_axial t the transverse part of omega has the length
+     |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
+   omega_z stays constant, and the transverse part turns by omega_z times the integral of C/A - 1. With
+   tau = rate gyration_transverse t/A0 and L, B of vm_linear_flow: ln(A/A0) = tau L, and the integral is
+   t (C0/A0 L - 1 + rate t gyration_axial/A0 B). The error is at most 8 times what an eps in the inputs makes.
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA where A or C is not positive. */
 VM_API int vm_jet_damping(vm_real t, const vm_jet *jet, vm_vec3 omega0, vm_vec3 *omega)
 {
-    vm_real change, tau, first, second, decay, sine, cosine;
+    vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
-    decay = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
-    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(decay) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
+    exponent = change * (jet->nozzle * jet->nozzle + jet->gyration_out - jet->gyration_transverse);
+    if (!VM_IS_FINITE(tau) || !VM_IS_FINITE(exponent) || !VM_IS_FINITE(jet->axial) || !VM_IS_FINITE(jet->transverse))
         return VM_NOT_FINITE;
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
-    decay = vmi_exp(decay * first, 0);
-    vmi_sincos(omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second),
-               &sine, &cosine);
-    later = vmi_vec3(decay * (omega0.x * cosine - omega0.y * sine), decay * (omega0.y * cosine + omega0.x * sine),
+    share = vmi_exp(exponent * first, 0);
+    angle = omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second);
+    vmi_sincos(angle, &sine, &cosine);
+    later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
                      omega0.z);
     if (!vmi_vec3_finite(later)) return VM_NOT_FINITE;
     *omega = later;

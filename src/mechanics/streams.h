@@ -1,4 +1,18 @@
-/* mechanics/streams.h - streams of mass: reactive force and torque */
+/* mechanics/streams.h - streams of mass: reactive force, moment and torque
+
+   A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
+   momentum with it: this is the reactive force (156), the reactive moment (158) and the reactive torque (157). Here
+   are the loads of an instant and the accelerations that follow from them, (159) and (160). To integrate a motion,
+   take mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+
+       vm_stream nozzle;
+       vm_reactive loads;
+       memset(&nozzle, 0, sizeof nozzle);
+       nozzle.rate = -2;          // 2 kg/s leave
+       nozzle.velocity.x = -2500; // m/s, relative to the body: VM_RELATIVE is 0
+       if (vm_reactive_loads(&body, centre, 1, &nozzle, &loads) == VM_OK) thrust = loads.force; // 5000 N
+
+   Tests: tests/test_streams.c. */
 #ifndef VARMASS_MECHANICS_STREAMS_H
 #define VARMASS_MECHANICS_STREAMS_H
 
@@ -8,72 +22,69 @@
 #include "inertia.h"
 #include "vectors.h"
 
-/* A stream carries mass into a body (rate > 0) or out of it (rate < 0) at one point. Zero fields are fair defaults,
-   and what does not act costs nothing; the loads of several streams add. Its velocity is given as its motion says: */
+/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body at which the
+   stream crosses the body's surface. */
 enum {
-    VM_RELATIVE = 0, /* velocity against the point of the body where it crosses, spin against the body: body axes */
-    VM_ABSOLUTE = 1, /* velocity and spin as they are: inertial axes */
-    VM_CARRIED = 2,  /* moves with the body: no torque, but M' omega x d is left of the force that (166) has as 0 */
-    VM_AT_REST = 3   /* has neither velocity nor spin (167)-(169) */
+    VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
+    VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
+    VM_CARRIED = 2,  /* the mass moves as the point and the body do; velocity and spin of the stream are not read.
+                        There is no torque, but the force M' omega x d remains, which (166) neglects */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169), velocity and spin of the stream are not read */
 };
 
+/* The place in a body that mass is taken from or put to, where this is not the point at which its stream crosses */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* m, body axes, from the body's reference point */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what is stored there, about its mass centre */
+    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of the stored mass, about its own mass centre */
 } vm_store;
 
+/* A stream of mass in space. Zero is a fair value of every field, and a term that is zero costs nothing. */
 typedef struct VM_TAG(vm_stream) {
-    vm_real rate;        /* kg/s */
-    int motion;          /* VM_RELATIVE ... */
-    vm_vec3 at;          /* m, where it crosses, body axes, from the body's reference point */
-    vm_vec3 velocity;    /* m/s */
-    vm_vec3 spin;        /* rad/s */
-    vm_inertia gyration; /* m^2, body axes: inertia per unit mass of what crosses, about its own mass centre */
-    /* where the mass is taken from or put; null: where it crosses. Between the two it flows in a straight line, with
-       what it has of momentum on the way */
-    const vm_store *from;
+    vm_real rate;         /* kg/s; > 0: mass joins the body, < 0: mass leaves it */
+    int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    vm_vec3 at;           /* m, body axes: the point of crossing, from the body's reference point */
+    vm_vec3 velocity;     /* m/s, velocity of the mass when it crosses */
+    vm_vec3 spin;         /* rad/s, angular velocity of the mass when it crosses */
+    vm_inertia gyration;  /* m^2, body axes: inertia per unit mass of the crossing mass, about its own mass centre */
+    const vm_store *from; /* where the mass is taken from or put to; NULL: the point of crossing. Between the two it
+                             flows in a straight line, and its momentum on this way counts */
 } vm_stream;
 
-/* Reactive loads at an instant, inertial axes but for inertia_rate. With d = SS2 from the mass centre to the crossing
-   point, M' the rate, u the velocity, kappa the gyration, omega2 the angular velocity of each stream:
+/* The reactive loads of an instant, in inertial axes except inertia_rate. For each stream M' is the rate, u the
+   velocity of the crossing mass, omega2 its angular velocity, kappa its gyration, and d goes from the body's mass
+   centre to the point of crossing; P(d) = |d|^2 E - d d^T:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
-     torque  sum M' kappa omega2 - I' omega             (157) corrected: printed I' (omega2 - omega), which is right
+     torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
-   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160): v' is the rate of
-   momentum/mass, which v is. */
+   Then M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160). v is momentum/mass, and
+   v' is its rate. */
 typedef struct VM_TAG(vm_reactive) {
-    vm_vec3 force, moment, torque, drift; /* N, N m, N m, m/s */
-    vm_real mass_rate;                    /* kg/s */
-    vm_inertia inertia_rate;              /* kg m^2/s */
+    vm_vec3 force;           /* N */
+    vm_vec3 moment;          /* N m, about the mass centre */
+    vm_vec3 torque;          /* N m */
+    vm_vec3 drift;           /* m/s, velocity of the mass centre relative to the body's material */
+    vm_real mass_rate;       /* kg/s, sum of M' */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes */
 } vm_reactive;
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* What the streams of a moving body add up to, body axes */
-typedef struct VM_TAG(vmi_stream_sum) {
-    vm_real rate, carried;    /* sum M'; that of the streams whose velocity is given relative to the body, */
-    vm_vec3 pushed;           /* their sum M' (u - v), */
-    vm_vec3 absolute;         /* and sum M' u of the others, inertial axes: exact where u = 0 */
-    vm_vec3 moment;           /* sum d x M' (u - v) */
-    vm_vec3 own;              /* sum M' kappa omega2 */
-    vm_vec3 crossing, stored; /* sum M' d, sum M' d_s */
-    vm_inertia inertia;       /* I' */
-    vm_real brought, lost;    /* twice the sums of T' */
-} vmi_stream_sum;
+/* The velocity u of a stream's mass is, for every known motion, the velocity of the body's point (or zero) plus the
+   velocity that the stream gives (or zero); its spin likewise. These two functions say which; nothing else decodes
+   VM_RELATIVE ... VM_AT_REST. */
+VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
+VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* Momentum, and angular momentum about the mass centre, of what is between the stores and the points of crossing */
-VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
+/* The velocity u of a stream's mass along a line: own is the body's velocity, given that of the stream */
+VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
-    int k;
-    *p = *h = vmi_vec3(0, 0, 0);
-    for (k = 0; k < n; k++) {
-        if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
-    }
+    vm_real u = 0;
+    if (vmi_stream_moves_with_body(motion)) u = own;
+    if (vmi_stream_velocity_is_given(motion)) u += given;
+    return u;
 }
 
 /* M' kappa */
@@ -89,50 +100,84 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
     return i;
 }
 
-/* The motion of a body as the streams see it: v = momentum/mass in inertial axes; in body axes slip, the velocity
-   of its material at the mass centre less v, omega and the mass centre. energy: brought and lost are wanted */
+/* Momentum *p, and angular momentum *h about the mass centre, of the mass on the way between stores and points of
+   crossing. A straight flow of M' kg/s from s to d has the momentum M' (s - d), whatever its speed is. */
+VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
+{
+    int k;
+    *p = *h = vmi_vec3(0, 0, 0);
+    for (k = 0; k < n; k++) {
+        if (!s[k].from) continue;
+        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
+        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+    }
+}
+
+/* The motion of a body as its streams need it */
 typedef struct VM_TAG(vmi_stream_seen) {
-    const vmi_mat3 *turn;
-    vm_vec3 v, slip, omega, centre;
-    int energy;
+    const vmi_mat3 *turn; /* from body axes to inertial ones */
+    vm_vec3 v;            /* momentum/mass, inertial axes */
+    vm_vec3 slip;         /* velocity of the body's material at the mass centre, less v; body axes */
+    vm_vec3 omega;        /* angular velocity, body axes */
+    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    int energy;           /* 1 if the sums `brought` and `lost` are wanted */
 } vmi_stream_seen;
 
-/* M' (u - v) and omega2 of a stream, body axes, and its part of the momentum's rate; 0 for an unknown motion */
-VM_INLINE int vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
-                                vm_vec3 *push, vm_vec3 *spin)
+/* The sums over the streams of a moving body, in body axes except `absolute`. The velocity of mass that moves with
+   the body is kept relative to the body, and so these sums are exact for a body that moves fast. */
+typedef struct VM_TAG(vmi_stream_sum) {
+    vm_real rate;       /* sum M' */
+    vm_real carried;    /* sum M' of the streams whose velocity is relative to the body */
+    vm_vec3 pushed;     /* sum M' (u - v) of these streams */
+    vm_vec3 absolute;   /* sum M' u of the other streams, inertial axes: exactly 0 for mass at rest */
+    vm_vec3 moment;     /* sum d x M' (u - v) of all streams */
+    vm_vec3 own;        /* sum M' kappa omega2 */
+    vm_vec3 crossing;   /* sum M' d, d to the point of crossing */
+    vm_vec3 stored;     /* sum M' d_s, d_s to the store where there is one, else d */
+    vm_inertia inertia; /* I', rate of the inertia */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
+    vm_real lost;       /* the same sum of velocities relative to the body: twice the power that mixing takes */
+} vmi_stream_sum;
+
+/* One stream of known motion: sets *push = M' (u - v) and *spin = omega2, body axes, and adds its part to the sums
+   from which the force is made. `carried` is the velocity of the point of crossing, less v, body axes. */
+VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
+                                 vm_vec3 *push, vm_vec3 *spin)
 {
-    switch (s->motion) {
-    case VM_RELATIVE:
-        carried = vmi_add(carried, s->velocity);
-        *spin = vmi_add(b->omega, s->spin);
-        break;
-    case VM_ABSOLUTE:
+    const int given = vmi_stream_velocity_is_given(s->motion);
+    if (vmi_stream_moves_with_body(s->motion)) {
+        *spin = b->omega;
+        if (given) {
+            carried = vmi_add(carried, s->velocity);
+            *spin = vmi_add(b->omega, s->spin);
+        }
+        *push = vmi_scale(s->rate, carried);
+        sum->carried += s->rate;
+        sum->pushed = vmi_add(sum->pushed, *push);
+    } else if (given) {
         *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
         sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
-        return 1;
-    case VM_CARRIED: *spin = b->omega; break;
-    case VM_AT_REST:
+    } else {
         *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
-        return 1;
-    default: return 0;
     }
-    *push = vmi_scale(s->rate, carried);
-    sum->carried += s->rate;
-    sum->pushed = vmi_add(sum->pushed, *push);
-    return 1;
 }
 
+/* Adds a stream's part to sum->brought and sum->lost; push and spin are those of vmi_stream_motion */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 u = s->rate != 0 ? vmi_scale(1 / s->rate, push) : push, relative = vmi_sub(spin, b->omega);
-    const vm_vec3 absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v)), w = vmi_sub(u, carried);
+    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    vm_vec3 u = push, absolute, w;
+    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
+    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vmi_sub(u, carried);
     sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
     sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
 }
 
+/* The sums over n streams. Returns 0 where the motion of a stream does not exist, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -143,7 +188,8 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
         const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
-        if (!vmi_stream_motion(s, b, carried, sum, &push, &spin)) return 0;
+        if (!vmi_stream_motion_is_known(s->motion)) return 0;
+        vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
         sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
@@ -154,22 +200,23 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
         sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* as a whole, so that opposite streams cancel */
+        /* the whole term is added at once, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* The loads of an instant */
-/* VM_OK if i is finite and has no negative moment. Only the body has to satisfy the triangle inequality: in plane
-   motion a tensor with zz alone is enough, as long as the body is not that flat itself */
+/* VM_OK if the gyration is finite and has no negative moment. Only the body has to satisfy the triangle inequality:
+   for motion in a plane a tensor with zz alone is enough, as long as the body itself is not that flat. */
 VM_API int vmi_gyration_is_valid(const vm_inertia *i)
 {
     if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
-    return i->xx >= 0 && i->yy >= 0 && i->zz >= 0 ? VM_OK : VM_BAD_INERTIA;
+    if (!(i->xx >= 0 && i->yy >= 0 && i->zz >= 0)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
+/* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
 VM_API int vmi_stream_is_valid(const vm_stream *s)
 {
     int status;
@@ -179,18 +226,29 @@ VM_API int vmi_stream_is_valid(const vm_stream *s)
         return VM_NOT_FINITE;
     status = vmi_gyration_is_valid(&s->gyration);
     if (status || !s->from) return status;
-    return vmi_vec3_finite(s->from->at) ? vmi_gyration_is_valid(&s->from->gyration) : VM_NOT_FINITE;
+    if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
+    return vmi_gyration_is_valid(&s->from->gyration);
 }
 
+/* The status of the first of n streams that is not valid, else VM_OK */
 VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
 {
-    int k, status = n < 0 || (n > 0 && !s) ? VM_BAD_ARGUMENT : VM_OK;
+    int k, status = VM_OK;
+    if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
     for (k = 0; !status && k < n; k++) status = vmi_stream_is_valid(s + k);
     return status;
 }
 
-/* centre: mass centre from the reference point, body axes. VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
-   VM_BAD_ARGUMENT (a null pointer, an unknown motion, n < 0), VM_STORED_STREAM */
+VM_API int vmi_reactive_finite(const vm_reactive *r)
+{
+    return vmi_vec3_finite(r->force) && vmi_vec3_finite(r->moment) && vmi_vec3_finite(r->torque) &&
+           vmi_vec3_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_finite(&r->inertia_rate);
+}
+
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
+   from its reference point, in body axes (m). The loads of the streams add; their formulas stand with vm_reactive.
+   VM_BAD_ARGUMENT (a null pointer, n < 0, a motion that does not exist), VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_STORED_STREAM (a stream has a store: integrate vm_flow_rhs instead). */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -221,54 +279,44 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
-    if (!vmi_vec3_finite(r.force) || !vmi_vec3_finite(r.moment) || !vmi_vec3_finite(r.torque) ||
-        !vmi_vec3_finite(r.drift) || !VM_IS_FINITE(r.mass_rate) || !vmi_inertia_finite(&r.inertia_rate))
-        return VM_NOT_FINITE;
+    if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
     *result = r;
     return VM_OK;
 }
 
-/* I^-1 (moment - omega x I omega), body axes */
+/* I^-1 (moment - omega x I omega), body axes: Euler's equations solved for the angular acceleration */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
     return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
 }
 
-/* v' (159) and omega' (160), inertial axes, under the resultant F of the outer loads and their moment M_S about the
-   mass centre; VM_BAD_INERTIA where the inertia is singular */
+/* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
+   They are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the mass
+   centre (N m), inertial axes.
+   v' is the rate of momentum/mass in m/s^2, omega' is in rad/s^2. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_INERTIA (a singular inertia, that of a rod or a point, included). */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
-    vm_vec3 straight, turning;
+    vm_vec3 sum, linear, angular;
     int status;
     if (!body || !loads || !acceleration || !angular_acceleration) return VM_BAD_ARGUMENT;
     status = vmi_check_body(body);
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    moment = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    straight = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
-    turning = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
-                               vmi_times_transposed(&turn, moment));
-    turning = vmi_times(&turn, turning);
-    if (!vmi_vec3_finite(straight) || !vmi_vec3_finite(turning)) return VM_NOT_FINITE;
-    *acceleration = straight;
-    *angular_acceleration = turning;
+    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
+    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
+                               vmi_times_transposed(&turn, sum));
+    angular = vmi_times(&turn, angular);
+    if (!vmi_vec3_finite(linear) || !vmi_vec3_finite(angular)) return VM_NOT_FINITE;
+    *acceleration = linear;
+    *angular_acceleration = angular;
     return VM_OK;
-}
-
-/* Closed forms, for mass and velocity or, about a fixed axle, for inertia and angular velocity. v when the mass has
-   come from m0 to m: where what crosses has the absolute velocity u, impulse being that of the outer forces (151),
-   (171), Levi-Civita's case for u = 0; where it has the relative velocity w and there is no outer force (175), (176),
-   Tsiolkovsky's. Within 4 eps of the terms; NaN where a mass is not positive and for infinite arguments. */
-VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
-{
-    if (!(m0 > 0 && m > 0) || !VM_IS_FINITE(m0) || !VM_IS_FINITE(m)) return VM_NAN;
-    if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
-    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
 }
 
 #endif

@@ -1,21 +1,33 @@
-/* mechanics/vectors.h - vectors, quaternions, rotations */
+/* mechanics/vectors.h - vectors, quaternions and rotations in space
+   The two types are plain data. A quaternion turns body axes into inertial ones; it may have any length, and all
+   zero stands for the identity.
+
+       vm_vec3 omega = {0, 0, 3};                 // x, y, z
+       vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
+
+   The functions are internal: sums and products of vectors, norms, rotation matrices, and three or four numbers of a
+   state read as a vector or quaternion. They do not check their arguments. Tests: tests/test_jumps.c and
+   tests/test_torque_free.c use all of them. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
 #include "../base/hypot.h"
 #include "../base/real.h"
 
+/* A vector by its components */
 typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
+/* An attitude: the quaternion w + x i + y j + z k turns body axes into inertial ones. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
 
+/* A matrix by its columns. Those of a rotation are the images of the axes. */
 typedef struct VM_TAG(vmi_mat3) {
     vm_vec3 x, y, z;
-} vmi_mat3; /* columns: the images of the axes */
+} vmi_mat3;
 
 VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
 {
@@ -31,14 +43,23 @@ VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - 
 VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
 VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
+/* a/c, each component rounded once */
+VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
+
 VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
 VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), VM_FABS(a.z)); }
+
+/* |x| + |y| + |z| */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
+/* The length. It does not overflow where its square does. */
+VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+
+/* The largest of |x|, |y| and |z| */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
 {
     const vm_vec3 b = vmi_abs(a);
@@ -46,51 +67,42 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     return c > b.z ? c : b.z;
 }
 
-VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
-VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a) /* m a */
+/* m a */
+VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
 }
 
-VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a) /* m^T a */
+/* m^T a, which turns back what the rotation m has turned */
+VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
 }
 
-/* None given, which reads as the identity */
-VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
-
-/* With 1 as the size of the largest part, so that squares neither over- nor underflow; the identity for all zero */
-VM_API vm_quat vmi_quat_scaled(vm_quat q)
+VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
 {
-    vm_real largest = VM_FABS(q.w);
-    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
-    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
-    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
-    if (largest == 0) q.w = largest = 1;
-    q.w /= largest;
-    q.x /= largest;
-    q.y /= largest;
-    q.z /= largest;
+    vm_quat q;
+    q.w = w;
+    q.x = xyz.x;
+    q.y = xyz.y;
+    q.z = xyz.z;
     return q;
 }
 
-/* The rotation of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
-VM_API vmi_mat3 vmi_rotation(vm_quat q)
-{
-    vm_real s;
-    vmi_mat3 m;
-    q = vmi_quat_scaled(q);
-    s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    m.x = vmi_vec3(1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y + q.w * q.z), s * (q.x * q.z - q.w * q.y));
-    m.y = vmi_vec3(s * (q.x * q.y - q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z + q.w * q.x));
-    m.z = vmi_vec3(s * (q.x * q.z + q.w * q.y), s * (q.y * q.z - q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y));
-    return m;
-}
+/* x, y, z of q */
+VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
-/* p q: the rotation of q followed by that of p */
+VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_finite(vmi_quat_vector(q)); }
+
+/* 1 if all four numbers are 0, which stands for the identity */
+VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
+
+/* The square of the length of q */
+VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
+
+/* The product p q: the rotation of q, followed by that of p */
 VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -101,24 +113,37 @@ VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
     return r;
 }
 
-VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
-
-VM_API void vmi_set3(vm_real *y, vm_vec3 a) {
-y[0] = a.x;
-y[1] = a.y;
-y[2] = a.z; }
-
-VM_API vm_quat vmi_get_quat(const vm_real *y)
+VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
 {
-    vm_quat q;
-    q.w = y[0];
-    q.x = y[1];
-    q.y = y[2];
-    q.z = y[3];
+    q.w /= c;
+    q.x /= c;
+    q.y /= c;
+    q.z /= c;
     return q;
 }
 
-/* The rotation of a quaternion whose length is nowhere near the ends of the type's range */
+/* q over the size of its largest component, so that squares neither over- nor underflow; the identity for all zero */
+VM_API vm_quat vmi_quat_scaled(vm_quat q)
+{
+    vm_real largest = VM_FABS(q.w);
+    if (VM_FABS(q.x) > largest) largest = VM_FABS(q.x);
+    if (VM_FABS(q.y) > largest) largest = VM_FABS(q.y);
+    if (VM_FABS(q.z) > largest) largest = VM_FABS(q.z);
+    if (largest == 0) {
+        q.w = 1;
+        largest = 1;
+    }
+    return vmi_quat_over(q, largest);
+}
+
+/* The quaternion of length 1 for the same rotation; the identity for all zero */
+VM_API vm_quat vmi_unit_quat(vm_quat q)
+{
+    q = vmi_quat_scaled(q);
+    return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
+}
+
+/* The rotation matrix of a quaternion whose length has the given square, which must be a normal number */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -131,17 +156,30 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* Of length 1; the identity for all zero */
-VM_API vm_quat vmi_unit_quat(vm_quat q)
+/* The rotation matrix of a quaternion of any length; exactly the identity for (w, 0, 0, 0) and for all zero */
+VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
-    vm_real length;
     q = vmi_quat_scaled(q);
-    length = VM_SQRT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    q.w /= length;
-    q.x /= length;
-    q.y /= length;
-    q.z /= length;
-    return q;
+    return vmi_rotation_of_square(q, vmi_quat_square(q));
+}
+
+/* Three numbers of a state as a vector, and back */
+VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+
+VM_API void vmi_set3(vm_real *y, vm_vec3 a)
+{
+    y[0] = a.x;
+    y[1] = a.y;
+    y[2] = a.z;
+}
+
+/* Four numbers w, x, y, z of a state as a quaternion, and back */
+VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
+
+VM_API void vmi_set_quat(vm_real *y, vm_quat q)
+{
+    y[0] = q.w;
+    vmi_set3(y + 1, vmi_quat_vector(q));
 }
 
 #endif

@@ -1,4 +1,12 @@
-/* oscillators/diagnostics.h - turning points, zero crossings, envelopes */
+/* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
+
+   The motion may come from a route, a closed form or an integrator's dense output. Its turning points are what
+   amplitude laws predict, its zero crossings give the largest velocities and the periods.
+
+       vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
+       long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
+
+   Tests: tests/test_diagnostics.c. */
 #ifndef VARMASS_OSCILLATORS_DIAGNOSTICS_H
 #define VARMASS_OSCILLATORS_DIAGNOSTICS_H
 
@@ -7,62 +15,73 @@
 #include "../base/zero.h"
 #include "../integrators/dense.h"
 #include "../integrators/runs.h"
+#include "laws.h"
+#include "problem.h"
 #include "slow.h"
 
-/* Any trajectory, x(t) and x'(t): a route's, a law's, an integrator's dense output. */
+/* A trajectory: writes position x and velocity v at time t. ctx is the user's. */
 typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
+/* A trajectory at one time: time, position and velocity, in the units of the trajectory */
 typedef struct VM_TAG(vm_sample) {
     vm_real t, x, v;
 } vm_sample;
 
+/* Where samples are taken */
 enum {
     VM_TURNING_POINTS = 0, /* x' = 0 */
     VM_ZERO_CROSSINGS = 1  /* x = 0 */
 };
 
+/* A search along a trajectory */
 typedef struct VM_TAG(vmi_sample_search) {
     vm_motion_function motion;
     void *ctx;
     int kind;
-    vm_real x, v; /* where it was looked last */
+    vm_real x, v; /* position and velocity at the time of the last evaluation */
 } vmi_sample_search;
 
-/* What vanishes at a point of the kind looked for */
+/* x at zero crossings, v at turning points: the function of t whose zeros are sought */
 VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
     vmi_sample_search *s = (vmi_sample_search *)search;
     s->motion(t, &s->x, &s->v, s->ctx);
-    return s->kind == VM_ZERO_CROSSINGS ? s->x : s->v;
+    if (s->kind == VM_ZERO_CROSSINGS) return s->x;
+    return s->v;
 }
 
-/* The number of changes of sign in (t0, t1], looked for every step (or a little less; a small part of a period,
-   negative where t1 < t0) and located to an eps of t; the first room of them are written. A negative status for a
-   step of the wrong sign, or a trajectory that is not finite. */
-VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step, long room,
-                           vm_sample *points)
+/* Turning points or zero crossings of a trajectory in (t0, t1].
+   kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The trajectory is evaluated every `step`, or a little less, and each
+   change of sign located to an eps of t. step should be a small part of a period; it is negative where t1 < t0. The
+   first `room` of them are written to samples, in the order of time. Returns the number of all, which may be larger
+   than room, or a negative status: VM_BAD_ARGUMENT for null pointers or an unknown kind, VM_NOT_FINITE for a step of 0
+   or of the wrong sign, for more than 2e9 steps, or where the trajectory is not finite; what was found until then
+   stands in samples. */
+VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
+                            long room, vm_sample *samples)
 {
+    const vm_real most_steps = VM_C(2e9);
     vmi_sample_search s;
-    vm_real t = t0, here, there, intervals;
-    long found = 0, i = 0, last;
-    if (!motion || (room > 0 && !points) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
+    vm_real t = t0, here, intervals;
+    long found = 0, i, last;
+    if (!motion || (room > 0 && !samples) || (kind != VM_TURNING_POINTS && kind != VM_ZERO_CROSSINGS))
         return VM_BAD_ARGUMENT;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
-    if (!(intervals >= 0) || !(intervals < VM_C(2e9))) return VM_NOT_FINITE;
+    if (!(intervals >= 0) || !(intervals < most_steps)) return VM_NOT_FINITE;
     last = (long)intervals;
     s.motion = motion;
     s.ctx = ctx;
     s.kind = kind;
-    for (here = vmi_sample_function(t0, &s); i < last; here = there) {
-        const vm_real before = t;
-        i++;
+    here = vmi_sample_function(t0, &s);
+    for (i = 1; i <= last; i++) {
+        const vm_real before = t, value_before = here;
         t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
-        there = vmi_sample_function(t, &s);
-        if (!VM_IS_FINITE(there)) return VM_NOT_FINITE;
-        if (here == 0 || !(there == 0 || (there > 0) != (here > 0))) continue;
+        here = vmi_sample_function(t, &s);
+        if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+        if (value_before == 0 || !(here == 0 || (here > 0) != (value_before > 0))) continue;
         if (found < room) {
-            points[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, here, there);
-            motion(points[found].t, &points[found].x, &points[found].v, ctx);
+            samples[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, value_before, here);
+            motion(samples[found].t, &samples[found].x, &samples[found].v, ctx);
         }
         found++;
     }
@@ -70,24 +89,32 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
+/* Two components of an integrator's state as a trajectory */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;
     vm_real *buffer;
 } vmi_step_motion;
 
+/* The trajectory within the last step; NaN where the dense output fails */
 VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 {
     const vmi_step_motion *m = (const vmi_step_motion *)step;
     const int status = vmi_interpolate(m->s, t, m->buffer);
-    *x = status ? VM_NAN : m->buffer[m->x];
-    *v = status ? VM_NAN : m->buffer[m->v];
+    *x = VM_NAN;
+    *v = VM_NAN;
+    if (status) return;
+    *x = m->buffer[m->x];
+    *v = m->buffer[m->v];
 }
 
-/* The same in the last step of an rk45 or rk87, for components x and v of its state; to be called after every step.
-   buffer: room for a state. */
-VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *points)
+/* Turning points or zero crossings in the last step of an rk45 or rk87; call it after every step.
+   x and v are the indices of position and velocity in the state; buffer has room for a state. kind, room, samples and
+   the result are those of vm_find_samples. VM_BAD_ARGUMENT also for indices outside the state; 0 before the first
+   step. */
+VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
+    const vm_real parts = 4; /* of the step, each of which is searched for a change of sign */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
@@ -97,33 +124,43 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
     m.x = x;
     m.v = v;
     m.buffer = buffer;
-    return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / 4, room, points);
+    return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / parts, room, samples);
 }
 
-/* Largest |law(t)/observed - 1|, observed |x| at turning points, |v| at zero crossings */
-VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *points, vm_real (*law)(vm_real t, void *ctx),
+/* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples.
+   Observed is |x| for VM_TURNING_POINTS, |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the largest velocity
+   at time t; ctx is handed to it. 0 for n = 0; NaN for null pointers, n < 0, or where law or a sample is NaN. */
+VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
-    if (!points || !law || n < 0) return VM_NAN;
+    if (!samples || !law || n < 0) return VM_NAN;
     vm_real worst = 0;
     long i;
     for (i = 0; i < n; i++) {
-        const vm_real observed = kind == VM_TURNING_POINTS ? points[i].x : points[i].v;
-        const vm_real error = VM_FABS(law(points[i].t, ctx) / VM_FABS(observed) - 1);
-        if (!(error <= worst)) worst = error;
+        vm_real observed = VM_FABS(samples[i].v), error;
+        if (kind == VM_TURNING_POINTS) observed = VM_FABS(samples[i].x);
+        error = VM_FABS(law(samples[i].t, ctx) / observed - 1);
+        if (error != error) return VM_NAN;
+        worst = vmi_larger(worst, error);
     }
     return worst;
 }
 
-/* q/Om, what averaging takes for small: q = ((2r-1) m' + 2b)/m + k'/k and the rate Om of the Ateb phase at
-   amplitude A. The amplitude laws err by about (q/Om)^2, waveforms by q/Om over times of order 1/q. */
-VM_API vm_real vm_adiabaticity(vm_real A, vm_real mass, vm_real mass_rate, vm_real k, vm_real k_rate, vm_real b,
-                               vm_real reactive, vm_real alpha)
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A: the parameter that averaging takes for small.
+   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, Om the rate of the Ateb phase at the amplitude A, m.
+   Of the problem only alpha, mass, stiffness, reactive and damping are used. Amplitude laws err by about (q/Om)^2,
+   waveforms by q/Om over times of 1/q. Within some eps. NaN for a null pointer, where A, mass or stiffness is not
+   positive, where alpha is negative, and for infinite numbers. */
+VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
-    const vm_real q = ((2 * reactive - 1) * mass_rate + 2 * b) / mass + k_rate / k;
-    if (!(A > 0) || !(mass > 0) || !(k > 0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(k) || !VM_IS_FINITE(q))
+    if (!o) return VM_NAN;
+    vm_real mass, mass_rate, k, k_rate, q;
+    if (!(A > 0) || vmi_law_at(&o->mass, VM_BAD_MASS, t, &mass, &mass_rate) ||
+        vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &k, &k_rate))
         return VM_NAN;
-    return q / vmi_slow_rate(A, k, mass, alpha);
+    q = vmi_slow_q(vmi_slow_drag(o->reactive, mass_rate, o->damping), mass, k, k_rate);
+    if (!VM_IS_FINITE(q)) return VM_NAN;
+    return q / vmi_slow_rate(A, k, mass, o->alpha);
 }
 
 #endif

@@ -1,4 +1,21 @@
-/* oscillators/forced.h - harmonic excitation */
+/* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
+
+   What chapter 8 of the dissertation leaves to the future. Mass m, stiffness k, the frequency nu and the amplitude F
+   of the force may vary slowly; b is the damping:
+       m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
+   Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
+   resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+
+       vm_forced f;
+       memset(&f, 0, sizeof f);
+       f.alpha = 3;
+       f.damping = VM_C(0.02);
+       f.mass = f.stiffness = f.frequency = vm_law_linear(1, 0);
+       f.force = vm_law_linear(VM_C(0.1), 0);
+       int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
+
+   Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) the natural frequency, phi = pi psi/Pi
+   the phase in radians, delta = phi - theta. Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
 
@@ -10,84 +27,103 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "constant_mass.h"
+#include "laws.h"
 #include "slow.h"
 
-/* m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + force cos theta, theta' = nu, where m, k, nu, force may drift slowly:
-   now holds them at all times, or drift, where not null, gets it so and changes what drifts. vm_forced_init checks
-   alpha, b, reactive and now at t = 0, and prepares what the averaged functions need: call it first, and again
-   when alpha is another. now, b and reactive may change without. */
-typedef struct VM_TAG(vm_forced_parameters) {
-    vm_real mass, mass_rate; /* kg, kg/s */
-    vm_real k, k_rate;       /* N/m^alpha, per s */
-    vm_real nu, nu_rate;     /* rad/s, rad/s^2 */
-    vm_real force;           /* N */
-} vm_forced_parameters;
+/* Number of harmonics of ca and sa: the orders 1, 3, 5, 7, 9 */
+enum { VMI_FORCED_HARMONICS = 5 };
 
+/* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again where
+   alpha has changed. The other fields may change without. Constructors make the laws, of a constant
+   vm_law_linear(value, 0). */
 typedef struct VM_TAG(vm_forced) {
-    vm_real alpha, b, reactive; /* alpha >= 0; kg/s; r */
-    vm_forced_parameters now;
-    void (*drift)(vm_real t, vm_forced_parameters *now, void *ctx);
-    void *drift_ctx;
-    vm_real pi, Om1, G; /* Pi_alpha, w = Om1 sqrt(k/m) A^((alpha-1)/2), the force's share; by vm_forced_init */
-    vm_real c[5], s[5]; /* ca = sum c[j] cos((2j+1) pi psi/Pi), sa = sum s[j] sin(...), j = 0 .. */
+    vm_real alpha;     /* exponent of the spring, >= 0 */
+    vm_real damping;   /* b, kg/s; > 0 takes energy out */
+    vm_real reactive;  /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_law mass;       /* m, kg, > 0 */
+    vm_law stiffness;  /* k, N/m^alpha, > 0 */
+    vm_law frequency;  /* nu, of the force, rad/s, > 0 */
+    vm_law force;      /* F, amplitude of the force, N, of either sign */
+    vm_real pi;        /* Pi_alpha; vm_forced_init writes this and what follows */
+    vm_real Om1;       /* w = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real G;         /* share of the force that acts on the mean motion */
+    vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS]; /* ca = sum of c[j] cos((2j+1) phi), sa of s[j] sin */
 } vm_forced;
 
-VM_API vm_forced_parameters vmi_forced_at(const vm_forced *f, vm_real t)
-{
-    vm_forced_parameters now = f->now;
-    if (f->drift) f->drift(t, &now, f->drift_ctx);
-    return now;
-}
+/* What may vary, at one time, with the rates per second */
+typedef struct VM_TAG(vmi_forced_parameters) {
+    vm_real mass, mass_rate; /* kg */
+    vm_real k, k_rate;       /* N/m^alpha */
+    vm_real nu, nu_rate;     /* rad/s */
+    vm_real force;           /* N */
+} vmi_forced_parameters;
 
-VM_API int vmi_forced_check(const vm_forced_parameters *n)
+/* The parameters at time t. Of several statuses the first in the order of base/status.h. */
+VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n)
 {
-    if (!VM_IS_FINITE(n->mass) || !VM_IS_FINITE(n->mass_rate) || !VM_IS_FINITE(n->k) || !VM_IS_FINITE(n->k_rate) ||
-        !VM_IS_FINITE(n->nu) || !VM_IS_FINITE(n->nu_rate) || !VM_IS_FINITE(n->force))
+    vm_real force_rate;
+    const int mass = vmi_law_at(&f->mass, VM_BAD_MASS, t, &n->mass, &n->mass_rate);
+    const int stiffness = vmi_law_at(&f->stiffness, VM_BAD_STIFFNESS, t, &n->k, &n->k_rate);
+    const int frequency = vmi_law_at(&f->frequency, VM_DOMAIN, t, &n->nu, &n->nu_rate);
+    const int force = vmi_law_at(&f->force, VM_OK, t, &n->force, &force_rate);
+    if (mass == VM_BAD_ARGUMENT || stiffness == VM_BAD_ARGUMENT || frequency == VM_BAD_ARGUMENT ||
+        force == VM_BAD_ARGUMENT)
+        return VM_BAD_ARGUMENT;
+    if (mass == VM_NOT_FINITE || stiffness == VM_NOT_FINITE || frequency == VM_NOT_FINITE || force == VM_NOT_FINITE)
         return VM_NOT_FINITE;
-    if (!(n->mass > 0)) return VM_BAD_MASS;
-    return n->k > 0 && n->nu > 0 ? VM_OK : VM_DOMAIN;
+    if (mass) return mass;
+    if (stiffness) return stiffness;
+    if (frequency) return frequency;
+    return force;
 }
 
-/* c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du by the tanh-sinh rule, u = 1/(1 + e^(-pi sinh t)): ca is not
-   analytic at u = 1, and for large alpha bends sharply at u = 0 */
+/* The Fourier coefficients of ca and sa, within 8 eps. Those of ca are
+     c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
+   by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), since ca is not analytic at u = 1 and, for large alpha, bends
+   sharply at u = 0. cos((2j+1) x) follows from its two predecessors by the recurrence with 2 cos(2x). */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
-    const int steps = VM_MANT_DIG > 24 ? 16 : 8, n = 13 * steps / 4; /* |t| <= 3.25: the rest is below eps */
-    vm_real sum[5] = {0, 0, 0, 0, 0}, total = 0;
+    const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* points in a unit of t */
+    const int n = 13 * steps / 4;                /* |t| <= 3.25: the rest of the integral is below eps */
+    vm_real sum[VMI_FORCED_HARMONICS] = {0, 0, 0, 0, 0}, total = 0;
     int i, j;
     for (i = -n; i <= n; i++) {
         const vm_real t = (vm_real)i / (vm_real)steps, e = vmi_exp(t, 0), half_pi = VM_PI / 2;
         const vm_real g = vmi_exp(-half_pi * (e - 1 / e), 0), u = 1 / (1 + g);
         const vm_real weight = half_pi * (e + 1 / e) * u * (g * u);
-        vm_real sa, ca, sine, c, before, twice;
+        vm_real sa, ca, sine, cosine, before, twice;
         ateb_saca(f->pi / 2 * u, f->alpha, &sa, &ca);
-        vmi_sincos(half_pi * u, &sine, &c);
-        before = c;
-        twice = 2 * (c - sine) * (c + sine);
+        vmi_sincos(half_pi * u, &sine, &cosine);
+        before = cosine;
+        twice = 2 * (cosine - sine) * (cosine + sine);
         total += weight;
-        for (j = 0; j < 5; j++) {
-            const vm_real next = twice * c - before;
-            sum[j] += weight * ca * c;
-            before = c;
-            c = next;
+        for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
+            const vm_real next = twice * cosine - before;
+            sum[j] += weight * ca * cosine;
+            before = cosine;
+            cosine = next;
         }
     }
-    for (j = 0; j < 5; j++) {
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         f->c[j] = 2 * sum[j] / total;
         f->s[j] = (f->alpha + 1) * (vm_real)(2 * j + 1) * VM_PI / (2 * f->pi) * f->c[j];
     }
 }
 
+/* Prepare an excited oscillator: checks its fields at t = 0, writes pi, Om1, G, c and s. All other functions need it.
+   VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   VM_DOMAIN where alpha < 0 or the frequency is not positive; then f is left as it was. Time: some 105 Ateb functions
+   (float 53). */
 VM_API int vm_forced_init(vm_forced *f)
 {
-    vm_forced_parameters now;
+    vmi_forced_parameters now;
     int status;
     if (!f) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->b) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
-    if (!(f->alpha >= 0)) return VM_DOMAIN;
-    now = vmi_forced_at(f, 0);
-    status = vmi_forced_check(&now);
+    status = vmi_forced_at(f, 0, &now);
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(f->alpha) || !VM_IS_FINITE(f->damping) || !VM_IS_FINITE(f->reactive)) return VM_NOT_FINITE;
     if (status) return status;
+    if (!(f->alpha >= 0)) return VM_DOMAIN;
     f->pi = ateb_pi(f->alpha);
     f->Om1 = VM_PI / f->pi * VM_SQRT((f->alpha + 1) / 2);
     vmi_forced_fourier(f);
@@ -95,45 +131,47 @@ VM_API int vm_forced_init(vm_forced *f)
     return VM_OK;
 }
 
-/* (ln mu kappa)', the rate at which the action would change */
-VM_API vm_real vmi_forced_q(const vm_forced *f, const vm_forced_parameters *n)
+/* q, the rate at which mass, damping and stiffness change the vibration */
+VM_API vm_real vmi_forced_q(const vm_forced *f, const vmi_forced_parameters *n)
 {
-    return ((2 * f->reactive - 1) * n->mass_rate + 2 * f->b) / n->mass + n->k_rate / n->k;
+    return vmi_slow_q(vmi_slow_drag(f->reactive, n->mass_rate, f->damping), n->mass, n->k, n->k_rate);
 }
 
-VM_API vm_real vmi_forced_natural(const vm_forced *f, const vm_forced_parameters *n, vm_real A) /* w(A) */
+/* w(A), the frequency of the free vibration of amplitude A, rad/s */
+VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameters *n, vm_real A)
 {
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
-/* Equations for rk45 or rk87, ctx a vm_forced: of motion, y = (x, x', theta); the same in amplitude and Ateb phase,
-   exactly, y = (A, psi, theta), singular at A = 0; averaged near the main resonance nu = w(A), y = (A, delta,
-   theta), where delta is the phase before the force. The averaged ones err by the order of b, m' and force over
-   times of their inverses, off the resonance by more. */
+/* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta), m, m/s, rad; forced points to a
+   vm_forced that is prepared. VM_BAD_ARGUMENT for null pointers or a law that no constructor made, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where the frequency is not positive; these statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     vm_real sine, cosine;
-    const int status = vmi_forced_check(&n);
+    const int status = vmi_forced_at(f, t, &n);
     if (status) return status;
     vmi_sincos(y[2], &sine, &cosine);
     dydt[0] = y[1];
-    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->b) * y[1] -
+    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->damping) * y[1] -
                n.k * vmi_osc_elastic(y[0], f->alpha)) /
               n.mass;
     dydt[2] = n.nu;
     return VM_OK;
 }
 
-/* Documented with vm_forced_rhs. */
+/* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
+   y = (A, psi, theta) with x = A ca(psi); singular at A = 0. Nothing is neglected. forced and errors are those of
+   vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vm_real q, Om, push, sa, ca, sine, cosine;
     if (status) return status;
     q = vmi_forced_q(f, &n);
@@ -147,13 +185,16 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Documented with vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance nu = w(A), for rk45 or rk87.
+   y = (A, delta, theta), where A is the mean amplitude and delta = phi - theta the phase before the force; start and
+   end with vm_forced_to_averaged and vm_forced_from_averaged. The error is of the order of b, m' and F over times of
+   their inverses, larger away from the resonance. forced and errors are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
     const vm_forced *f = (const vm_forced *)forced;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     vm_real w, push, sine, cosine;
     if (status) return status;
     w = vmi_forced_natural(f, &n, y[0]);
@@ -165,29 +206,35 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
     return VM_OK;
 }
 
-/* R, the first ripple of the exact amplitude about its mean A: psi the Ateb phase, phi = pi psi/Pi that in radians */
-VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vm_forced_parameters *n, vm_real A, vm_real phi, vm_real theta)
+/* The first ripple of the exact amplitude about its mean A, m: exact = A + ripple to first order. It is
+     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1)),
+   n = 2j + 1, without the second term for n = 1, which does not vary at the resonance. */
+VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+                                 vm_real theta)
 {
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
     int j;
     ateb_saca(phi * (f->pi / VM_PI), f->alpha, &sa, &ca);
-    for (j = 0; j < 5; j++) {
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         const vm_real order = (vm_real)(2 * j + 1);
+        vm_real second = 0;
         vmi_sincos(order * phi + theta, &unused, &plus);
         vmi_sincos(order * phi - theta, &unused, &minus);
-        sum += f->s[j] / 2 * (plus / (order + 1) + (j ? minus / (order - 1) : 0));
+        if (j > 0) second = minus / (order - 1);
+        sum += f->s[j] / 2 * (plus / (order + 1) + second);
     }
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* (x, x', theta) to the mean (A, delta, theta), and back, at time t. The ripple of the amplitude is taken out and put
-   back: without that the error is of order 1 where alpha != 1. */
+/* Motion (x, x', theta) of an excited oscillator to the mean (A, delta, theta) at time t. The ripple of the amplitude
+   within a period is taken out; without that, averaged motions would err by order 1 where alpha is not 1. The
+   statuses are those of vm_forced_rhs, VM_DOMAIN also where the motion is smaller than its ripple. y may be motion. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
     vm_real exact, A, phi;
     int i;
@@ -204,12 +251,14 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     return VM_OK;
 }
 
-/* Documented with vm_forced_to_averaged. */
+/* Motion (x, x', theta) of an excited oscillator from the mean (A, delta, theta) at time t.
+   The inverse of vm_forced_to_averaged: the ripple is put back. The same errors, and VM_DOMAIN for A <= 0. motion may
+   be y. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
     const vm_real theta = y[2], phi = y[1] + theta;
     vm_real A, r[3];
     if (status) return status;

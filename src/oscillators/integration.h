@@ -1,4 +1,12 @@
-/* oscillators/integration.h - integration of the oscillator to a tolerance */
+/* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
+
+   Three systems of two equations describe the same oscillator: averaged, exact in amplitude and phase ((314), (315)
+   with the term of omega' that they lack), and the equation of motion itself. A vmi_osc_method is one of them with a
+   pair of Runge and Kutta (rk45 or rk87) and the numbers that suit this pair; oscillators/routes.h lists those that
+   are used. vmi_osc_integrate runs a method twice, the second time more strictly, and estimates the error by the
+   difference, until that is within the tolerance.
+       status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, t, tolerance, &motion);
+   Tests: tests/test_routes.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_INTEGRATION_H
 #define VARMASS_OSCILLATORS_INTEGRATION_H
 
@@ -18,276 +26,418 @@
 #include "walk.h"
 #include "waves.h"
 
-/* -- Integration -- */
-#define VMI_OSC_LONGEST VM_C(0.2) /* step of the loose run, in periods */
+/* -- Methods and runs -- */
 
+/* Numbers that suit a pair of Runge and Kutta */
+typedef struct VM_TAG(vmi_osc_tuning) {
+    vm_real least;     /* least tolerance of a step, that rounding errors within the step allow */
+    vm_real ratio;     /* tolerance of the loose run over that of the strict one */
+    vm_real factor;    /* the error of the strict run is taken for this part of the difference of the two */
+    vm_real by_chance; /* an error less than this part of the step's tolerance is chance */
+} vmi_osc_tuning;
+
+/* How a route integrates */
+typedef struct VM_TAG(vmi_osc_method) {
+    ode_rhs rhs;  /* vmi_osc_averaged_rhs, vmi_osc_variation_rhs or vmi_osc_direct_rhs; null: it does not */
+    int averaged; /* rhs is averaged, which adds an error of its own */
+    int direct;   /* rhs is of position and velocity, not of amplitude and phase */
+    int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
+    int (*solve)(rk45 *s, vm_real t_end);                            /* rk45_solve or rk87_solve */
+    vmi_osc_tuning tuning;                                           /* for this pair */
+} vmi_osc_method;
+
+/* A method with rk45. The strict run is so much stricter that the control of its steps, which keeps a step while its
+   error is within a factor of 3, makes other steps than the loose run. factor leaves room for errors that are not
+   proportional to the tolerance. Two runs may agree well by chance, since mostly their errors are far below the
+   tolerance of their steps: hence by_chance. */
+VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
+{
+    vmi_osc_method method;
+    method.rhs = rhs;
+    method.averaged = 0;
+    method.direct = 0;
+    method.init = rk45_init;
+    method.solve = rk45_solve;
+    method.tuning.least = 16 * VM_EPSILON;
+    method.tuning.ratio = 15;
+    method.tuning.factor = VM_C(0.5);
+    method.tuning.by_chance = VM_C(1e-3);
+    return method;
+}
+
+/* A method with rk87, whose control keeps a step while its error is within a factor of 7.5 */
+VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
+{
+    vmi_osc_method method = vmi_osc_method_rk45(rhs);
+    method.init = rk87_init;
+    method.solve = rk87_solve;
+    method.tuning.least = 256 * VM_EPSILON;
+    method.tuning.ratio = 60;
+    method.tuning.factor = VM_C(0.25);
+    method.tuning.by_chance = VM_C(1e-4);
+    return method;
+}
+
+/* The two numbers that are integrated, for the direct equations and for the others */
+enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
+
+/* The longest step of the first loose run, in periods */
+#define VMI_OSC_LONGEST VM_C(0.2)
+
+/* A run of an integrator from 0 to t */
 typedef struct VM_TAG(vmi_osc_run) {
-    const vm_osc_plan *p;
+    const vm_osc_plan *plan;
+    const vmi_osc_method *method;
+    int route;        /* VM_ROUTE_... of the method */
     vmi_osc_wave wave;
-    int route, direct, high, side, status;
-    vm_real longest, share; /* step at most, in periods and by the way to the next stop */
-    vm_real law_step;       /* step, s, in which no law of a function changes unseen, for VMI_OSC_LONGEST */
-    long evals;
+    int side;         /* 1 forward, -1 backward in time */
+    int status;       /* of the laws, where they stopped the run */
+    vm_real longest;  /* longest step, in periods */
+    vm_real share;    /* longest step, as a part of the way to the next stop */
+    vm_real law_step; /* longest step, s, in which no law of a function changes unseen, for VMI_OSC_LONGEST */
+    long evals;       /* of right-hand sides, of all runs so far */
     rk45 s;
-    vm_real work[RK87_WORK(2)];
+    vm_real work[RK87_WORK(VMI_OSC_STATES)];
 } vmi_osc_run;
 
-/* y = ln(A/A0), Ateb phase: averaged */
-VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+/* -- Right-hand sides -- */
+
+/* Averaged: y = ln(A/A0), Ateb phase */
+VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
 {
-    vmi_osc_run *c = (vmi_osc_run *)ctx;
+    vmi_osc_run *c = (vmi_osc_run *)run;
+    const vm_osc_plan *p = c->plan;
+    const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0);
     vmi_osc_rates now;
-    vm_real Om, theta;
-    c->status = vmi_osc_rates_at(c->p, t, c->side, 0, &now);
+    vm_real Om, theta_rate;
+    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
     if (c->status) return c->status;
-    Om = c->p->Om * vmi_osc_Om_ratio(c->p, &now, y[0]);
-    vmi_osc_averaged_rates(c->p, &c->wave, &now, t, c->p->A * vmi_exp(y[0], 0), Om, dydt, &theta);
-    dydt[1] = Om + theta / c->wave.turn;
+    Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
+    vmi_osc_averaged_rates(p, &c->wave, &now, t, A, Om, &dydt[VMI_OSC_LN_A], &theta_rate);
+    dydt[VMI_OSC_PSI] = Om + theta_rate / c->wave.turn;
     return 0;
 }
 
-/* The same, exact: (314), (315) with the term of omega' that they lack, for q that holds it and what is linear in
-   x' */
-VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+/* Exact: y = ln(A/A0), Ateb phase, by (314), (315) with the term of omega' that they lack. q holds that term and all
+   that is linear in x'. */
+VM_API int vmi_osc_variation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
 {
-    vmi_osc_run *c = (vmi_osc_run *)ctx;
-    const vm_osc_problem *o = &c->p->problem;
+    vmi_osc_run *c = (vmi_osc_run *)run;
+    const vm_osc_plan *p = c->plan;
+    const vm_osc_problem *o = &p->problem;
     const vm_real n = o->alpha + 1;
     vmi_osc_rates now;
     vm_real Om, sa, ca;
-    c->status = vmi_osc_rates_at(c->p, t, c->side, 0, &now);
+    c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
     if (c->status) return c->status;
-    Om = c->p->Om * vmi_osc_Om_ratio(c->p, &now, y[0]);
-    vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
-    dydt[0] = -now.q / n * sa * sa;
-    dydt[1] = Om - now.q / 2 * sa * ca;
+    Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
+    vmi_osc_wave_at(&c->wave, y[VMI_OSC_PSI], &ca, &sa);
+    dydt[VMI_OSC_LN_A] = -now.q / n * sa * sa;
+    dydt[VMI_OSC_PSI] = Om - now.q / 2 * sa * ca;
     if (o->force) {
-        const vm_real A = c->p->A * vmi_exp(y[0], 0), V = 2 * A * Om / n;
+        const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0), V = 2 * A * Om / n;
         const vm_real F = o->force(t, A * ca, -V * sa, o->ctx) / (now.m * V);
-        dydt[0] -= 2 / n * F * sa;
-        dydt[1] -= F * ca;
+        dydt[VMI_OSC_LN_A] -= 2 / n * F * sa;
+        dydt[VMI_OSC_PSI] -= F * ca;
     }
     return 0;
 }
 
-/* y = x/A0, (m/m0)^r x'/vmax: what reactive force makes of the velocity is taken out, so that y keeps its size */
-VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+/* (m/m0)^reactive: what the reactive force makes of the velocity */
+VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
-    vmi_osc_run *c = (vmi_osc_run *)ctx;
-    const vm_osc_plan *p = c->p;
+    if (o->reactive == 1) return mass_ratio;
+    if (o->reactive == 0) return 1;
+    return vmi_pow_checked(mass_ratio, o->reactive);
+}
+
+/* Direct: y = x/A0, (m/m0)^reactive x'/vmax. What the reactive force makes of the velocity is taken out, so that y
+   keeps its size. */
+VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
+{
+    vmi_osc_run *c = (vmi_osc_run *)run;
+    const vm_osc_plan *p = c->plan;
     const vm_osc_problem *o = &p->problem;
-    const vm_real speed = 2 * p->Om / (o->alpha + 1);
+    const vm_real speed = 2 * p->Om / (o->alpha + 1); /* vmax/A0 */
     vmi_osc_rates now;
     vm_real m, weight;
     c->status = vmi_osc_rates_at(p, t, c->side, 0, &now);
     if (c->status) return c->status;
     m = now.m / p->m0;
-    weight = o->reactive == 1 ? m : o->reactive == 0 ? 1 : vmi_pow_checked(m, o->reactive);
-    dydt[0] = speed * y[1] / weight;
-    dydt[1] = -p->Om * (now.k / p->k0) * weight / m * vmi_osc_elastic(y[0], o->alpha) - o->damping / now.m * y[1];
-    if (o->force) dydt[1] += o->force(t, p->A * y[0], p->A * dydt[0], o->ctx) * weight / (now.m * p->A * speed);
+    weight = vmi_osc_reactive_weight(o, m);
+    dydt[VMI_OSC_X] = speed * y[VMI_OSC_V] / weight;
+    dydt[VMI_OSC_V] = -p->Om * (now.k / p->k0) * weight / m * vmi_osc_elastic(y[VMI_OSC_X], o->alpha) -
+                      o->damping / now.m * y[VMI_OSC_V];
+    if (o->force)
+        dydt[VMI_OSC_V] += o->force(t, p->A * y[VMI_OSC_X], p->A * dydt[VMI_OSC_X], o->ctx) * weight /
+                           (now.m * p->A * speed);
     return 0;
 }
 
-/* Period now, as long as the amplitude is that of y, or for the direct routes by the adiabatic law without damping */
+/* -- One run -- */
+
+/* The period at the run's time, s, by the amplitude in y, or for the direct equations by the adiabatic law without
+   damping; NaN where the laws fail */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
-    const vm_osc_plan *p = c->p;
+    const vm_osc_plan *p = c->plan;
     vmi_osc_rates now;
     vm_real ln_A, ln_Om;
     if (vmi_osc_rates_at(p, c->s.t, c->side, 0, &now)) return VM_NAN;
-    if (!c->direct) return 2 * p->pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[0]));
+    if (!c->method->direct) return 2 * p->pi / (p->Om * vmi_osc_Om_ratio(p, &now, c->s.y[VMI_OSC_LN_A]));
     vmi_osc_adiabatic(p, vmi_log(now.m / p->m0).hi, vmi_log(now.k / p->k0).hi, 0, &ln_A, &ln_Om);
     return 2 * p->pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* On to t, stopping at the points of tables, and every 64 periods to take whole ones off the phase and to see that no
-   step is longer than a part of the period (of a bounce, for large alpha): a pair that steps over them does not know
-   its error */
+/* Where the run stops next on its way to t: at a point of a table, or after 64 periods */
+VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
+{
+    const vm_osc_problem *o = &c->plan->problem;
+    const vm_real stretch = 64 * period;
+    vm_real stop = vmi_law_next_knot(&o->mass, c->s.t, t);
+    stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
+    if (VM_FABS(stop - c->s.t) > stretch) return c->s.t + (vm_real)c->side * stretch;
+    return stop;
+}
+
+/* Bounds of the steps to the next stop, on the way to t. No step is longer than a part of the period (of a bounce, for
+   large alpha): a pair that steps over them does not know its error. */
+VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
+{
+    const vm_real most_steps = 8192; /* a period; 2600 were the most, by rk45 to 16 eps, alpha from 0 to 20 */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* Pi_alpha from which a bounce is 10/Pi periods */
+    const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
+    const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
+    vm_real longest = period * c->longest, steps;
+    if (!(c->plan->pi < bounces_from)) longest = period * (c->longest * bounces_from / c->plan->pi);
+    longest = vmi_smaller(most, vmi_smaller(law_step, longest));
+    c->s.options.h_max = longest;
+    steps = way * (most_steps / period + 4 / longest) + most_steps;
+    c->s.options.max_steps = steps < largest_long ? (long)steps : 1000000000L;
+}
+
+/* On to t. At every stop whole turns are taken off the phase and the bounds of the steps are set anew. */
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
     const vm_real most_periods = VM_C(8388608.); /* 2^23: in float more hold no phase, in double they take minutes */
-    const vm_real most_steps = 8192; /* a period; 2600 were the most, by rk45 to 16 eps, alpha from 0 to 20 */
-    const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
-    vm_real stop, y[2], period, most, longest, steps;
+    const vm_real turn = 2 * c->plan->pi;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
-        period = vmi_osc_period_now(c);
+        const vm_real period = vmi_osc_period_now(c);
+        vm_real stop, y[VMI_OSC_STATES];
         if (!(period > VM_FABS(t) / most_periods)) return c->status ? c->status : VM_NOT_INTEGRATED;
-        stop = vmi_law_next_knot(&c->p->problem.mass, c->s.t, t);
-        stop = vmi_law_next_knot(&c->p->problem.stiffness, c->s.t, stop);
-        if (VM_FABS(stop - c->s.t) > 64 * period) stop = c->s.t + (vm_real)c->side * 64 * period;
-        most = c->share * VM_FABS(stop - c->s.t) + 64 * VM_EPSILON * VM_FABS(t);
-        longest = period * (c->p->pi < 10 ? c->longest : c->longest * 10 / c->p->pi);
-        if (law_step < longest) longest = law_step;
-        c->s.options.h_max = most < longest ? most : longest;
-        steps = VM_FABS(stop - c->s.t) * (most_steps / period + 4 / c->s.options.h_max) + most_steps;
-        c->s.options.max_steps = steps < VM_C(1e9) ? (long)steps : 1000000000L;
-        status = c->high ? rk87_solve(&c->s, stop) : rk45_solve(&c->s, stop);
+        stop = vmi_osc_next_stop(c, t, period);
+        vmi_osc_bound_steps(c, stop, t, period);
+        status = c->method->solve(&c->s, stop);
         if (status < 0) break;
         y[0] = c->s.y[0];
         y[1] = c->s.y[1];
-        if (!c->direct) y[1] -= 2 * c->p->pi * VM_FLOOR(y[1] / (2 * c->p->pi));
-        status = c->high ? rk87_restart(&c->s, c->s.t, y) : rk45_restart(&c->s, c->s.t, y);
+        if (!c->method->direct) y[VMI_OSC_PSI] -= turn * VM_FLOOR(y[VMI_OSC_PSI] / turn);
+        status = rk45_restart(&c->s, c->s.t, y);
     }
-    return c->status ? c->status : status < 0 ? VM_NOT_INTEGRATED : VM_OK;
+    if (c->status) return c->status;
+    if (status < 0) return VM_NOT_INTEGRATED;
+    return VM_OK;
 }
 
-/* x and v where the run has come to */
-VM_API int vmi_osc_motion_now(vmi_osc_run *c, vm_osc_motion *motion)
+/* The motion at the run's time, without error and evals */
+VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
 {
-    const vm_osc_plan *p = c->p;
+    const vm_osc_plan *p = c->plan;
     const vm_real *y = c->s.y;
-    vm_real A, Om, ca, sa, weight;
+    vm_real ca, sa, weight, unused;
     vmi_osc_rates now;
     int status = vmi_osc_rates_at(p, c->s.t, -c->side, 0, &now);
     if (status) return status;
-    if (!c->direct) {
-        A = p->A * vmi_exp(y[0], 0);
-        Om = p->Om * vmi_osc_Om_ratio(p, &now, y[0]);
-        vmi_osc_wave_at(&c->wave, y[1], &ca, &sa);
+    if (!c->method->direct) {
+        const vm_real A = p->A * vmi_exp(y[VMI_OSC_LN_A], 0), Om = p->Om * vmi_osc_Om_ratio(p, &now, y[VMI_OSC_LN_A]);
+        vmi_osc_wave_at(&c->wave, y[VMI_OSC_PSI], &ca, &sa);
         return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
     }
     weight = vmi_pow_checked(now.m / p->m0, p->problem.reactive);
-    motion->x = p->A * y[0];
-    motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[1] / weight;
-    vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude, &Om);
+    motion->x = p->A * y[VMI_OSC_X];
+    motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[VMI_OSC_V] / weight;
+    vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude,
+                           &unused);
     motion->route = c->route;
     return VM_IS_FINITE(motion->amplitude) ? VM_OK : VM_NOT_FINITE;
 }
 
-VM_API int vmi_osc_integrated(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
+/* The motion at the VMI_OSC_CHECKS times of vmi_osc_check_time(t, .), by one run */
+VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_osc_plan *p = c->p;
+    const vm_osc_plan *p = c->plan;
     rk45_options options = rk45_defaults(NULL);
-    vm_real y[2], ca, sa;
-    ode_rhs f = c->direct                        ? vmi_osc_direct_rhs
-                : c->route == VM_ROUTE_VARIATION ? vmi_osc_variation_rhs
-                                                 : vmi_osc_averaged_rhs;
+    vm_real y[VMI_OSC_STATES], ca, sa;
     int i, status;
-    c->side = t < 0 ? -1 : 1;
+    c->side = vmi_time_side(t);
     c->status = VM_OK;
-    options.rtol = c->direct ? tolerance : -1;
     options.atol = tolerance;
-    vmi_osc_wave_at(&c->wave, p->psi, &ca, &sa);
-    y[0] = c->direct ? ca : 0;
-    y[1] = c->direct ? -sa : p->psi;
-    status = c->high ? rk87_init(&c->s, f, c, 2, 0, y, &options, c->work)
-                     : rk45_init(&c->s, f, c, 2, 0, y, &options, c->work);
+    if (c->method->direct) {
+        options.rtol = tolerance;
+        vmi_osc_wave_at(&c->wave, p->psi, &ca, &sa);
+        y[VMI_OSC_X] = ca;
+        y[VMI_OSC_V] = -sa;
+    } else {
+        options.rtol = -1; /* errors of ln A and psi are absolute */
+        y[VMI_OSC_LN_A] = 0;
+        y[VMI_OSC_PSI] = p->psi;
+    }
+    status = c->method->init(&c->s, c->method->rhs, c, VMI_OSC_STATES, 0, y, &options, c->work);
     if (status < 0) return VM_NOT_INTEGRATED;
     for (i = 0; i < VMI_OSC_CHECKS; i++) {
         status = vmi_osc_solve(c, vmi_osc_check_time(t, i));
-        if (!status) status = vmi_osc_motion_now(c, motion + i);
+        if (!status) status = vmi_osc_motion_now(c, &motion[i]);
         if (status) return status;
     }
     c->evals += c->s.evals;
     return VM_OK;
 }
 
-/* The larger of the differences of x by A and of v by vmax, the largest at the times of vmi_osc_check_time: at one time
-   two runs may agree by chance */
+/* -- Two runs -- */
+
+/* The largest difference of x by A and of v by vmax, over all times of vmi_osc_check_time: at one time two runs may
+   agree by chance. Infinite where it is not known. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
-    vmi_osc_rates now;
-    vm_real d, largest = 0;
+    vm_real largest = 0;
     int i;
-    for (i = 0; i < VMI_OSC_CHECKS; i++, a++, b++) {
-        if (a->amplitude == 0 || vmi_osc_rates_at(p, vmi_osc_check_time(t, i), t < 0 ? 1 : -1, 0, &now))
-            return VM_INFINITY;
-        d = VM_FABS(a->x - b->x) / a->amplitude;
-        if (d > largest) largest = d;
-        d = VM_FABS(a->v - b->v) / vm_osc_vmax(a->amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
-        if (d > largest) largest = d;
+    for (i = 0; i < VMI_OSC_CHECKS; i++) {
+        vmi_osc_rates now;
+        vm_real vmax;
+        if (a[i].amplitude == 0) return VM_INFINITY;
+        if (vmi_osc_rates_at(p, vmi_osc_check_time(t, i), -vmi_time_side(t), 0, &now)) return VM_INFINITY;
+        vmax = vm_osc_vmax(a[i].amplitude, VM_SQRT(now.k / now.m), p->problem.alpha);
+        largest = vmi_larger(VM_FABS(a[i].x - b[i].x) / a[i].amplitude, largest);
+        largest = vmi_larger(VM_FABS(a[i].v - b[i].v) / vmax, largest);
     }
     return largest;
 }
 
-/* The longest step in which no law that is a function changes unseen: a part of the shortest panel in the walk
+/* The longest step, s, in which no law that is a function changes unseen: a part of the shortest panel in the walk
    along the laws. A jump of a law would make it 0, so it is at least a fixed part of the run. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
-    const vm_law *laws[2];
     const vm_real panel_steps = 4, run_steps = 8192;
+    const vm_law *laws[2];
     vmi_osc_walk w;
     int i, status;
-    laws[0] = w.mass = &p->problem.mass;
-    laws[1] = w.stiffness = &p->problem.stiffness;
-    w.plan = p;
+    laws[0] = &p->problem.mass;
+    laws[1] = &p->problem.stiffness;
     *step = VM_FABS(t);
-    if (laws[0]->kind != VM_LAW_FUNCTION && laws[1]->kind != VM_LAW_FUNCTION) return VM_OK;
-    status = vmi_osc_walk_to(&w, t);
+    if (!laws[0]->function && !laws[1]->function) return VM_OK;
+    status = vmi_osc_walk_to(&w, p, t);
     if (status) return status;
-    *step = VM_FABS(t) / run_steps;
-    if (w.shortest / panel_steps > *step) *step = w.shortest / panel_steps;
-    for (i = 0; i < 2; i++)
-        if (laws[i]->kind == VM_LAW_FUNCTION && laws[i]->change_time > 0 && laws[i]->change_time < *step)
-            *step = laws[i]->change_time;
+    *step = vmi_larger(w.shortest / panel_steps, VM_FABS(t) / run_steps);
+    for (i = 0; i < 2; i++) {
+        const vm_real change_time = laws[i]->function ? laws[i]->change_time : 0;
+        if (change_time > 0 && change_time < *step) *step = change_time;
+    }
     return VM_OK;
 }
 
-/* Two runs, the second so much stricter that the control, which keeps a step while its error is within a factor of 3
-   (rk87: 7.5), makes other steps, with half the longest step; and again stricter until what they differ by is within
-   the tolerance. The factor of the difference leaves room for errors that do not go as the tolerance. */
-VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance,
-                             vm_osc_motion *motion)
+/* A loose run and a strict one, with half the longest step. Where the laws stopped one, c->status says so. */
+VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
+                            vm_osc_motion *strict)
 {
-    const vm_real least = VM_EPSILON * (route == VM_ROUTE_RK87 ? 256 : 16),
-                  ratio = route == VM_ROUTE_RK87 ? 60 : 15;
-    const vm_real factor = route == VM_ROUTE_RK87 ? VM_C(0.25) : VM_C(0.5);
-    /* times the tolerance of the steps: two runs may agree this well by chance, since mostly their errors are far
-       below that tolerance */
-    const vm_real by_chance = route == VM_ROUTE_RK87 ? VM_C(1e-4) : VM_C(1e-3);
-    vm_osc_plan with_ateb;
-    vmi_osc_run c;
-    vm_osc_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
-    vm_real step_tolerance = tolerance < VM_C(0.008) ? tolerance / 8 : VM_C(1e-3), before = VM_INFINITY;
-    vm_real longest = VMI_OSC_LONGEST, averaging = 0;
-    int attempt, status = vmi_osc_law_step(plan, t, &c.law_step), stalled = 0;
+    int status;
+    c->longest = longest;
+    c->share = 1;
+    status = vmi_osc_run_once(c, t, c->method->tuning.ratio * step_tolerance, loose);
+    c->longest = longest / 2;
+    c->share = VM_C(0.51);
     if (status) return status;
-    c.p = plan;
-    c.route = route;
-    c.evals = 0;
-    c.direct = route >= VM_ROUTE_RK45;
-    c.high = route == VM_ROUTE_RK87;
-    if (!plan->has_ateb) {
-        with_ateb = *plan;
-        c.p = &with_ateb;
-        with_ateb.has_ateb = ateb_plan_init(&with_ateb.ateb, plan->problem.alpha) == 0;
-    }
-    c.wave = vmi_osc_wave_of(route <= VM_ROUTE_ATEB ? route : VM_ROUTE_ATEB, plan->problem.alpha, plan->pi,
-                             c.p->has_ateb ? &c.p->ateb : NULL);
-    for (attempt = 0; attempt < 6; attempt++) {
-        if (step_tolerance < least) step_tolerance = least;
-        c.longest = longest;
-        c.share = 1;
-        status = vmi_osc_integrated(&c, t, ratio * step_tolerance, loose);
-        c.longest = longest / 2;
-        c.share = VM_C(0.51);
-        if (!status) status = vmi_osc_integrated(&c, t, step_tolerance, strict);
-        if (status == VM_NOT_INTEGRATED && c.status == VM_OK && step_tolerance > least) {
-            step_tolerance /= 2 * ratio; /* a loose run may leave the motion for good */
+    return vmi_osc_run_once(c, t, step_tolerance, strict);
+}
+
+/* Estimate of the strict run's error, with what the roundings of the phase add */
+VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_tolerance, const vm_osc_motion *loose,
+                                  const vm_osc_motion *strict)
+{
+    const vmi_osc_tuning *tuning = &c->method->tuning;
+    const vm_real rounding = 4 * VM_EPSILON * (2 + c->plan->Om * VM_FABS(t));
+    const vm_real error = tuning->factor * vmi_osc_difference(c->plan, t, strict, loose) + rounding;
+    return vmi_larger(tuning->by_chance * step_tolerance, error);
+}
+
+/* The first tolerance of the steps: below that of the motion, since errors of steps add up, and never so large that
+   the integrator loses the motion */
+VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
+{
+    const vm_real part = 8, largest = VM_C(1e-3);
+    return vmi_smaller(tolerance / part, largest);
+}
+
+/* The next tolerance of the steps, where the error was too large: by the ratio of tolerance and error with a reserve
+   of 4, but not less than 2e-5 of the last at once */
+VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
+{
+    const vm_real ratio = tolerance / error, reserve = 4;
+    if (ratio > VM_C(1e-4)) return step_tolerance * (ratio / reserve);
+    return step_tolerance * VM_C(2e-5);
+}
+
+/* Pairs of runs until the error is within the tolerance; the last strict run is in strict[], its error in the last
+   element. Ends early where stricter runs are no better: rounding errors, chance, or the longest step, which is halved
+   then, are what counts. */
+VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
+{
+    const int most_attempts = 6, most_stalled = 3;
+    const vmi_osc_tuning *tuning = &c->method->tuning;
+    vm_osc_motion loose[VMI_OSC_CHECKS];
+    vm_real step_tolerance = vmi_osc_first_tolerance(tolerance), longest = VMI_OSC_LONGEST, before = VM_INFINITY;
+    int attempt, stalled = 0, status = VM_NOT_INTEGRATED;
+    for (attempt = 0; attempt < most_attempts; attempt++) {
+        vm_real error;
+        if (step_tolerance < tuning->least) step_tolerance = tuning->least;
+        status = vmi_osc_try_pair(c, t, step_tolerance, longest, loose, strict);
+        if (status == VM_NOT_INTEGRATED && c->status == VM_OK && step_tolerance > tuning->least) {
+            step_tolerance /= 2 * tuning->ratio; /* a loose run may leave the motion for good */
             continue;
         }
         if (status) return status;
-        last->error = factor * vmi_osc_difference(plan, t, strict, loose) +
-                      4 * VM_EPSILON * (2 + plan->Om * VM_FABS(t));
-        if (last->error < by_chance * step_tolerance) last->error = by_chance * step_tolerance;
-        if (last->error > before / 2) {
-            /* roundings, chance, or longest is what counts */
+        error = vmi_osc_pair_error(c, t, step_tolerance, loose, strict);
+        strict[VMI_OSC_CHECKS - 1].error = error;
+        if (error > before / 2) {
             stalled++;
             longest /= 2;
         }
-        if (last->error <= tolerance || step_tolerance == least || stalled == 3) break;
-        before = last->error;
-        step_tolerance *= tolerance / last->error > VM_C(1e-4) ? tolerance / last->error / 4 : VM_C(2e-5);
+        if (error <= tolerance || step_tolerance == tuning->least || stalled == most_stalled) break;
+        before = error;
+        step_tolerance = vmi_osc_next_tolerance(step_tolerance, tolerance, error);
     }
-    if (!status && route <= VM_ROUTE_ATEB) status = vmi_osc_averaging_error(c.p, &c.wave, t, strict, &averaging);
+    return status;
+}
+
+/* The motion at t by a method of integration. VM_TOLERANCE_MISSED where the error of integration is larger than the
+   tolerance; an error of averaging is only added to motion->error. */
+VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_method *method, vm_real t,
+                             vm_real tolerance, vm_osc_motion *motion)
+{
+    vm_osc_plan with_ateb;
+    vmi_osc_run c;
+    vm_osc_motion strict[VMI_OSC_CHECKS], *last = strict + VMI_OSC_CHECKS - 1;
+    vm_real averaging = 0;
+    int status = vmi_osc_law_step(plan, t, &c.law_step);
+    if (status) return status;
+    c.plan = plan;
+    c.method = method;
+    c.route = route;
+    c.evals = 0;
+    if (!plan->has_ateb) {
+        with_ateb = *plan;
+        with_ateb.has_ateb = ateb_plan_init(&with_ateb.ateb, plan->problem.alpha) == 0;
+        c.plan = &with_ateb;
+    }
+    c.wave = vmi_osc_wave_of(c.plan, route);
+    status = vmi_osc_refine(&c, t, tolerance, strict);
+    if (!status && method->averaged) status = vmi_osc_averaging_error(c.plan, &c.wave, t, strict, &averaging);
     if (status) return status;
     last->evals = c.evals;
     *motion = *last;
-    status = last->error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
-    if (route <= VM_ROUTE_ATEB) motion->error += averaging;
-    return status;
+    motion->error += averaging;
+    return last->error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
 }
 
 #endif

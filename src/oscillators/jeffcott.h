@@ -1,4 +1,21 @@
-/* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass */
+/* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
+
+   A disc of mass m(t) in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
+   shaft's elastic force at the deflection rho = |z|, g the gyroscopic constant of the remark after (516):
+       m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
+   Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
+   nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
+
+       vm_power_force cubic = {1, 3}; // F_e = rho^3
+       vm_jeffcott rotor;
+       memset(&rotor, 0, sizeof rotor); // a zero field means that there is none
+       rotor.stiffness = vm_jeffcott_power;
+       rotor.stiffness_ctx = &cubic;
+       rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
+       rotor.reactive = 1;
+       vm_real radius = vm_jeffcott_amplitude(&rotor, 1, 1, 2); // of whirl, when the mass has doubled
+
+   Tests: tests/test_jeffcott.c. */
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_H
 #define VARMASS_OSCILLATORS_JEFFCOTT_H
 
@@ -9,42 +26,57 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "../base/zero.h"
+#include "force_terms.h"
+#include "laws.h"
 #include "slow.h"
 
-/* The disc's centre z = x + i y (451), with the shaft's stiffness F_e(rho)/rho, which [1] calls F_e', and the
-   gyroscopic constant g = Omega_p g of the remark after (516):
-     m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
-   A zero field means none; mass and stiffness must be there. */
-/* F_e(rho)/rho, N/m, and its derivative, for rho >= 0. vm_jeffcott_power is k rho^(alpha-1), ctx a vm_power_force. */
+/* Stiffness of the shaft: returns F_e(rho)/rho, N/m, which [1] calls F_e', at the deflection rho >= 0, m, and writes
+   its derivative by rho, N/m^2, to *slope. ctx is the user's. vm_jeffcott_power is one. */
 typedef vm_real (*vm_jeffcott_stiffness)(vm_real rho, vm_real *slope, void *ctx);
+
+/* External force F_z, N, as F_x + i F_y, at time t, position z and velocity v of the disc. ctx is the user's. */
 typedef vm_complex (*vm_jeffcott_force)(vm_real t, vm_complex z, vm_complex v, void *ctx);
 
+/* The elastic force k rho^alpha: k in N/m^alpha; a pure number alpha */
 typedef struct VM_TAG(vm_power_force) {
     vm_real k, alpha;
 } vm_power_force;
 
+/* A rotor. mass and stiffness must be there; any other field may be zero. */
 typedef struct VM_TAG(vm_jeffcott) {
-    vm_slow_mass mass;
-    void *mass_ctx;
-    vm_jeffcott_stiffness stiffness;
-    void *stiffness_ctx;
-    vm_jeffcott_force force; /* F_z, N; small where averaged */
-    void *force_ctx;
-    vm_real gyro;     /* kg/s */
-    vm_real reactive; /* r */
-    vm_complex u;     /* absolute velocity of what joins or leaves, m/s */
-    int samples;      /* of a period in an average; default 32, enough for polynomials of degree 15 */
+    vm_law mass;                     /* kg, > 0 */
+    vm_jeffcott_stiffness stiffness; /* of the shaft */
+    void *stiffness_ctx;     /* handed to stiffness */
+    vm_jeffcott_force force; /* F_z; null for none; small where equations are averaged */
+    void *force_ctx;         /* handed to force */
+    vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
+    vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where with the disc's own velocity */
+    vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
+    int nodes;               /* phases in the mean over a period; 0 means 32, exact for polynomials of degree 15 */
 } vm_jeffcott;
 
+/* Slots of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
+enum {
+    VMI_WHIRL_P = 0,   /* and 1: forward whirl P */
+    VMI_WHIRL_N = 2,   /* and 3: backward whirl N */
+    VMI_WHIRL_PHI = 4, /* fast phase */
+    VMI_WHIRL_SIZE = 5
+};
+
+/* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness.
+   power_force points to a vm_power_force. Returns N/m, writes the derivative, N/m^2. Within some eps. NaN for null
+   pointers and rho < 0. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
     const vm_power_force *p = (const vm_power_force *)power_force;
-    *slope = p->alpha == 1 ? 0 : p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
+    *slope = 0;
+    if (p->alpha != 1) *slope = p->k * (p->alpha - 1) * vmi_pow_checked(rho, p->alpha - 2);
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
-/* rho and phi in (-pi, pi] (448) */
+/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi].
+   Within 4 eps. Null pointers: nothing is done. */
 VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;
@@ -52,28 +84,40 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum Im(conj z m z') - g |z|^2, kg m^2/s: constant where r = 1, u = 0, F_z = 0 */
+/* Angular momentum of a rotor about the axis, kg m^2/s, with the share of the gyroscopic force.
+   It is Im(conj z m z') - g |z|^2, which stays constant where r = 1, u = 0 and F_z = 0. v is z'. NaN for a null
+   pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
-/* F_e(rho)/rho, NaN where there is none */
+/* F_e(rho)/rho and its derivative; NaN where the rotor has no stiffness */
 VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real *slope)
 {
     *slope = VM_NAN;
-    return r->stiffness ? r->stiffness(rho, slope, r->stiffness_ctx) : VM_NAN;
+    if (!r->stiffness) return VM_NAN;
+    return r->stiffness(rho, slope, r->stiffness_ctx);
 }
 
-/* F_z + r m' u */
+/* F_z + r m' u: the loads that do not depend on the disc's velocity through g or r */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
-    return r->force ? vmi_c_add(r->force(t, z, v, r->force_ctx), thrust) : thrust;
+    if (!r->force) return thrust;
+    return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* Equations of motion (449), (450) for rk45 or rk87, ctx a vm_jeffcott, y = (x, y, x', y') */
+/* F_z + r m' u + 2 i g z' */
+VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
+{
+    return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
+}
+
+/* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
+   y = (x, y, x', y'), m and m/s; rotor points to a vm_jeffcott. VM_BAD_ARGUMENT for null pointers or where there is no
+   mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS; these statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -81,11 +125,11 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const vm_complex z = vmi_complex(y[0], y[1]), v = vmi_complex(y[2], y[3]);
     vm_real mass, rate, stiffness, slope;
     vm_complex force;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
-    if (status) return status;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
     if (!r->stiffness) return VM_BAD_ARGUMENT;
+    if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
-    force = vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(2 * r->gyro, v));
+    force = vmi_jeffcott_loads(r, t, rate, z, v);
     dydt[0] = v.re;
     dydt[1] = v.im;
     dydt[2] = (force.re - r->reactive * rate * v.re - stiffness * z.re) / mass;
@@ -93,57 +137,68 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     return VM_OK;
 }
 
+/* -- Weak nonlinearity: forward and backward whirl together -- */
+
+/* A rotor at one time: mass, kg, its rate, kg/s, and the frequency of small vibrations sqrt(F_e'(0)/m), rad/s */
 typedef struct VM_TAG(vmi_jeffcott_state) {
-    vm_real mass, rate, omega; /* omega of the small vibration */
+    vm_real mass, rate, omega;
 } vmi_jeffcott_state;
 
+/* The rotor at time t. VM_BAD_STIFFNESS where small vibrations have no frequency, as for F_e = rho^3; VM_BAD_ARGUMENT
+   where there is no stiffness, VM_BAD_MASS, VM_NOT_FINITE. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
-    vm_real slope;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &now->mass, &now->rate);
+    vm_real stiffness, slope;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &now->mass, &now->rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
-    now->omega = VM_SQRT(vmi_jeffcott_stiffness(r, 0, &slope) / now->mass);
-    return now->omega > 0 && VM_IS_FINITE(now->omega) ? VM_OK : VM_DOMAIN;
+    stiffness = vmi_jeffcott_stiffness(r, 0, &slope);
+    if (stiffness <= 0) return VM_BAD_STIFFNESS;
+    now->omega = VM_SQRT(stiffness / now->mass);
+    if (!VM_IS_FINITE(now->omega)) return VM_NOT_FINITE;
+    if (!(now->omega > 0)) return VM_DOMAIN; /* underflow */
+    return VM_OK;
 }
 
-/* Small nonlinearity: two circular motions (460), (461) of the frequency omega = sqrt(F_e'(0)/m),
+/* Motion of a rotor, (x, y, x', y'), to forward and backward whirl P, N at time t, (456)-(461).
+   Both are circular motions of the frequency omega = sqrt(F_e'(0)/m),
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
-     P = A1 e^(i theta1),  N = A2 e^(-i theta2),
-   y = (Re P, Im P, Re N, Im N, phi), phi' = omega, from and to y = (x, y, x', y') at time t. The equations
-   (470)-(473) exactly, and averaged over phi while P and N stay: forward and backward motion are in 1:1 resonance,
-   so that the average over psi1 and psi2 apart, (474)-(477), is wrong unless f turns with z. In P and N nothing is
-   singular where A1 or A2 is 0. All that differs from m z'' + F_e'(0) z = 0 is perturbation: F_z, u, g, F_e'(rho) -
-   F_e'(0). */
+     P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
+   phi is the fast phase to start with, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
+   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where
+   A1 or A2 is 0. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. y may be motion. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
     const vm_complex z = vmi_complex(motion[0], motion[1]), back = vmi_c_turn(-phi);
     vmi_jeffcott_state now;
     vm_complex turned, P, N;
-    vm_real found[5];
+    vm_real found[VMI_WHIRL_SIZE];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
     turned = vmi_c_times_i(-1 / now.omega, vmi_complex(motion[2], motion[3])); /* z'/(i omega) */
     P = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_add(z, turned)), back);
     N = vmi_c_times(vmi_c_scale(VM_C(0.5), vmi_c_sub(z, turned)), vmi_c_conjugate(back));
-    found[0] = P.re;
-    found[1] = P.im;
-    found[2] = N.re;
-    found[3] = N.im;
-    found[4] = phi;
-    return vmi_copy_if_finite(5, found, y);
+    found[VMI_WHIRL_P] = P.re;
+    found[VMI_WHIRL_P + 1] = P.im;
+    found[VMI_WHIRL_N] = N.re;
+    found[VMI_WHIRL_N + 1] = N.im;
+    found[VMI_WHIRL_PHI] = phi;
+    return vmi_copy_if_finite(VMI_WHIRL_SIZE, found, y);
 }
 
-/* z and z' where phi is the angle of turn */
+/* z and z' from the whirls in y, where turn = e^(i phi) */
 VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega, vm_complex *z, vm_complex *v)
 {
-    const vm_complex P = vmi_c_times(vmi_complex(y[0], y[1]), turn);
-    const vm_complex N = vmi_c_times(vmi_complex(y[2], y[3]), vmi_c_conjugate(turn));
+    const vm_complex P = vmi_c_times(vmi_complex(y[VMI_WHIRL_P], y[VMI_WHIRL_P + 1]), turn);
+    const vm_complex N = vmi_c_times(vmi_complex(y[VMI_WHIRL_N], y[VMI_WHIRL_N + 1]), vmi_c_conjugate(turn));
     *z = vmi_c_add(P, N);
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Documented with vm_jeffcott_to_averaged. */
+/* Motion of a rotor, (x, y, x', y'), from forward and backward whirl at time t.
+   The inverse of vm_jeffcott_to_averaged: y = (Re P, Im P, Re N, Im N, phi). The same errors. motion may be y. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -152,7 +207,7 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
     vm_real joined[4];
     const int status = vmi_jeffcott_now(r, t, &now);
     if (status) return status;
-    vmi_jeffcott_motion(y, vmi_c_turn(y[4]), now.omega, &z, &v);
+    vmi_jeffcott_motion(y, vmi_c_turn(y[VMI_WHIRL_PHI]), now.omega, &z, &v);
     joined[0] = z.re;
     joined[1] = z.im;
     joined[2] = v.re;
@@ -162,75 +217,93 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
 
 /* P' and N' (470)-(473) at the fast phase phi:
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
-     m f = F + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
-   F with r m' u; the half that is missing from r comes from omega'. */
-VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y, vm_real phi,
-                            vm_complex *dP, vm_complex *dN)
+     m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
+   r - 1/2 stands in place of r because the change of omega contributes m' z'/2. */
+VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
+                               vm_real phi, vm_complex *dP, vm_complex *dN)
 {
     const vm_complex turn = vmi_c_turn(phi);
-    const vm_real push = 1 / (2 * now->omega * now->mass);
+    const vm_real push = 1 / (2 * now->omega * now->mass), drag = vmi_slow_drag(r->reactive, now->rate, 0) / 2;
     vm_real slope, extra;
     vm_complex z, v, f;
     vmi_jeffcott_motion(y, turn, now->omega, &z, &v);
     extra = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope) - now->mass * now->omega * now->omega;
-    f = vmi_c_add(vmi_jeffcott_drive(r, t, now->rate, z, v), vmi_c_times_i(2 * r->gyro, v));
-    f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale((r->reactive - VM_C(0.5)) * now->rate, v)));
+    f = vmi_jeffcott_loads(r, t, now->rate, z, v);
+    f = vmi_c_sub(f, vmi_c_add(vmi_c_scale(extra, z), vmi_c_scale(drag, v)));
     *dP = vmi_c_times_i(-push, vmi_c_times(f, vmi_c_conjugate(turn)));
     *dN = vmi_c_times_i(push, vmi_c_times(f, turn));
 }
 
-VM_API int vmi_jeffcott_samples(const vm_jeffcott *r) { return r->samples > 0 ? r->samples : 32; }
-
-/* The mean of so many samples in a period from y[4] on */
-VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int samples)
+/* How many phases of a period enter a mean value */
+VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
-    const vm_real share = 1 / (vm_real)samples;
+    const int usual = 32; /* the mean is exact for polynomials of degree 15 in z and z' */
+    if (r->nodes > 0) return r->nodes;
+    return usual;
+}
+
+/* The mean of P' and N' over `nodes` phases of a period, evenly spaced, the first of them the phase in y */
+VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int nodes)
+{
+    const vm_real share = 1 / (vm_real)nodes;
     vm_complex P = {0, 0}, N = {0, 0}, dP, dN;
     vmi_jeffcott_state now;
     const int status = vmi_jeffcott_now(r, t, &now);
     int j;
     if (status) return status;
-    for (j = 0; j < samples; j++) {
-        vmi_jeffcott_rates(r, t, &now, y, y[4] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
+    for (j = 0; j < nodes; j++) {
+        vmi_jeffcott_rates(r, t, &now, y, y[VMI_WHIRL_PHI] + 2 * VM_PI * share * (vm_real)j, &dP, &dN);
         P = vmi_c_add(P, dP);
         N = vmi_c_add(N, dN);
     }
-    dydt[0] = P.re * share;
-    dydt[1] = P.im * share;
-    dydt[2] = N.re * share;
-    dydt[3] = N.im * share;
-    dydt[4] = now.omega;
+    dydt[VMI_WHIRL_P] = P.re * share;
+    dydt[VMI_WHIRL_P + 1] = P.im * share;
+    dydt[VMI_WHIRL_N] = N.re * share;
+    dydt[VMI_WHIRL_N + 1] = N.im * share;
+    dydt[VMI_WHIRL_PHI] = now.omega;
     return VM_OK;
 }
 
-/* Documented with vm_jeffcott_to_averaged. */
+/* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87.
+   y = (Re P, Im P, Re N, Im N, phi), see vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. They hold for any
+   force, but are of use where F_z, u, g and F_e'(rho) - F_e'(0) are small. VM_BAD_ARGUMENT for null pointers or where
+   there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where F_e'(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Documented with vm_jeffcott_to_averaged. */
+/* Averaged equations of forward and backward whirl, for rk45 or rk87.
+   vm_jeffcott_exact_rhs, averaged over the fast phase phi while P and N stay. The average over psi1 and psi2
+   separately, (474)-(477), is wrong unless the force turns with z, since forward and backward whirl are in 1:1
+   resonance. The error is of the order of the perturbation (F_z, u, g, F_e'(rho) - F_e'(0), m') over times of its
+   inverse. State and errors are those of vm_jeffcott_exact_rhs. Time: `nodes` forces. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_jeffcott *r = (const vm_jeffcott *)rotor;
-    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_samples(r));
+    return vmi_jeffcott_mean(t, y, dydt, r, vmi_jeffcott_nodes(r));
 }
 
-/* W = (g +- S)/m, S^2 = g^2 + m F_e', without the difference of near numbers */
+/* -- Strong nonlinearity: nearly circular whirl -- */
+
+/* W = (g +- S)/m with S^2 = g^2 + m F_e', + for forward whirl; written so that no close numbers are subtracted */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
-    const vm_real forward = sense < 0 ? -1 : 1, g = forward * gyro, S = VM_SQRT(gyro * gyro + mass * stiffness);
-    return forward * (g > 0 ? (g + S) / mass : stiffness / (S - g));
+    const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
+    vm_real direction = 1, g, speed;
+    if (sense < 0) direction = -1;
+    g = direction * gyro;
+    if (g > 0) speed = (g + S) / mass;
+    else speed = stiffness / (S - g);
+    return direction * speed;
 }
 
-/* Strong nonlinearity: nearly circular motion z = A e^(i psi), z' = i W z, of the frequency W of m W^2 - 2 g W =
-   F_e'(A), forward (sense >= 0) or backward. Averaged equations (506), (507) with g, y = (A, psi). A errs by the
-   order of the loads over times of their inverse; the phase adds that up where F_e' is not constant: 0.005 were
-   measured for loads that turn with z, order 1 for others. Not for a linear F_e with loads that do not turn with z:
-   they send the motion off the circle. */
+/* Frequency of circular whirl of radius A, rad/s: the solution W of m W^2 - 2 g W = F_e(A)/A.
+   Forward whirl, W > 0, for sense >= 0, backward whirl, W < 0, for sense < 0. A >= 0 in m, mass > 0 in kg. Within some
+   8 eps and the error of the stiffness. NaN for null pointers, a rotor without stiffness, and arguments outside the
+   domain. The remark after (516), corrected. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -239,99 +312,141 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* (504), (505) averaged. The torque gives (A^2 (m W - g))' = (1 - r) m' A^2 W + A <Im D>, the radial balance
-   psi' - W = -<Re D>/(2 A (m W - g)), D = (F_z + r m' u) e^(-i psi); m W - g = +-S, S^2 = g^2 + m F_e'. */
-VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
+/* D e^(-i psi), averaged over the angle psi of a circle of radius A at frequency W, with D = F_z + r m' u. The real
+   part is the mean radial load, the imaginary part the mean tangential load, N. */
+VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
+                                         vm_real W)
 {
-    if (!r->stiffness) return VM_BAD_ARGUMENT;
-    const int samples = vmi_jeffcott_samples(r);
-    vm_real mass, rate, stiffness, slope, W, S, growth;
+    const int nodes = vmi_jeffcott_nodes(r);
     vm_complex sum = {0, 0};
     int j;
-    const int status = vmi_slow_mass(r->mass, r->mass_ctx, t, &mass, &rate);
+    for (j = 0; j < nodes; j++) {
+        const vm_complex turn = vmi_c_turn(psi + 2 * VM_PI * (vm_real)j / (vm_real)nodes);
+        const vm_complex z = vmi_c_scale(A, turn);
+        const vm_complex D = vmi_jeffcott_drive(r, t, rate, z, vmi_c_times_i(W, z));
+        sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
+    }
+    return vmi_c_scale(1 / (vm_real)nodes, sum);
+}
+
+/* (504), (505) averaged, y = (A, psi). With the mean load L, the tangential balance is (A^2 (m W - g))' = (1 - r) m'
+   A^2 W + A Im L, the radial balance is psi' - W = -Re L/(2 A (m W - g)); m W - g = +-S with S^2 = g^2 + m F_e'. */
+VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
+{
+    vm_real mass, rate, stiffness, slope, W, S, growth;
+    vm_complex load;
+    const int status = vmi_law_at(&r->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!r->stiffness) return VM_BAD_ARGUMENT;
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
     S = mass * W - r->gyro;
-    if (!(S * S > 0)) return VM_DOMAIN;
-    for (j = 0; j < samples; j++) {
-        const vm_complex turn = vmi_c_turn(y[1] + 2 * VM_PI * (vm_real)j / (vm_real)samples),
-                         z = vmi_c_scale(y[0], turn);
-        const vm_complex D = vmi_jeffcott_drive(r, t, rate, z, vmi_c_times_i(W, z));
-        sum = vmi_c_add(sum, vmi_c_times(D, vmi_c_conjugate(turn)));
-    }
-    sum = vmi_c_scale(1 / (vm_real)samples, sum);
-    growth = ((1 - r->reactive) * rate * W + sum.im / y[0]) / S - rate * stiffness / (2 * S * S);
+    if (S != S && !VM_IS_FINITE(stiffness)) return VM_NOT_FINITE;
+    if (!(S * S > 0)) return VM_BAD_STIFFNESS;
+    load = vmi_jeffcott_mean_load(r, t, rate, y[0], y[1], W);
+    growth = ((1 - r->reactive) * rate * W + load.im / y[0]) / S - rate * stiffness / (2 * S * S);
     dydt[0] = y[0] * growth / (2 + mass * slope * y[0] / (2 * S * S));
-    dydt[1] = W - sum.re / (2 * y[0] * S);
+    dydt[1] = W - load.re / (2 * y[0] * S);
     return VM_OK;
 }
 
-/* Documented with vm_jeffcott_frequency. */
+/* Averaged equations (506), (507) of forward whirl with any nonlinearity, for rk45 or rk87.
+   The motion is nearly circular: z = A e^(i psi), z' = i W z with W = vm_jeffcott_frequency. y = (A, psi), m and rad;
+   rotor points to a vm_jeffcott. A errs by the order of the loads (F_z, u, m') over times of their inverse. The phase
+   accumulates this error where F_e' is not constant: up to 0.005 was measured for loads that turn with z, errors of
+   order 1 for others. Not for a linear F_e with loads that do not turn with z, since they drive the motion off the
+   circle. VM_BAD_ARGUMENT for null pointers or where there is no mass or no stiffness, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS where g^2 + m F_e' is not positive. Time: `nodes` forces. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Documented with vm_jeffcott_frequency. */
+/* Averaged equations (506), (507) of backward whirl with any nonlinearity, for rk45 or rk87.
+   As vm_jeffcott_forward_whirl_rhs, with W < 0. */
 VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* ln of the invariant over its first value at the radius first_A e^x */
+/* The invariant A^4 (g^2 + m F_e'(A)) of circular whirl, for the search of the radius */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
-    vm_real first_A, mass, first; /* first: that of g^2 + m F_e' */
+    vm_real first_A; /* radius, m, of the mass at first */
+    vm_real mass;    /* kg, now */
+    vm_real first;   /* g^2 + m F_e' at first */
 } vmi_jeffcott_orbit;
 
+/* ln of the invariant over its first value, at the radius first_A e^x; NaN where F_e' is no number or too negative */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
     vm_real slope;
     const vm_real stiffness = vmi_jeffcott_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope);
     const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
-    return ratio > 0 && VM_IS_FINITE(ratio) ? 4 * x + vmi_log(ratio).hi : VM_NAN;
+    if (!(ratio > 0) || !VM_IS_FINITE(ratio)) return VM_NAN;
+    return 4 * x + vmi_log(ratio).hi;
 }
 
-/* The same without F_z: the radius when the mass has gone from mass0, where it was first_A, to mass, of
-     A^4 (g^2 + m F_e'(A)) = const, r = 1, which is A^2 (m W - g) = const;  A^4 F_e'(A) m^(2r-1) = const, g = 0 (509)
-   NaN for g != 0 and r != 1, where the course of the mass matters, and where no radius is found going from
-   first_A. For powers it is first_A vm_osc_amplitude_law(mass/mass0, 0, r, alpha). */
+/* An interval of x = ln(A/first_A) at whose ends a and b the invariant's signs differ, with the values there */
+typedef struct VM_TAG(vmi_jeffcott_bracket) {
+    vm_real a, b, at_a, at_b;
+} vmi_jeffcott_bracket;
+
+/* From x = 0, where the invariant is b->at_a, walk to where its sign changes, with steps that double. A step to where
+   the invariant is NaN is halved, and steps double no more. 0 where the walk ends at such a place. */
+VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
+{
+    vm_real step = VM_C(0.0625); /* a radius that changes by 6 % */
+    int bounded = 0;
+    if (b->at_a > 0) step = -step;
+    b->a = 0;
+    for (;;) {
+        b->b = b->a + step;
+        b->at_b = vmi_jeffcott_invariant(b->b, o);
+        while (b->at_b != b->at_b) {
+            step /= 2;
+            bounded = 1;
+            if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(b->a))) return 0;
+            b->b = b->a + step;
+            b->at_b = vmi_jeffcott_invariant(b->b, o);
+        }
+        if (b->at_b == 0 || (b->at_b > 0) != (b->at_a > 0)) return 1;
+        b->a = b->b;
+        b->at_a = b->at_b;
+        if (!bounded) step *= 2;
+    }
+}
+
+/* Radius of circular whirl, m, when the mass has changed slowly from mass0, where it was first_A, to mass.
+   Without F_z and u. For r = 1 A^4 (g^2 + m F_e'(A)) stays constant, which is the square of A^2 (m W - g); for g = 0
+   A^4 F_e'(A) m^(2r-1) does (509). For F_e = k rho^alpha and g = 0 the radius is first_A vm_osc_amplitude_law(
+   mass/mass0, 0, r, alpha). Within some 12 eps. NaN for g != 0 with r != 1, where the whole course of the mass matters;
+   where no radius is found on the way from first_A; for null pointers, a rotor without stiffness, and a radius or
+   masses that are not positive and finite. Time: some 10 to 20 evaluations of the stiffness. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
     vmi_jeffcott_orbit o;
-    vm_real slope, here, there, step = VM_C(0.0625), x = 0;
-    int bounded = 0;
+    vmi_jeffcott_bracket b;
+    vm_real slope, first_mass = mass0;
     if (!(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
-    if (r->gyro == 0) {
-        mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
-        mass0 = 1;
-    }
     o.r = r;
     o.first_A = first_A;
     o.mass = mass;
-    o.first = r->gyro * r->gyro + mass0 * vmi_jeffcott_stiffness(r, first_A, &slope);
-    here = vmi_jeffcott_invariant(0, &o);
-    if (here == 0 || here != here) return here == 0 ? first_A : VM_NAN;
-    for (step = here > 0 ? -step : step;; step = bounded ? step : 2 * step) { /* outward to a change of sign */
-        there = vmi_jeffcott_invariant(x + step, &o);
-        while (there != there) { /* F_e' is no number there */
-            step /= 2;
-            bounded = 1;
-            if (VM_FABS(step) < VM_EPSILON * (1 + VM_FABS(x))) return VM_NAN;
-            there = vmi_jeffcott_invariant(x + step, &o);
-        }
-        if (there == 0 || (there > 0) != (here > 0)) break;
-        x += step;
-        here = there;
+    if (r->gyro == 0) { /* m^(2r-1) takes the place of m */
+        o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
+        first_mass = 1;
     }
-    return first_A * vmi_exp(vmi_find_zero(vmi_jeffcott_invariant, &o, x, x + step, here, there), 0);
+    o.first = r->gyro * r->gyro + first_mass * vmi_jeffcott_stiffness(r, first_A, &slope);
+    b.at_a = vmi_jeffcott_invariant(0, &o);
+    if (b.at_a == 0) return first_A;
+    if (b.at_a != b.at_a || !vmi_jeffcott_find_bracket(&o, &b)) return VM_NAN;
+    return first_A * vmi_exp(vmi_find_zero(vmi_jeffcott_invariant, &o, b.a, b.b, b.at_a, b.at_b), 0);
 }
 
 #endif

@@ -1,111 +1,326 @@
-/* oscillators/laws.h - laws of mass, stiffness and damping: numbers that depend on time */
+/* oscillators/laws.h - laws of mass, stiffness and damping: numbers that depend on time
+
+   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha) or the damping (kg/s).
+   It is made by a constructor: linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a
+   function of the user. The shortest useful call:
+       vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
+       vm_real m, rate;
+       int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
+   Every kind of law has a section below: the functions that work for this kind alone, and the constructor that
+   puts them into the vm_law. Nothing outside the section knows of the kind. The integral of 1/f from 0 to t is
+   vm_law_inverse_integral (oscillators/panels.h).
+   Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
 
 #include "../ateb/phase.h"
+#include "../base/arrays.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
 
-/* How a mass or a stiffness depends on time: positive between 0 and the times that are asked for. The value at t = 0
-   is f0, but for tables and functions. A table is interpolated monotonically, by cubics with Fritsch and Butland's
-   slopes; times rise, and t must lie between the first and the last.
-   A function is evaluated at 20 points in each panel of time. A panel is at most |t|/32 long, and is halved where
-   the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law
-   changes in a shorter time, set change_time to that time, s: then no panel and no step of an integrator is longer.
-   0 means unknown. */
-typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx); /* f(t), df/dt; 0 or failure */
+/* A user's law: writes f(t) and its rate df/dt, returns 0, or another number where it fails. f must be smooth. */
+typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
-enum {
-    VM_LAW_LINEAR = 0,      /* f0 + f1 t (346); constant where f1 = 0 */
-    VM_LAW_QUADRATIC = 1,   /* f0 + f1 t + f2 t^2 */
-    VM_LAW_EXPONENTIAL = 2, /* f0 exp(f1 t) */
-    VM_LAW_POWER = 3,       /* f0 (1 + f1 t)^f2 */
-    VM_LAW_TABLE = 4,       /* the points (time[i], value[i]), 0 <= i < n, n >= 2 */
-    VM_LAW_FUNCTION = 5     /* function(t, ., ., ctx), smooth */
+/* The law of a mass, a stiffness or a damping. The constructors vm_law_linear, vm_law_table ... fill it; set nothing
+   by hand but change_time. The law keeps pointers to the arrays of a table and to the function of a user, which must
+   outlive it. On a GPU call the constructor there, for the law also points to functions. */
+typedef struct VM_TAG(vm_law) vm_law;
+struct VM_TAG(vm_law) {
+    vm_real f0, f1, f2;       /* arguments of the constructor, in its order; 0 for tables and functions */
+    int n;                    /* number of points of a table; 0 for the other laws */
+    const vm_real *time;      /* n times of a table, s, rising; else null */
+    const vm_real *value;     /* n values of a table, in the unit of f; else null */
+    vm_law_function function; /* of vm_law_user; else null */
+    void *ctx;                /* last argument of function */
+    vm_real change_time;      /* for vm_law_user only: the shortest time, s, in which f changes; 0: unknown */
+    /* What the kind of law does; its constructor sets these. */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f); /* null: no law */
+    int (*check)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f at 0 and at t tells enough */
+    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null: it has none */
+    vm_real (*inverse_integral)(const vm_law *law, vm_real t);             /* null: there is no closed form */
 };
 
-typedef struct VM_TAG(vm_law) {
-    int kind;
-    vm_real f0, f1, f2;
-    int n;
-    const vm_real *time, *value;
-    vm_law_function function;
-    void *ctx;
-    vm_real change_time; /* of a function: the shortest time, s, in which it changes; 0: unknown */
-} vm_law;
+/* -- What every kind of law shares -- */
 
-/* -- Laws of mass and stiffness -- */
-VM_API vm_law vmi_law_of(int kind, vm_real f0, vm_real f1, vm_real f2)
+/* The direction of time over a length, or from 0 to a time: 1 forward, -1 backward */
+VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
+
+/* Numbers that the function `derivatives` of a law writes: f, f', f'', f''', the index is the order */
+enum { VMI_LAW_ORDERS = 4 };
+
+/* Whether f, f', f'' are finite, by one comparison: each difference is 0 or NaN */
+VM_API int vmi_law_is_finite(const vm_real *f) { return (f[0] - f[0]) + (f[1] - f[1]) + (f[2] - f[2]) == 0; }
+
+/* f[0] to f[3] at t: the value of the law, which a constructor made, and its first three derivatives.
+   side: 1 or -1; where a derivative jumps at t, it is the one after or the one before t. step: see vm_law_user's
+   section; 0 where f'' is not wanted. f''' is that of a table, else 0, for elsewhere it is as small as f'' changes.
+   if_not_positive: the status where f <= 0, VM_BAD_MASS for a mass; VM_OK for numbers that may have any sign. */
+VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real step, vm_real *f)
+{
+    int status;
+    f[3] = 0;
+    status = law->derivatives(law, t, side, step, f);
+    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
+    if (status) return status;
+    if (!vmi_law_is_finite(f)) return VM_NOT_FINITE;
+    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
+    return VM_OK;
+}
+
+/* Whether a constructor made the law, and it is finite and positive (with if_not_positive = VM_OK: of any sign) between
+   0 and t, as far as can be told without going there. A table is looked at as a whole. */
+VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
+{
+    vm_real f[VMI_LAW_ORDERS];
+    int status;
+    if (!law->derivatives) return VM_BAD_ARGUMENT;
+    status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
+    if (!status) status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, f);
+    if (!status && law->check) status = law->check(law, if_not_positive, t);
+    return status;
+}
+
+/* 1, base and rate where the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0), else 0.
+   Integrals of products of such laws with one base are closed forms. A constant has rate 0. */
+VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
+{
+    *base = *rate = 0;
+    return law->exponential_form && law->exponential_form(law, base, rate);
+}
+
+/* The integral of dt/f from 0 to t of a law with an exponential form */
+VM_API vm_real vmi_law_exponential_inverse_integral(const vm_law *law, vm_real t)
+{
+    vm_real base, rate, u;
+    vmi_law_exponential_form(law, &base, &rate);
+    u = t * vmi_log_ratio(base * t);
+    return u / law->f0 * vmi_exp_ratio((base - rate) * u);
+}
+
+/* f and df/dt at t of any law, with all arguments checked */
+VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real *f, vm_real *rate)
+{
+    vm_real values[VMI_LAW_ORDERS];
+    int status;
+    if (!law || !law->derivatives || !f || !rate) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_law_derivatives(law, if_not_positive, t, 1, 0, values);
+    if (status) return status;
+    *f = values[0];
+    *rate = values[1];
+    return VM_OK;
+}
+
+/* Value f and rate df/dt of a law at time t (s), which may be negative.
+   Within some 8 ulp. VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for t or
+   a result that is infinite or NaN, VM_BAD_MASS where f <= 0 at t, VM_DOMAIN for t outside a table or where the
+   function fails. Then f and rate are untouched. */
+VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
+{
+    return vmi_law_at(law, VM_BAD_MASS, t, f, rate);
+}
+
+/* A law without a kind, which the constructors complete */
+VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 {
     vm_law law;
-    law.kind = kind;
     law.f0 = f0;
     law.f1 = f1;
     law.f2 = f2;
     law.n = 0;
-    law.time = law.value = NULL;
+    law.time = NULL;
+    law.value = NULL;
     law.function = NULL;
     law.ctx = NULL;
     law.change_time = 0;
+    law.derivatives = NULL;
+    law.check = NULL;
+    law.exponential_form = NULL;
+    law.inverse_integral = NULL;
     return law;
 }
 
-VM_API vm_law vm_law_linear(vm_real f0, vm_real f1) { return vmi_law_of(VM_LAW_LINEAR, f0, f1, 0); }
+/* -- Linear laws -- */
+VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+{
+    (void)side;
+    (void)step;
+    f[0] = law->f0 + law->f1 * t;
+    f[1] = law->f1;
+    f[2] = 0;
+    return VM_OK;
+}
 
+/* f0 (1 + base t) = f0 exp(base u) */
+VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
+{
+    *base = law->f1 / law->f0;
+    *rate = *base;
+    return 1;
+}
+
+/* Linear law f = f0 + f1 t (346); a constant where f1 = 0.
+   f0 is the value at t = 0, f1 the rate per second, such as kg and kg/s. */
+VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
+{
+    vm_law law = vmi_law_of(f0, f1, 0);
+    law.derivatives = vmi_law_linear_derivatives;
+    law.exponential_form = vmi_law_linear_form;
+    law.inverse_integral = vmi_law_exponential_inverse_integral;
+    return law;
+}
+
+/* -- Quadratic laws -- */
+VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+{
+    (void)side;
+    (void)step;
+    f[0] = law->f0 + t * (law->f1 + t * law->f2);
+    f[1] = law->f1 + 2 * law->f2 * t;
+    f[2] = 2 * law->f2;
+    return VM_OK;
+}
+
+/* f must be positive where it is lowest, if that is between 0 and t. */
+VM_API int vmi_law_quadratic_check(const vm_law *law, int if_not_positive, vm_real t)
+{
+    vm_real f[VMI_LAW_ORDERS], lowest;
+    if (!(law->f2 > 0)) return VM_OK;
+    lowest = -law->f1 / (2 * law->f2);
+    if (!(lowest * t > 0 && VM_FABS(lowest) < VM_FABS(t))) return VM_OK;
+    return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
+}
+
+/* f0 (1 + base t)^2 = f0 exp(2 base u), where f is a square within rounding */
+VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
+{
+    const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
+    *rate = law->f1 / law->f0;
+    *base = *rate / 2;
+    return VM_FABS(rest) <= 4 * VM_EPSILON * square;
+}
+
+/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t: (2/y) atanh(y t/x) or (2/y) atan(y t/x) with
+   x = 2 f0 + f1 t and y^2 = |f1^2 - 4 f0 f2| */
+VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
+{
+    const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
+    const vm_real y = VM_SQRT(VM_FABS(D)) * VM_FABS(t), s = y / x;
+    if (D < 0 && y > 0) return 2 * t / y * ateb_phase(y, x, 1);
+    return 2 * t / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s);
+}
+
+/* Quadratic law f = f0 + f1 t + f2 t^2.
+   Units are those of f, of f per second and of f per second squared. */
 VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 {
-    return vmi_law_of(VM_LAW_QUADRATIC, f0, f1, f2);
-}
-
-VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1) { return vmi_law_of(VM_LAW_EXPONENTIAL, f0, f1, 0); }
-VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2) { return vmi_law_of(VM_LAW_POWER, f0, f1, f2); }
-
-VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
-{
-    vm_law law = vmi_law_of(VM_LAW_TABLE, 0, 0, 0);
-    law.n = n;
-    law.time = time;
-    law.value = value;
+    vm_law law = vmi_law_of(f0, f1, f2);
+    law.derivatives = vmi_law_quadratic_derivatives;
+    law.check = vmi_law_quadratic_check;
+    law.exponential_form = vmi_law_quadratic_form;
+    law.inverse_integral = vmi_law_quadratic_inverse_integral;
     return law;
 }
 
-VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
+/* -- Exponential laws -- */
+VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
-    vm_law law = vmi_law_of(VM_LAW_FUNCTION, 0, 0, 0);
-    law.function = function;
-    law.ctx = ctx;
+    (void)side;
+    (void)step;
+    f[0] = law->f0 * vmi_exp(law->f1 * t, 0);
+    f[1] = law->f1 * f[0];
+    f[2] = law->f1 * f[1];
+    return VM_OK;
+}
+
+VM_API int vmi_law_exponential_own_form(const vm_law *law, vm_real *base, vm_real *rate)
+{
+    *base = 0;
+    *rate = law->f1;
+    return 1;
+}
+
+/* Exponential law f = f0 exp(f1 t).
+   f0 is the value at t = 0, f1 the relative rate, 1/s. */
+VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
+{
+    vm_law law = vmi_law_of(f0, f1, 0);
+    law.derivatives = vmi_law_exponential_derivatives;
+    law.exponential_form = vmi_law_exponential_own_form;
+    law.inverse_integral = vmi_law_exponential_inverse_integral;
     return law;
 }
 
-/* Slope at point i of a table: the harmonic mean of the chords beside it, weighted (Fritsch and Butland); at the ends
-   that of the parabola through three points, held back so that the cubic stays monotone */
+/* -- Power laws -- */
+
+/* VM_BAD_MASS where 1 + f1 t is not positive, which vmi_law_derivatives replaces by the status of a stiffness and so on */
+VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+{
+    const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
+    (void)side;
+    (void)step;
+    if (!(base > 0)) return VM_BAD_MASS;
+    f[0] = law->f0 * vmi_pow_checked(base, law->f2);
+    f[1] = law->f2 * relative_rate * f[0];
+    f[2] = (law->f2 - 1) * relative_rate * f[1];
+    return VM_OK;
+}
+
+/* f0 (1 + f1 t)^f2 = f0 exp(f2 f1 u) with base = f1 */
+VM_API int vmi_law_power_form(const vm_law *law, vm_real *base, vm_real *rate)
+{
+    *base = law->f1;
+    *rate = law->f1 * law->f2;
+    return 1;
+}
+
+/* Power law f = f0 (1 + f1 t)^f2, as long as 1 + f1 t > 0.
+   f0 is the value at t = 0, f1 a rate, 1/s, f2 a pure number of either sign. */
+VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
+{
+    vm_law law = vmi_law_of(f0, f1, f2);
+    law.derivatives = vmi_law_power_derivatives;
+    law.exponential_form = vmi_law_power_form;
+    law.inverse_integral = vmi_law_exponential_inverse_integral;
+    return law;
+}
+
+/* -- Tables -- */
+
+/* Slope at an end of a table: that of the parabola through its last three points, limited so that the cubic stays
+   monotone. h_end, d_end: length and slope of the chord at the end; h_next, d_next: of the chord next to it. */
+VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, vm_real d_next)
+{
+    const vm_real slope = ((2 * h_end + h_next) * d_end - h_end * d_next) / (h_end + h_next);
+    if (slope * d_end <= 0) return 0;
+    if (d_end * d_next < 0 && VM_FABS(slope) > 3 * VM_FABS(d_end)) return 3 * d_end;
+    return slope;
+}
+
+/* Slope at point i of a table: inside, the weighted harmonic mean of the chords' slopes on both sides, 0 at an
+   extremum (Fritsch and Butland) */
 VM_API vm_real vmi_law_slope(const vm_law *law, int i)
 {
     const vm_real *t = law->time, *f = law->value;
-    const int last = law->n - 1, end = i == 0 || i == last, j = i == 0 ? 1 : i == last ? last - 1 : i;
-    vm_real h0, h1, d0, d1, slope;
+    const int last = law->n - 1;
+    int middle = i;
+    vm_real h0, h1, d0, d1;
     if (last == 1) return (f[1] - f[0]) / (t[1] - t[0]);
-    h0 = t[j] - t[j - 1];
-    h1 = t[j + 1] - t[j];
-    d0 = (f[j] - f[j - 1]) / h0;
-    d1 = (f[j + 1] - f[j]) / h1;
-    if (!end) return d0 * d1 <= 0 ? 0 : 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
-    if (i == last) {
-        slope = h0;
-        h0 = h1;
-        h1 = slope;
-        slope = d0;
-        d0 = d1;
-        d1 = slope;
-    }
-    slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
-    if (slope * d0 <= 0) return 0;
-    return d0 * d1 < 0 && VM_FABS(slope) > 3 * VM_FABS(d0) ? 3 * d0 : slope;
+    if (i == 0) middle = 1;
+    if (i == last) middle = last - 1;
+    h0 = t[middle] - t[middle - 1];
+    h1 = t[middle + 1] - t[middle];
+    d0 = (f[middle] - f[middle - 1]) / h0;
+    d1 = (f[middle + 1] - f[middle]) / h1;
+    if (i == 0) return vmi_law_end_slope(h0, h1, d0, d1);
+    if (i == last) return vmi_law_end_slope(h1, h0, d1, d0);
+    if (d0 * d1 <= 0) return 0;
+    return 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
 }
 
-/* i of the interval time[i] .. time[i+1] with t in it; where t is a point, the interval on that side of it */
+/* The index i with time[i] <= t <= time[i+1]; where t is a point of the table, of the interval on that side of it */
 VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 {
     int low = 0, high = law->n - 1;
@@ -117,174 +332,120 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-VM_API int vmi_law_from_table(const vm_law *law, vm_real t, int side, vm_real *f)
+/* The cubic of the interval with t, which has the values and the slopes of its two points */
+VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
 {
-    vm_real h, u, d, s0, s1, b, c;
+    vm_real length, u, chord, slope0, slope1, b, c;
     int i;
-    if (law->n < 2 || !law->time || !law->value || !(t >= law->time[0] && t <= law->time[law->n - 1]))
-        return VM_BAD_ARGUMENT;
+    (void)step;
+    if (law->n < 2 || !law->time || !law->value) return VM_BAD_ARGUMENT;
+    if (!(t >= law->time[0] && t <= law->time[law->n - 1])) return VM_DOMAIN;
     i = vmi_law_interval(law, t, side);
-    h = law->time[i + 1] - law->time[i];
+    length = law->time[i + 1] - law->time[i];
     u = t - law->time[i];
-    d = (law->value[i + 1] - law->value[i]) / h;
-    s0 = vmi_law_slope(law, i);
-    s1 = vmi_law_slope(law, i + 1);
-    b = (3 * d - 2 * s0 - s1) / h;
-    c = (s0 + s1 - 2 * d) / (h * h);
-    f[0] = law->value[i] + u * (s0 + u * (b + u * c));
-    f[1] = s0 + u * (2 * b + 3 * u * c);
+    chord = (law->value[i + 1] - law->value[i]) / length;
+    slope0 = vmi_law_slope(law, i);
+    slope1 = vmi_law_slope(law, i + 1);
+    b = (3 * chord - 2 * slope0 - slope1) / length;
+    c = (slope0 + slope1 - 2 * chord) / (length * length);
+    f[0] = law->value[i] + u * (slope0 + u * (b + u * c));
+    f[1] = slope0 + u * (2 * b + 3 * u * c);
     f[2] = 2 * b + 6 * u * c;
     f[3] = 6 * c;
     return VM_OK;
 }
 
-/* The second derivative of a user's function, of second order from values at t, t + step, t + 2 step */
-VM_API int vmi_law_from_function(const vm_law *law, vm_real t, vm_real step, vm_real *f)
+/* The whole table, whatever t is: values finite and positive, times rising */
+VM_API int vmi_law_table_check(const vm_law *law, int if_not_positive, vm_real t)
 {
-    vm_real unused, rate[2];
     int i;
-    f[2] = 0;
-    if (!law->function || law->function(t, f, f + 1, law->ctx)) return VM_BAD_ARGUMENT;
-    if (step == 0) return VM_OK;
-    for (i = 0; i < 2; i++)
-        if (law->function(t + (vm_real)(i + 1) * step, &unused, rate + i, law->ctx)) return VM_BAD_ARGUMENT;
-    f[2] = (4 * (rate[0] - f[1]) - (rate[1] - f[1])) / (2 * step);
+    (void)t;
+    if (!vmi_all_finite(law->n, law->value) || !vmi_all_finite(law->n, law->time)) return VM_NOT_FINITE;
+    for (i = 0; i < law->n; i++)
+        if (if_not_positive && !(law->value[i] > 0)) return if_not_positive;
+    for (i = 1; i < law->n; i++)
+        if (!(law->time[i] > law->time[i - 1])) return VM_DOMAIN;
     return VM_OK;
 }
 
-/* f, f', f'' at t, the last on that side of t where it jumps; step as above, 0 where f'' of functions is not wanted.
-   f''' where it is more than changes of f'' in the time of changes of f: in tables, else 0 */
-VM_API int vmi_law_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics.
+   Times (s) rise; a call's t must lie between the first and the last. Between its points a cubic with the slopes of
+   Fritsch and Butland neither overshoots nor rings; its second derivative jumps at the points. */
+VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
-    int status = VM_OK;
-    f[3] = 0;
-    switch (law->kind) {
-    case VM_LAW_LINEAR:
-        f[0] = law->f0 + law->f1 * t;
-        f[1] = law->f1;
-        f[2] = 0;
-        break;
-    case VM_LAW_QUADRATIC:
-        f[0] = law->f0 + t * (law->f1 + t * law->f2);
-        f[1] = law->f1 + 2 * law->f2 * t;
-        f[2] = 2 * law->f2;
-        break;
-    case VM_LAW_EXPONENTIAL:
-        f[0] = law->f0 * vmi_exp(law->f1 * t, 0);
-        f[1] = law->f1 * f[0];
-        f[2] = law->f1 * f[1];
-        break;
-    case VM_LAW_POWER: {
-        const vm_real base = 1 + law->f1 * t, c = law->f1 / base;
-        f[0] = law->f0 * vmi_pow_checked(base, law->f2);
-        f[1] = law->f2 * c * f[0];
-        f[2] = (law->f2 - 1) * c * f[1];
-        if (!(base > 0)) return VM_BAD_MASS;
-        break;
-    }
-    case VM_LAW_TABLE: status = vmi_law_from_table(law, t, side, f); break;
-    case VM_LAW_FUNCTION: status = vmi_law_from_function(law, t, step, f); break;
-    default: return VM_BAD_ARGUMENT;
-    }
-    if (status) return status;
-    if (!VM_IS_FINITE(f[0]) || !VM_IS_FINITE(f[1]) || !VM_IS_FINITE(f[2])) return VM_NOT_FINITE;
-    return f[0] > 0 ? VM_OK : VM_BAD_MASS;
+    vm_law law = vmi_law_of(0, 0, 0);
+    law.n = n;
+    law.time = time;
+    law.value = value;
+    law.derivatives = vmi_law_table_derivatives;
+    law.check = vmi_law_table_check;
+    return law;
 }
 
-/* f(t), its rate, and the integral from 0 to t of ds/f: closed forms within some 8 ulp, also where they tend to 0/0;
-   of tables and functions by integration, to 1e-13 (float 1e-5) if no change is faster than said above. VM_BAD_MASS
-   where f <= 0 at t (the integral: anywhere between), VM_BAD_ARGUMENT outside a table, where the function fails, or where
-   change_time is negative or less than |t|/2^20. */
-VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
-{
-    vm_real values[4];
-    int status;
-    if (!law || !f || !rate) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
-    status = vmi_law_derivatives(law, t, 1, 0, values);
-    if (status) return status;
-    *f = values[0];
-    *rate = values[1];
-    return VM_OK;
-}
-
-#define VMI_LAW_MOST_CHANGES VM_C(1048576.) /* change_times of a run: every call ends */
-
-/* Is the law positive between 0 and t, as far as can be told without going there? Tables: all of it, and in order */
-VM_API int vmi_law_check(const vm_law *law, vm_real t)
-{
-    vm_real f[4];
-    int i, status = vmi_law_derivatives(law, 0, 1, 0, f);
-    if (!status) status = vmi_law_derivatives(law, t, 1, 0, f);
-    if (status) return status;
-    if (law->kind == VM_LAW_FUNCTION) {
-        if (!VM_IS_FINITE(law->change_time)) return VM_NOT_FINITE;
-        if (law->change_time < 0 || VM_FABS(t) > law->change_time * VMI_LAW_MOST_CHANGES)
-            return law->change_time == 0 ? VM_OK : VM_BAD_ARGUMENT;
-    }
-    if (law->kind == VM_LAW_QUADRATIC && law->f2 > 0) {
-        const vm_real lowest = -law->f1 / (2 * law->f2);
-        if (lowest * t > 0 && VM_FABS(lowest) < VM_FABS(t)) return vmi_law_derivatives(law, lowest, 1, 0, f);
-    }
-    if (law->kind == VM_LAW_TABLE)
-        for (i = 0; i < law->n; i++) {
-            if (!VM_IS_FINITE(law->value[i]) || !VM_IS_FINITE(law->time[i])) return VM_NOT_FINITE;
-            if (!(law->value[i] > 0)) return VM_BAD_MASS;
-            if (i > 0 && !(law->time[i] > law->time[i - 1])) return VM_BAD_ARGUMENT;
-        }
-    return VM_OK;
-}
-
-/* Laws that are f0 exp(rate u), u = ln(1 + base t)/base (t where base = 0): 1 and base, rate; constants have rate 0.
-   A quadratic one is, where it is a square within rounding. */
-VM_API int vmi_law_base(const vm_law *law, vm_real *base, vm_real *rate)
-{
-    *base = *rate = 0;
-    switch (law->kind) {
-    case VM_LAW_LINEAR: *base = *rate = law->f1 / law->f0; return 1;
-    case VM_LAW_EXPONENTIAL: *rate = law->f1; return 1;
-    case VM_LAW_POWER:
-        *base = law->f1;
-        *rate = law->f1 * law->f2;
-        return 1;
-    case VM_LAW_QUADRATIC: {
-        const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
-        *rate = law->f1 / law->f0;
-        *base = *rate / 2;
-        return VM_FABS(rest) <= 4 * VM_EPSILON * square;
-    }
-    default: return 0;
-    }
-}
-
-/* int_0^t dt/(f0 + f1 t + f2 t^2) = (2/y) atanh(y t/x) or (2/y) atan(y t/x), x = 2 f0 + f1 t, y^2 = +-(f1^2 - 4 f0
-   f2) */
-VM_API vm_real vmi_law_quadratic_integral(const vm_law *law, vm_real t)
-{
-    const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
-    const vm_real y = VM_SQRT(VM_FABS(D)) * VM_FABS(t), s = y / x;
-    if (D < 0 && y > 0) return 2 * t / y * ateb_phase(y, x, 1);
-    return 2 * t / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s);
-}
-
-/* The next point of a table after t on the way to t_end, or t_end */
+/* The next point of a table after t on the way to t_end; t_end where there is none, and for every other law */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
     vm_real knot;
     int i;
-    if (law->kind != VM_LAW_TABLE) return t_end;
+    if (!law->time) return t_end;
     i = vmi_law_interval(law, t, side);
     knot = law->time[side > 0 ? i + 1 : i];
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
-/* The longest panel in which a law cannot hide a change */
+/* -- Functions of the user -- */
+
+/* The function gives f and f'. f'' is found to second order from f' at t, t + step, t + 2 step; 0 for step = 0. */
+VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real step, vm_real *f)
+{
+    vm_real unused, rate[2];
+    int i;
+    (void)side;
+    f[2] = 0;
+    if (!law->function) return VM_BAD_ARGUMENT;
+    if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
+    if (step == 0) return VM_OK;
+    for (i = 0; i < 2; i++)
+        if (law->function(t + (vm_real)(i + 1) * step, &unused, &rate[i], law->ctx)) return VM_DOMAIN;
+    f[2] = (4 * (rate[0] - f[1]) - (rate[1] - f[1])) / (2 * step);
+    return VM_OK;
+}
+
+/* change_time must be a time, and at most 2^20 of them may lie between 0 and t, so that every call ends. */
+VM_API int vmi_law_user_check(const vm_law *law, int if_not_positive, vm_real t)
+{
+    const vm_real most_changes = VM_C(1048576.);
+    (void)if_not_positive;
+    if (!VM_IS_FINITE(law->change_time)) return VM_NOT_FINITE;
+    if (law->change_time < 0) return VM_DOMAIN;
+    if (law->change_time > 0 && VM_FABS(t) > law->change_time * most_changes) return VM_DOMAIN;
+    return VM_OK;
+}
+
+/* Law by a function of the user, which must be smooth.
+   ctx is passed on to the function. Integrals along the law evaluate the function at 20 points in each panel of
+   time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2)
+   is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time to that
+   time, s: then no panel and no step of an integrator is longer. It may not be negative or less than |t|/2^20
+   (VM_DOMAIN). */
+VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
+{
+    vm_law law = vmi_law_of(0, 0, 0);
+    law.function = function;
+    law.ctx = ctx;
+    law.derivatives = vmi_law_user_derivatives;
+    law.check = vmi_law_user_check;
+    return law;
+}
+
+/* The longest panel of time, s, in which the law cannot hide a change between 0 and t; whole = |t| */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
-    vm_real longest = whole / 32;
-    if (law->kind != VM_LAW_FUNCTION) return whole;
-    return law->change_time > 0 && law->change_time < longest ? law->change_time : longest;
+    const vm_real longest = whole / 32;
+    if (!law->function) return whole;
+    if (law->change_time > 0 && law->change_time < longest) return law->change_time;
+    return longest;
 }
 
 #endif

@@ -1,4 +1,14 @@
-/* oscillators/mean_laws.h - the mean motion by laws of first and second order, and their errors */
+/* oscillators/mean_laws.h - laws of first and second order for the mean motion, and estimates of their errors
+
+   Without a force F the averaged equations of an oscillator with slow laws are solved by integrals: the amplitude
+   follows the adiabatic law (325), (344), (367), (389), the phase is the integral of Om, (310), (329), (370).
+   vmi_osc_first_order is that solution for one of the three waves, error q/Om; vmi_osc_second_order adds the ripple
+   within a period and the second order of the mean phase, error (q/Om)^2.
+       vmi_osc_mean mean;
+       vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ATEB);
+       int status = vmi_osc_mean_at(&plan, t, &mean);
+       if (!status) status = vmi_osc_second_order(&plan, &w, &mean, &motion);
+   Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_MEAN_LAWS_H
 #define VARMASS_OSCILLATORS_MEAN_LAWS_H
 
@@ -6,69 +16,145 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
-#include "../jacobi/means.h"
 #include "problem.h"
 #include "walk.h"
 #include "waves.h"
 
-/* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
-/* What roundings of the phase come to */
-VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
+/* -- The mean motion at t -- */
+typedef struct VM_TAG(vmi_osc_mean) {
+    vmi_osc_rates now;          /* the rates just before t (after it for t < 0) */
+    vmi_osc_integrals integral; /* from 0 to t */
+    vm_real fourth;             /* integral of epsilon^4 + (depsilon/dpsi)^2 dpsi, epsilon = q/Om */
+    vm_real ln_A, ratio;        /* ln(A/A0) and Om/Om0 by the adiabatic law */
+    vm_real kick2, kick3;       /* of the points of tables, see vmi_osc_walk */
+    vm_real fast;               /* bound of what the laws' fastest changes add to ln of the action */
+    vm_real phase_error;        /* error of the phase by that of integral.phase */
+} vmi_osc_mean;
+
+/* A bound of the change of ln J, J the action, that the adiabatic law leaves out. The law ignores
+   (ln J)' = epsilon w(psi), per radian of phase, with w = (1 - (n+2)/n sa^2)/2, n = alpha + 1, whose mean is 0. The
+   change is at most the integral of |epsilon w|. After i integrations by parts it is at most the integral of the ith
+   derivative of epsilon times the ith integral of w; the terms at the ends are in the laws. The smallest of these
+   bounds is taken: one with a high i for slow laws, the first for a change in less than a period. At points of tables
+   the derivatives jump. The laws contain the effect (a kick) of the jumps of the first derivative, and kick3 that of
+   the next. Where the first bounds are the smallest, the kicks in the laws are wrong, so these bounds include them. */
+VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_walk *w)
 {
-    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->y[1])) + mean->phase_error;
+    const vm_real n = p->problem.alpha + 1, turn = p->pi / (2 * VM_PI);
+    const vm_real larger_part = vmi_larger(p->mean_ca2, 1 - p->mean_ca2);
+    vm_real size[VMI_WALK_ORDERS], least = VM_INFINITY; /* size[i]: largest value of the ith integral of w */
+    int i;
+    size[0] = n < 2 ? 1 / n : VM_C(0.5);
+    size[1] = VM_C(0.25); /* sa ca/2 */
+    size[2] = n / 8 * larger_part;
+    for (i = 3; i < VMI_WALK_ORDERS; i++) size[i] = size[i - 1] * turn;
+    for (i = 0; i < VMI_WALK_ORDERS; i++) {
+        vm_real bound = size[i] * w->change[i];
+        if (i < 2) bound += (n + 2) / 2 * w->kicks;
+        if (bound < least) least = bound;
+    }
+    return least;
 }
 
-/* What the laws miss on the way: changes that are not slow, which in the phase grow by the factor gamma Om t, and
-   the roughness of tables */
+/* The mean motion by a walk along the laws; mean->now is given. */
+VM_API int vmi_osc_mean_by_walk(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
+{
+    const vm_osc_problem *o = &p->problem;
+    vmi_osc_walk w;
+    int status = vmi_osc_walk_to(&w, p, t);
+    if (status) return status;
+    vmi_osc_adiabatic(p, vmi_log(mean->now.m / p->m0).hi, vmi_log(mean->now.k / p->k0).hi,
+                      o->damping * w.integral.inverse_mass, &mean->ln_A, ln_Om);
+    mean->ln_A += w.ln_A;
+    *ln_Om += (o->alpha - 1) / 2 * w.ln_A;
+    mean->integral = w.integral;
+    mean->fourth = w.fourth;
+    mean->kick2 = w.kick2;
+    mean->kick3 = w.kick3;
+    mean->fast = vmi_osc_fast(p, &w);
+    mean->phase_error = p->Om * w.error;
+    return VM_OK;
+}
+
+/* The mean motion where both laws are exponentials in one u. epsilon then is a power or an exponential, too, so that
+   its fastest change is at 0 or at t, which the errors of the laws include. */
+VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean, vm_real *ln_Om)
+{
+    const vm_real u = t * vmi_log_ratio(p->base * t), q = p->q;
+    const vm_real e = q / p->Om, d = p->h / (p->Om * p->Om);
+    vmi_osc_adiabatic(p, p->rate_m * u, p->rate_k * u, p->problem.damping * u / p->m0, &mean->ln_A, ln_Om);
+    mean->integral.inverse_mass = u / p->m0;
+    mean->integral.phase = u * vmi_exp_ratio(p->base * u + *ln_Om);
+    mean->integral.drift = q * q * u * vmi_exp_ratio(-p->base * u - *ln_Om);
+    mean->fourth = (e * e * e * e + d * d) * p->Om * VM_FABS(u * vmi_exp_ratio(-3 * (p->base * u + *ln_Om)));
+    mean->kick2 = 0;
+    mean->kick3 = 0;
+    mean->fast = 0;
+    mean->phase_error = 0;
+}
+
+/* The mean motion at t */
+VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+{
+    vm_real ln_Om;
+    int status = vmi_osc_rates_at(p, t, -vmi_time_side(t), 1, &mean->now);
+    if (status) return status;
+    if (p->closed) vmi_osc_mean_closed(p, t, mean, &ln_Om);
+    else status = vmi_osc_mean_by_walk(p, t, mean, &ln_Om);
+    if (status) return status;
+    mean->ratio = vmi_exp(ln_Om, 0);
+    if (!VM_IS_FINITE(mean->integral.phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio))
+        return VM_NOT_FINITE;
+    return VM_OK;
+}
+
+/* -- Estimates, of the larger of |error of x|/A and |error of v|/vmax -- */
+
+/* What the rounding errors of the phase add */
+VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
+{
+    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->integral.phase)) + mean->phase_error;
+}
+
+/* What the laws miss between 0 and t: changes that are not slow, which the phase multiplies by gamma Om t, and the
+   roughness of tables */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    const vm_real g = VM_FABS(p->gamma * p->Om * mean->y[1]);
+    const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
     return (1 + g) * mean->fast + VM_C(0.2) * (VM_SQRT(mean->kick2) + g * VM_SQRT(mean->kick3));
 }
 
-/* First order leaves out ln rho and the shift of the start, the ripple of a period, and the second order of the mean
-   phase: the error is these, to first order in q/Om. Of ln rho the phase makes gamma Om t. */
+/* The error of first order, to first order in q/Om: the law leaves out ln rho and the shift of the start, the ripple
+   of a period, and the second order of the mean phase. The phase multiplies ln rho by gamma Om t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real n = p->problem.alpha + 1, e = VM_FABS(mean->now.q) / (p->Om * mean->ratio), M = p->mean_ca2;
-    const vm_real c2 = M * n / (2 * (n + 2) * (n + 2)),
-                  ripple = e * n / (2 * (n + 2)) * (M > VM_C(0.5) ? M : 1 - M);
-    const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->y[1]) + VM_FABS(p->shift) + ripple +
-                          VM_FABS(c2 * mean->y[2] / p->Om);
+    const vm_real c2 = M * n / (2 * (n + 2) * (n + 2)), larger_part = vmi_larger(M, 1 - M);
+    const vm_real ripple = e * n / (2 * (n + 2)) * larger_part;
+    const vm_real phase = VM_FABS(p->gamma * p->ln_rho * p->Om * mean->integral.phase) + VM_FABS(p->shift) + ripple +
+                          VM_FABS(c2 * mean->integral.drift / p->Om);
     const vm_real amplitude = (2 * VM_FABS(p->ln_rho) + e / 2) / (n + 2);
     return phase + amplitude + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* The second-order law leaves out ripples of second order at the start and at t, the third order of ln rho, which the
-   phase multiplies, and the fourth order of the mean phase. */
+/* The error of second order: the law leaves out ripples of second order at the start and at t, the third order of
+   ln rho, which the phase multiplies, and the fourth order of the mean phase. The factors fit what
+   tests/test_routes.c finds. */
 VM_API vm_real vmi_osc_second_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vm_real Om = p->Om * mean->ratio, e = VM_FABS(mean->now.q) / Om, e0 = VM_FABS(p->q) / p->Om;
     const vm_real d = VM_FABS(mean->now.h) / (Om * Om), d0 = VM_FABS(p->h) / (p->Om * p->Om);
     const vm_real third = VM_FABS(p->h_rate) / (p->Om * p->Om) / p->Om;
     const vm_real ripple = (e * e + d) + (e0 * e0 + d0), start = e0 * e0 * e0 + e0 * d0 + d0 * VM_SQRT(d0) + third;
-    const vm_real g = VM_FABS(p->gamma * p->Om * mean->y[1]);
+    const vm_real g = VM_FABS(p->gamma * p->Om * mean->integral.phase);
     return (VM_C(0.02) + VM_C(0.015) * p->problem.alpha) * ripple + VM_C(0.15) * g * start +
            VM_C(0.1) * mean->fourth + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
 }
 
-/* How far a wave is from ca and sa: cos at x = 0, where its velocity is wrong; cn in the mean of its square, which is
-   right where cn is exact, times a factor that fits its largest error within 5 % for alpha <= 10 */
-VM_API vm_real vmi_osc_wave_error(const vm_osc_plan *p, const vmi_osc_wave *w)
-{
-    const vm_real alpha = p->problem.alpha;
-    vm_real C2, C4, C6, error;
-    if (w->method == VM_ROUTE_ATEB) return 0;
-    if (w->method == VM_ROUTE_TRIG) error = VM_FABS(w->speed - 1) * (1 + alpha / 100);
-    else {
-        jacobi_cn_means(w->m, &C2, &C4, &C6);
-        error = VM_FABS(C2 - p->mean_ca2) * (VM_C(2.7) + alpha / 2);
-    }
-    return error < 1 ? error : 1;
-}
-
 /* -- The laws -- */
-/* x and v of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1) */
+
+/* The motion of amplitude A where Om is the rate of the Ateb phase, so that vmax = 2 A Om/(alpha+1); c and s are those
+   of the wave. Evaluations are set to 0. VM_NOT_FINITE leaves *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -84,29 +170,31 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
     return VM_OK;
 }
 
-/* (310), (329), (370): A by the adiabatic law, the phase the integral of Om */
-VM_API int vmi_osc_first_order(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+/* First order (310), (329), (370): A by the adiabatic law, the phase the integral of Om. route: the one with wave w */
+VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                vm_osc_motion *motion)
 {
+    const vm_real A = p->A * vmi_exp(mean->ln_A, 0), Om = p->Om * mean->ratio;
+    const vm_real error = vmi_osc_first_error(p, mean) + vmi_osc_wave_error(w, p->mean_ca2);
     vm_real c, s;
-    vmi_osc_wave_at(w, p->psi + p->Om * mean->y[1], &c, &s);
-    return vmi_osc_motion_of(w, p->A * vmi_exp(mean->ln_A, 0), p->Om * mean->ratio, c, s,
-                             vmi_osc_first_error(p, mean) + vmi_osc_wave_error(p, w), w->method, motion);
+    vmi_osc_wave_at(w, p->psi + p->Om * mean->integral.phase, &c, &s);
+    return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* Om at the exact amplitude is that at the mean one times rho^gamma, rho = A^((alpha+3)/2) by the mean's */
-VM_API int vmi_osc_second_order(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_mean *mean,
+/* Second order. Om at the exact amplitude is that at the mean amplitude times rho^gamma, where
+   rho = (A/mean A)^((alpha+3)/2). route: VM_ROUTE_SECOND */
+VM_API int vmi_osc_second_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion)
 {
     const vm_real n = p->problem.alpha + 1, Om = p->Om * mean->ratio * vmi_exp(-p->gamma * p->ln_rho, 0);
-    const vm_real e = mean->now.q / (2 * Om);
-    vm_real c, s, ln_rho;
-    vmi_osc_phase_from_mean(p, w, vmi_osc_mean_phase(p, mean->y), e * n / (n + 2), &c, &s);
+    const vm_real e = mean->now.q / (2 * Om), phase = vmi_osc_mean_phase(p, &mean->integral);
+    vm_real c, s, ln_rho, A;
+    vmi_osc_phase_from_mean(p, w, phase, e * n / (n + 2), &c, &s);
     ln_rho = e * s * c;
     ln_rho = ln_rho > -1 ? ln_rho * vmi_log_ratio(ln_rho) : VM_NAN;
-    return vmi_osc_motion_of(w, p->A * vmi_exp(mean->ln_A + 2 / (n + 2) * (ln_rho - p->ln_rho), 0),
-                             Om * vmi_exp(p->gamma * ln_rho, 0), c, s, vmi_osc_second_error(p, mean),
-                             VM_ROUTE_SECOND, motion);
+    A = p->A * vmi_exp(mean->ln_A + 2 / (n + 2) * (ln_rho - p->ln_rho), 0);
+    return vmi_osc_motion_of(w, A, Om * vmi_exp(p->gamma * ln_rho, 0), c, s, vmi_osc_second_error(p, mean),
+                             route, motion);
 }
 
 #endif

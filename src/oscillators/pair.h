@@ -1,4 +1,19 @@
-/* oscillators/pair.h - two bodies with a nonlinear connection */
+/* oscillators/pair.h - two bodies with a nonlinear connection
+
+   Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
+       m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
+   The sum q = x + y drifts and the difference p = y - x vibrates (520)-(522). Here are the equations of motion, the
+   averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
+
+       vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
+       vm_pair p;
+       p.alpha = 3;
+       p.k = 1; // cubic spring of 1 N/m^3
+       p.reactive = 1;
+       p.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins at rest
+       int status = vm_pair_at(&p, 50, y, y); // the motion at t = 50 s
+
+   Tests: tests/test_pair.c. */
 #ifndef VARMASS_OSCILLATORS_PAIR_H
 #define VARMASS_OSCILLATORS_PAIR_H
 
@@ -9,24 +24,52 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "constant_mass.h"
+#include "laws.h"
 #include "slow.h"
 
-/* Equal masses m with k (x - y)|x - y|^(alpha-1) between them, and -r m' x', -r m' y' (517), (518). y = (x, y, x',
-   y'). */
+/* Two bodies of equal mass and the spring between them */
 typedef struct VM_TAG(vm_pair) {
-    vm_real alpha, k, reactive; /* alpha >= 0; k > 0 N/m^alpha; r */
-    vm_slow_mass mass;          /* not needed by vm_pair_at */
-    void *mass_ctx;
+    vm_real alpha;    /* exponent of the spring, >= 0 */
+    vm_real k;        /* stiffness, N/m^alpha, > 0 */
+    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_law mass;      /* of each body, kg, > 0, slow */
 } vm_pair;
 
+/* Slots of the modes: mean amplitude A of p = y - x, m; its Ateb phase psi; q = x + y, m; q', m/s */
+enum {
+    VMI_PAIR_A = 0,
+    VMI_PAIR_PSI = 1,
+    VMI_PAIR_SUM = 2,
+    VMI_PAIR_SUM_RATE = 3,
+    VMI_PAIR_MODES = 4
+};
+
+/* The mass and its rate at time t; whether they, the pair and the four numbers of a state are in their domain. A
+   right-hand side gives no state: a trial step of an integrator may overflow, and is then repeated. */
+VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
+{
+    const int status = vmi_law_at(&p->mass, VM_BAD_MASS, t, mass, rate);
+    if (status == VM_BAD_ARGUMENT) return status;
+    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive)) return VM_NOT_FINITE;
+    if (state_or_NULL && !vmi_all_finite(4, state_or_NULL)) return VM_NOT_FINITE;
+    if (status) return status;
+    if (!(p->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(p->alpha >= 0)) return VM_DOMAIN;
+    return VM_OK;
+}
+
+/* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
+   y = (x, y, x', y'), m and m/s; pair points to a vm_pair. VM_BAD_ARGUMENT for null pointers or where no constructor
+   made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha < 0; these statuses stop the
+   run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
-    const vm_real force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, force;
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
+    force = p->k * vmi_osc_elastic(y[0] - y[1], p->alpha);
     dydt[0] = y[2];
     dydt[1] = y[3];
     dydt[2] = (-force - p->reactive * rate * y[2]) / mass;
@@ -34,113 +77,118 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-VM_API int vmi_pair_check(const vm_pair *p, vm_real mass, vm_real rate)
-{
-    if (!VM_IS_FINITE(p->alpha) || !VM_IS_FINITE(p->k) || !VM_IS_FINITE(p->reactive) || !VM_IS_FINITE(mass) ||
-        !VM_IS_FINITE(rate))
-        return VM_NOT_FINITE;
-    if (!(mass > 0)) return VM_BAD_MASS;
-    return p->alpha >= 0 && p->k > 0 ? VM_OK : VM_DOMAIN;
-}
-
-/* A over its mean at phase psi, (1 + q sa ca/(2 Om))^(2/(alpha+3)), q = (2r-1) m'/m, Om at the mean A */
+/* The amplitude over its mean A at phase psi: (1 + q sa ca/(2 Om))^(2/(alpha+3)) with q = (2r - 1) m'/m. Two springs
+   act on the difference p, hence 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
-    const vm_real q = (2 * p->reactive - 1) * rate / mass, Om = vmi_slow_rate(A, 2 * p->k, mass, p->alpha);
+    const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
+    const vm_real Om = vmi_slow_rate(A, 2 * p->k, mass, p->alpha);
     vm_real sa, ca;
     ateb_saca(psi, p->alpha, &sa, &ca);
     return vmi_pow_checked(1 + q / (2 * Om) * sa * ca, 2 / (p->alpha + 3));
 }
 
+/* The modes from the motion y. The mean amplitude A solves exact = A ripple(A); three iterations are enough where the
+   ripple is small. VM_DOMAIN where they do not solve it, since the ripple is as large as the motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
-    vm_real exact, A, found[4];
+    vm_real exact, A, psi, found[VMI_PAIR_MODES];
     int i;
-    if (!vmi_all_finite(4, y)) return VM_NOT_FINITE;
-    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &found[1]);
+    vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &psi);
     A = exact;
-    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, found[1]);
-    if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, found[1]) - exact) <= exact / 8))
-        return VM_DOMAIN; /* the ripple is as large as the motion: its equation is not solved */
+    for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, psi);
+    if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, psi) - exact) <= exact / 8)) return VM_DOMAIN;
     if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
-    found[0] = A;
-    found[2] = y[0] + y[1];
-    found[3] = y[2] + y[3];
-    return vmi_copy_if_finite(4, found, modes);
+    found[VMI_PAIR_A] = A;
+    found[VMI_PAIR_PSI] = psi;
+    found[VMI_PAIR_SUM] = y[0] + y[1];
+    found[VMI_PAIR_SUM_RATE] = y[2] + y[3];
+    return vmi_copy_if_finite(VMI_PAIR_MODES, found, modes);
 }
 
+/* The motion y from the modes, the inverse of vmi_pair_split */
 VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *modes, vm_real *y)
 {
-    const vm_real q = modes[2], dq = modes[3];
-    vm_real A = modes[0], x, v, joined[4];
-    if (!vmi_all_finite(4, modes)) return VM_NOT_FINITE;
-    if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[1]);
+    const vm_real sum = modes[VMI_PAIR_SUM], sum_rate = modes[VMI_PAIR_SUM_RATE];
+    vm_real A = modes[VMI_PAIR_A], x, v, joined[4];
+    if (!vmi_all_finite(VMI_PAIR_MODES, modes)) return VM_NOT_FINITE; /* a closed form may overflow */
+    if (A > 0) A *= vmi_pair_ripple(p, mass, rate, A, modes[VMI_PAIR_PSI]);
     if (!(A >= 0)) return VM_DOMAIN;
-    vmi_slow_motion(A, modes[1], 2 * p->k, mass, p->alpha, &x, &v);
-    joined[0] = (q - x) / 2;
-    joined[1] = (q + x) / 2;
-    joined[2] = (dq - v) / 2;
-    joined[3] = (dq + v) / 2;
+    vmi_slow_motion(A, modes[VMI_PAIR_PSI], 2 * p->k, mass, p->alpha, &x, &v);
+    joined[0] = (sum - x) / 2;
+    joined[1] = (sum + x) / 2;
+    joined[2] = (sum_rate - v) / 2;
+    joined[3] = (sum_rate + v) / 2;
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* q = x + y drifts, p = y - x vibrates (520)-(522): modes = (A, psi, q, q') with A the mean amplitude of p, free of
-   first ripple, so that any initial velocities do. VM_DOMAIN where the ripple is as large as the motion,
-   |(2r - 1) m'/m| some 2 Omega, as it is where m -> 0. Averaged equations of the modes for any mass. */
+/* Motion of two bodies, y = (x, y, x', y'), to modes (A, psi, q, q') at time t, (520)-(522).
+   q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
+   amplitude within a period is taken out of A, so that any initial velocities are allowed. VM_BAD_ARGUMENT for null
+   pointers or where no constructor made the mass, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN where alpha
+   < 0 and where the ripple is as large as the motion: |(2r - 1) m'/m| is about 2 Om, as where m tends to 0. modes may
+   be y. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
-    if (!status) status = vmi_pair_check(p, mass, rate);
-    return status ? status : vmi_pair_split(p, mass, rate, y, modes);
+    const int status = vmi_pair_now(p, t, y, &mass, &rate);
+    if (status) return status;
+    return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Documented with vm_pair_to_averaged. */
+/* Motion of two bodies, y = (x, y, x', y'), from modes (A, psi, q, q') at time t.
+   The inverse of vm_pair_to_averaged, with the same errors. y may be modes. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
     vm_real mass, rate;
-    int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
-    if (!status) status = vmi_pair_check(p, mass, rate);
-    return status ? status : vmi_pair_join(p, mass, rate, modes, y);
+    const int status = vmi_pair_now(p, t, modes, &mass, &rate);
+    if (status) return status;
+    return vmi_pair_join(p, mass, rate, modes, y);
 }
 
-/* Documented with vm_pair_to_averaged. */
+/* Averaged equations of the two modes, for rk45 or rk87, with any slow mass.
+   modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The error is of the order of m'/(m Om)
+   over times of m/m'. The statuses are those of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
     const vm_pair *p = (const vm_pair *)pair;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(p->mass, p->mass_ctx, t, &mass, &rate);
+    const int status = vmi_pair_now(p, t, NULL, &mass, &rate);
     if (status) return status;
-    dmodes[0] = -(2 * p->reactive - 1) * rate / ((p->alpha + 3) * mass) * modes[0];
-    dmodes[1] = vmi_slow_rate(modes[0], 2 * p->k, mass, p->alpha);
-    dmodes[2] = modes[3];
-    dmodes[3] = -p->reactive * rate / mass * modes[3];
+    dmodes[VMI_PAIR_A] = -vmi_slow_drag(p->reactive, rate, 0) / ((p->alpha + 3) * mass) * modes[VMI_PAIR_A];
+    dmodes[VMI_PAIR_PSI] = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, mass, p->alpha);
+    dmodes[VMI_PAIR_SUM] = modes[VMI_PAIR_SUM_RATE];
+    dmodes[VMI_PAIR_SUM_RATE] = -p->reactive * rate / mass * modes[VMI_PAIR_SUM_RATE];
     return VM_OK;
 }
 
-/* y at t where it was y0 at t = 0, for the mass m.mass + m.rate t, closed: (528), (529) with p0 = y0 - x0. Error of
-   order m.rate over times of order 1/m.rate; VM_DOMAIN as above, at either end. y may be y0. */
-/* Powers of m/m0 integrate to int (m/m0)^e dt = m0 phi((1 + e) ln(m/m0)) int dt/m */
-VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_linear_mass m, vm_real *y)
+/* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y0 - x0.
+   y0 = (x, y, x', y') at t = 0. The error is of the order of m'/(m Om) over times of m/m'. The statuses are those of
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
+   vm_pair_averaged_rhs instead). y may be y0. Method: the averaged equations hold powers of m/m0, and the integral of
+   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
-    const vm_real drift = (2 * p->reactive - 1) / (p->alpha + 3);
-    vm_real modes[4], ln_ratio, integral, rate0, exponent;
-    int status = vmi_pair_check(p, m.mass, m.rate);
-    if (!status) status = vmi_pair_split(p, m.mass, m.rate, y0, modes);
+    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is as (m/m0)^-fall */
+    vmi_linear_mass m;
+    vm_real modes[VMI_PAIR_MODES], rate0, exponent;
+    int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_linear_mass_of(&p->mass, t, &m);
+    if (!status) status = vmi_pair_split(p, m.m0, m.rate, y0, modes);
     if (status) return status;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
-    if (!vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_BAD_MASS;
-    rate0 = vmi_slow_rate(modes[0], 2 * p->k, m.mass, p->alpha);
-    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * drift;
-    modes[1] += rate0 * m.mass * integral * vmi_exp_ratio(exponent * ln_ratio);
-    modes[0] *= vmi_exp(-drift * ln_ratio, 0);
-    modes[2] += modes[3] * m.mass * integral * vmi_exp_ratio((1 - p->reactive) * ln_ratio);
-    modes[3] *= vmi_exp(-p->reactive * ln_ratio, 0);
-    return vmi_pair_join(p, m.mass + m.rate * t, m.rate, modes, y);
+    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.m0, p->alpha);
+    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
+    modes[VMI_PAIR_PSI] += rate0 * m.m0 * m.integral * vmi_exp_ratio(exponent * m.ln_ratio);
+    modes[VMI_PAIR_A] *= vmi_exp(-fall * m.ln_ratio, 0);
+    modes[VMI_PAIR_SUM] +=
+        modes[VMI_PAIR_SUM_RATE] * m.m0 * m.integral * vmi_exp_ratio((1 - p->reactive) * m.ln_ratio);
+    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m.ln_ratio, 0);
+    return vmi_pair_join(p, m.m, m.rate, modes, y);
 }
 
 #endif

@@ -1,4 +1,14 @@
-/* oscillators/problem.h - an oscillator with slowly varying mass, and its plan */
+/* oscillators/problem.h - an oscillator whose mass and stiffness vary slowly, and the plan that is made of it
+
+   The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
+     m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
+   Without F three numbers decide on x(t), all by the Ateb phase psi, whose rate is Om:
+     q = k'/k + (2 reactive - 1) m'/m + 2 b/m, the rate at which the laws and the damping change the motion, 1/s,
+     h, which stands for q' in averaging to second order, 1/s^2,
+     q/Om, which must be small for all routes that average.
+   The plan holds what has to be computed only once for a problem. The motion from a problem or a plan is in
+   oscillators/routes.h, which shows the shortest useful call.
+   Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
@@ -12,57 +22,95 @@
 #include "laws.h"
 #include "waves.h"
 
-/* The problem. F, where there is one, is a further small force, N, of time, place and velocity. */
+/* Routes to x(t), x'(t), the cheapest first. The first four average, and need a small q/Om. */
+enum {
+    VM_ROUTE_TRIG = 0,      /* cosine (329), (330), averaged to first order, with the sign of (335) corrected */
+    VM_ROUTE_JACOBI = 1,    /* cn (370), (371), averaged to first order */
+    VM_ROUTE_ATEB = 2,      /* ca (310), (311), averaged to first order: error q/Om */
+    VM_ROUTE_SECOND = 3,    /* ca, averaged to second order: error (q/Om)^2; only without F */
+    VM_ROUTE_VARIATION = 4, /* exact equations of amplitude and phase, (314), (315) completed, by rk45 */
+    VM_ROUTE_RK45 = 5,      /* the equation of motion by rk45 */
+    VM_ROUTE_RK87 = 6       /* the equation of motion by rk87 */
+};
+
+/* A further small force F, N, at time t (s), position x (m) and velocity v (m/s) */
 typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
 
+/* An oscillator and its state at t = 0 */
 typedef struct VM_TAG(vm_osc_problem) {
-    vm_real alpha;          /* >= 0 */
-    vm_law mass, stiffness; /* kg; N/m^alpha */
-    vm_real reactive;       /* r: 1 with reactive force, 0 without (a leak) */
-    vm_real damping;        /* b, kg/s (the dissertation's eps b); negative ones drive */
-    vm_real x, v;           /* at t = 0, m and m/s */
-    vm_osc_force force;     /* F or null */
-    void *ctx;
+    vm_real alpha;      /* exponent of the spring's force, >= 0 */
+    vm_law mass;        /* kg, positive */
+    vm_law stiffness;   /* N/m^alpha, positive */
+    vm_real reactive;   /* 1: mass that joins or leaves is at rest, full reactive force; 0: it has the body's own
+                           velocity, as in a leak; numbers between mean a part of the force */
+    vm_real damping;    /* b, kg/s, the dissertation's eps b; > 0 takes energy out */
+    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
+    vm_osc_force force; /* F, or null */
+    void *ctx;          /* last argument of force */
 } vm_osc_problem;
 
+/* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
-    vm_real x, v;
-    vm_real amplitude; /* A, of the motion without the ripple of a period for the first four routes */
-    vm_real error;     /* estimate of the largest of |error of x|/A and |error of v|/vmax(A), of whatever origin */
-    int route;
-    long evals; /* of right-hand sides */
+    vm_real x, v;      /* position, m, and velocity, m/s */
+    vm_real amplitude; /* A, m; of the first four routes without its ripple within a period */
+    vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax(A), from all causes */
+    int route;         /* VM_ROUTE_... that was taken */
+    long evals;        /* evaluations of right-hand sides; 0 of the laws */
 } vm_osc_motion;
 
-/* What a problem has to have computed but once. Not for changing: it points to the problem's tables and contexts. */
+/* What is computed only once for a problem, by vm_osc_plan_init. To be read, not changed. It points to the problem's
+   tables and contexts, and is not to be copied bit by bit into another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;
-    vm_real pi, gamma, mean_ca2; /* Pi_alpha, (alpha-1)/(alpha+3), the mean of ca^2 */
-    vm_real m0, k0;
-    vm_real A, psi, Om;                  /* amplitude, Ateb phase and its rate at t = 0 */
-    vm_real q, h, h_rate, ln_rho, shift; /* of the second-order law at t = 0; mean phase minus psi */
-    vm_real base, rate_m, rate_k; /* closed forms: m = m0 exp(rate_m u), k likewise, u = ln(1 + base t)/base */
-    int closed, has_ateb;
+    vm_real pi;             /* Pi_alpha */
+    vm_real gamma;          /* (alpha-1)/(alpha+3) */
+    vm_real mean_ca2;       /* the mean of ca^2 */
+    vm_real m0, k0;         /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
+    vm_real A, psi, Om;     /* at t = 0: amplitude, m, Ateb phase, and its rate, 1/s */
+    vm_real q, h, h_rate;   /* at t = 0: see vmi_osc_rates */
+    vm_real ln_rho;         /* second order: (alpha+3)/2 times ln of the amplitude over its mean at t = 0 */
+    vm_real shift;          /* second order: mean phase minus psi at t = 0 */
+    vm_real base;           /* closed forms, 1/s: m = m0 exp(rate_m u), k = k0 exp(rate_k u), u = ln(1 + base t)/base */
+    vm_real rate_m, rate_k; /* 1/s */
+    int closed;             /* whether m and k have these closed forms */
+    int has_ateb;           /* whether ateb is there */
     ateb_plan ateb;
 } vm_osc_plan;
 
-/* The state of things at t: m, k, q, h of the second-order law, and the part of h' that tables make large */
+/* -- What drives the averaged motion -- */
+
+/* The wave that a route uses; the plan must outlive it. */
+VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
+{
+    if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->pi);
+    if (route == VM_ROUTE_JACOBI) return vmi_osc_wave_cn(p->problem.alpha, p->pi);
+    return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
+}
+
+/* Mass and stiffness at a time, and how fast they and the damping change the motion there */
 typedef struct VM_TAG(vmi_osc_rates) {
-    vm_real m, k, q, h, h_rate;
+    vm_real m, k;   /* kg, N/m^alpha */
+    vm_real q;      /* 1/s */
+    vm_real h;      /* q' - q (k'/k - m'/m - gamma q)/2, 1/s^2 */
+    vm_real h_rate; /* the part of h' that tables make large, 1/s^3 */
 } vmi_osc_rates;
 
+/* The rates at t; where they jump, those after t for side = 1, those before it for side = -1. with_h: h and h_rate are
+   wanted, for which laws by functions are evaluated at two more times; else they are not set. */
 VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_h, vmi_osc_rates *r)
 {
     const vm_osc_problem *o = &p->problem;
     const vm_real step = with_h && p->Om > 0 ? (vm_real)side / (32 * p->Om) : 0;
-    vm_real m[4], k[4], ln_m, ln_k;
-    int status = vmi_law_derivatives(&o->mass, t, side, step, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, t, side, step, k);
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], ln_m, ln_k; /* derivatives of m, k; of ln m, ln k by time */
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, step, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, step, k);
     if (status) return status;
-    r->m = m[0];
-    r->k = k[0];
     ln_m = m[1] / m[0];
     ln_k = k[1] / k[0];
+    r->m = m[0];
+    r->k = k[0];
     r->q = ln_k + (2 * o->reactive - 1) * ln_m + 2 * o->damping / m[0];
+    if (!with_h) return VM_OK;
     r->h = (k[2] / k[0] - ln_k * ln_k) + (2 * o->reactive - 1) * (m[2] / m[0] - ln_m * ln_m) -
            2 * o->damping * ln_m / m[0];
     r->h -= r->q * (ln_k - ln_m - p->gamma * r->q) / 2;
@@ -70,24 +118,33 @@ VM_API int vmi_osc_rates_at(const vm_osc_plan *p, vm_real t, int side, int with_
     return VM_OK;
 }
 
-/* ln of A/A0 and of Om/Om0 by the adiabatic law, where k, m and int b/m dt have come to these */
-VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real damping, vm_real *ln_A,
+/* ln(A/A0) and ln(Om/Om0) by the adiabatic law, where ln(m/m0), ln(k/k0) and the decay, the integral of b/m, have
+   these values */
+VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
     const vm_real alpha = p->problem.alpha, r = 2 * p->problem.reactive - 1;
-    *ln_A = -(ln_k + r * ln_m + 2 * damping) / (alpha + 3);
-    *ln_Om = ((1 - p->gamma) * ln_k - (1 + p->gamma * r) * ln_m) / 2 - p->gamma * damping;
+    *ln_A = -(ln_k + r * ln_m + 2 * decay) / (alpha + 3);
+    *ln_Om = ((1 - p->gamma) * ln_k - (1 + p->gamma * r) * ln_m) / 2 - p->gamma * decay;
 }
 
-/* The mean phase at the integrals y: Om0 y1 + c2 y2/Om0, Om0 at the mean amplitude */
-VM_API vm_real vmi_osc_mean_phase(const vm_osc_plan *p, const vm_real *y)
+/* Integrals along the mean motion from 0 to t */
+typedef struct VM_TAG(vmi_osc_integrals) {
+    vm_real inverse_mass; /* of dt/m, s/kg */
+    vm_real phase;        /* of Om/Om0 dt, s */
+    vm_real drift;        /* of q^2 Om0/Om dt, 1/s */
+} vmi_osc_integrals;
+
+/* The mean phase to second order, from the integrals: Om0 phase + c2 drift/Om0, with Om0 at the mean amplitude */
+VM_API vm_real vmi_osc_mean_phase(const vm_osc_plan *p, const vmi_osc_integrals *integral)
 {
     const vm_real alpha = p->problem.alpha, Om = p->Om * vmi_exp(-p->gamma * p->ln_rho, 0);
     const vm_real c2 = -p->mean_ca2 * (alpha + 1) / (2 * (alpha + 3) * (alpha + 3));
-    return p->psi + p->shift + (Om * y[1] + c2 * y[2] / Om);
+    return p->psi + p->shift + (Om * integral->phase + c2 * integral->drift / Om);
 }
 
-/* psi from the mean phase, psi = mean + slope (ca^2(psi) - <ca^2>): one step of Newton's method, error O(slope^3) */
+/* c = ca and s = sa at the phase psi = mean + slope (ca^2(psi) - <ca^2>), by one step of Newton's method: the error is
+   O(slope^3) */
 VM_API void vmi_osc_phase_from_mean(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real mean, vm_real slope,
                                     vm_real *c, vm_real *s)
 {
@@ -97,14 +154,16 @@ VM_API void vmi_osc_phase_from_mean(const vm_osc_plan *p, const vmi_osc_wave *w,
     vmi_osc_wave_at(w, mean + step, c, s);
 }
 
-/* Are both laws exp(rate u) in one u, and so all integrals closed? With damping int b/m dt must go with u, too:
-   where m = m0 (1 + base t), or nothing changes but by damping. */
-VM_API void vmi_osc_find_base(vm_osc_plan *p)
+/* -- Making the plan -- */
+
+/* Finds whether both laws are exponentials in one u, so that all integrals are closed forms. With damping the integral
+   of b/m must be one in u, too: it is where m = m0 (1 + base t), or where only the damping changes the motion. */
+VM_API void vmi_osc_find_closed_form(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
     vm_real base_m, base_k;
-    p->closed = vmi_law_base(&o->mass, &base_m, &p->rate_m) && vmi_law_base(&o->stiffness, &base_k, &p->rate_k) &&
-                !o->force;
+    p->closed = vmi_law_exponential_form(&o->mass, &base_m, &p->rate_m) &&
+                vmi_law_exponential_form(&o->stiffness, &base_k, &p->rate_k) && !o->force;
     if (!p->closed) return;
     p->base = p->rate_m == 0 ? base_k : base_m;
     if (p->rate_m == 0 && p->rate_k == 0) p->base = 0;
@@ -112,54 +171,63 @@ VM_API void vmi_osc_find_base(vm_osc_plan *p)
     if (o->damping != 0 && p->rate_m != p->base) p->closed = 0;
 }
 
-/* Constants of the second-order law from the start: ln rho, and the mean phase minus the phase */
+/* The constants of the second-order law that follow from the start: rho = (A/mean A)^((alpha+3)/2), whose ripple
+   depends on Om at the mean amplitude, which depends on rho; and the mean phase minus the phase */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
-    const vm_real n = p->problem.alpha + 1, M = p->mean_ca2, scale = 1 / p->Om;
-    const vmi_osc_wave w = vmi_osc_wave_of(VM_ROUTE_ATEB, n - 1, p->pi, p->has_ateb ? &p->ateb : NULL);
+    const vm_real n = p->problem.alpha + 1, mean = p->mean_ca2, scale = 1 / p->Om;
+    const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vmi_osc_rates r;
-    vm_real ca, sa, g, c, e, Om_ratio, rho = 1;
+    vm_real ca, sa, product, excess, rho = 1, Om_ratio = 1; /* sa ca; ca^2 less its mean; Om at the mean over Om */
     int i, status = vmi_osc_rates_at(p, 0, 1, 1, &r);
     if (status) return status;
     p->q = r.q;
     p->h = r.h;
     p->h_rate = r.h_rate;
-    p->ln_rho = p->shift = 0;
+    p->ln_rho = 0;
+    p->shift = 0;
     if (p->A == 0 || (r.q == 0 && r.h == 0)) return VM_OK;
     vmi_osc_wave_at(&w, p->psi, &ca, &sa);
-    g = sa * ca;
-    c = ca * ca - M;
-    Om_ratio = 1;
-    for (i = 0; i < 3; i++) { /* Om at the mean amplitude, A0 rho^(-2/(alpha+3)) */
-        e = scale / Om_ratio;
-        rho = 1 + r.q * e / 2 * g +
-              (r.q * e * r.q * e * (2 - p->gamma) * (g * g - M * n / (n + 6)) + n * c * r.h * e * e) / 8;
-        if (!(rho > 0) || !VM_IS_FINITE(rho)) rho = 1; /* far from slow */
+    product = sa * ca;
+    excess = ca * ca - mean;
+    for (i = 0; i < 3; i++) {
+        const vm_real e = scale / Om_ratio; /* 1/Om at the mean amplitude */
+        rho = 1 + r.q * e / 2 * product +
+              (r.q * e * r.q * e * (2 - p->gamma) * (product * product - mean * n / (n + 6)) +
+               n * excess * r.h * e * e) / 8;
+        if (!(rho > 0) || !VM_IS_FINITE(rho)) rho = 1; /* the motion is not slow at all */
         Om_ratio = vmi_pow_checked(rho, -p->gamma);
     }
     p->ln_rho = vmi_log(rho).hi;
-    p->shift = -r.q * scale / Om_ratio * n / (2 * (n + 2)) * c;
+    p->shift = -r.q * scale / Om_ratio * n / (2 * (n + 2)) * excess;
     return VM_OK;
 }
 
-/* All but the Ateb plan, which only pays where many values are wanted */
+/* The problem's numbers, checked, and its laws at t = 0 */
+VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real *mass, vm_real *stiffness)
+{
+    vm_real unused;
+    int status;
+    if (!VM_IS_FINITE(o->alpha) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v)) return VM_NOT_FINITE;
+    status = vmi_law_check(&o->mass, VM_BAD_MASS, 0);
+    if (!status) status = vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, 0);
+    if (!status) status = vmi_law_at(&o->mass, VM_BAD_MASS, 0, mass, &unused);
+    if (!status) status = vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, 0, stiffness, &unused);
+    if (!status && o->alpha < 0) return VM_DOMAIN;
+    return status;
+}
+
+/* The plan but for the plan of the Ateb functions, which pays only where many values are wanted, and vmi_osc_start */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     const vm_osc_problem *o = &p->problem;
-    vm_real f[4], omega;
+    vm_real omega;
     int status;
     p->problem = *problem;
     p->has_ateb = 0;
-    if (!(o->alpha >= 0) || !VM_IS_FINITE(o->alpha)) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(o->x) || !VM_IS_FINITE(o->v) || !VM_IS_FINITE(o->reactive) || !VM_IS_FINITE(o->damping))
-        return VM_NOT_FINITE;
-    status = vmi_law_check(&o->mass, 0);
-    if (!status) status = vmi_law_check(&o->stiffness, 0);
+    status = vmi_osc_check_problem(o, &p->m0, &p->k0);
     if (status) return status;
-    vmi_law_derivatives(&o->mass, 0, 1, 0, f);
-    p->m0 = f[0];
-    vmi_law_derivatives(&o->stiffness, 0, 1, 0, f);
-    p->k0 = f[0];
     omega = VM_SQRT(p->k0 / p->m0);
     p->pi = ateb_pi(o->alpha);
     p->gamma = (o->alpha - 1) / (o->alpha + 3);
@@ -167,37 +235,15 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem)
     vm_osc_amplitude_phase(o->x, o->v, omega, o->alpha, &p->A, &p->psi);
     p->Om = p->A == 0 ? 0 : vmi_osc_rate(p->A, omega, o->alpha);
     if (!VM_IS_FINITE(p->A) || !VM_IS_FINITE(p->psi) || !VM_IS_FINITE(p->Om)) return VM_NOT_FINITE;
-    vmi_osc_find_base(p);
+    vmi_osc_find_closed_form(p);
     return VM_OK;
 }
 
-/* x(t), x'(t) at any t of either sign, by the route that is asked for, or by the cheapest whose error is estimated
-   to be within the tolerance. Like error that is relative: for x within d metres ask for d/A. The laws cost one or
-   two sa, ca and the integrals of the mass law, and disregard the tolerance. The integrators work to it (0 means
-   1e-6, float 1e-3): each runs twice, the second time stricter, and error comes from what the two differ by; by the
-   default tolerance that takes 400 (variation), 700 (rk87), 2200 (rk45) evaluations a period, alpha = 3. With F the
-   averaged equations are integrated instead of closed forms, to the tolerance. Then error estimates the whole
-   error: that of their integration, of averaging, and of cos and cn in place of the Ateb functions. Averaging
-   leaves out the ripple within a period, its effect on phase and amplitude at the start, its square, and a force
-   that changes within a period, as in a resonance. For this estimate F is called over a period at the start and at
-   eight later times: a force that acts only for a short time between these is not seen. There is
-   no second-order law with F, and vm_osc_within takes the variation of constants. So it
-   does where no law is within the tolerance, but where alpha is odd: there rk87 is two to four times as fast.
-   The error estimates of the first- and second-order laws include the fastest changes of mass and stiffness between
-   0 and t: mass and stiffness are examined panel by panel (for functions see vm_law), tables from point to point. A
-   change within a period makes the estimate large. vm_osc_within then integrates, in steps of at most a quarter of the
-   shortest panel. Over random problems (alpha in [0, 8], q of 3e-3 to 0.1, to t = 3/q; tests/test_routes.c), of
-   which some change only in a part of the run or have tables with a step, the true error is below 3 times error in
-   99 % of the cases, and above 10 times (vm_osc_within: at most 10.3) in 1 of 1000; of 282 runs by the variation of
-   constants one erred by 37 times error, at alpha = 1.5. In the median, error is 3 to 4 (first order), 7 (second
-   order), 5 to 20 (integrators) and, with F, 5 to 10 (averaged) times the true error. With rk87 the true error is above 3 times error in 2 % of the cases, up to 20 times: if alpha is not an odd integer, its errors are
-   not proportional to the tolerance. Above alpha = 8 the error of the laws of first order is estimated too large.
-   VM_TOLERANCE_MISSED: x and v are computed, but error is larger than the tolerance (integrators only; with F
-   only the error of integrating the averaged equations counts). Errors leave *motion
-   untouched: VM_BAD_MASS (a mass or stiffness that is not positive between 0 and t), VM_BAD_ARGUMENT (alpha < 0, a
-   negative tolerance, null pointers, t outside a table, a table out of order), VM_NOT_FINITE, VM_NO_LAW (second-order
-   law with F; F on a body at rest at x = 0), VM_NOT_INTEGRATED (an integrator gave up, or would need 2^13 steps a
-   period, four times what its longest step asks for, or 2^23 of the present periods: every call ends). */
+/* Plan for many values of one problem's motion.
+   For vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged. Copies the problem; its tables and contexts
+   must outlive the plan. Errors leave the plan untouched: VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a function that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -209,14 +255,6 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;
-}
-
-/* The motion at the times of vmi_osc_check_time(t, .), by integration with one tolerance */
-enum { VMI_OSC_CHECKS = 8 };
-
-VM_API vm_real vmi_osc_check_time(vm_real t, int i)
-{
-    return i == VMI_OSC_CHECKS - 1 ? t : t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }
 
 #endif

@@ -1,4 +1,14 @@
-/* oscillators/resonance.h - steady vibrations, resonance curves, passage through resonance */
+/* oscillators/resonance.h - steady vibrations, resonance curves, passage through resonance
+
+   For an oscillator under harmonic excitation (forced.h): all steady vibrations and their stability, the
+   amplitude-frequency curve, its peak, and whether a slow change of frequency, mass or stiffness lets the vibration
+   pass through the resonance or captures it. All follow from the averaged equations, so that they hold near the main
+   resonance w(A) = nu. Mass, stiffness, frequency, force and their rates are taken as they are at one time t.
+
+       vm_steady_state steady[3];
+       int n = vm_forced_steady_states(&f, 0, steady); // f: a vm_forced after vm_forced_init
+
+   Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_RESONANCE_H
 #define VARMASS_OSCILLATORS_RESONANCE_H
 
@@ -8,35 +18,41 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
+#include "../base/words.h"
 #include "../base/zero.h"
 #include "forced.h"
 
-/* Steady vibrations, all quantities as they are at time t: at most three, their amplitudes growing. The number of
-   them, or a negative status. A is the mean amplitude; the waveform, with its ripple, is vm_forced_from_averaged's. For the
-   response at each frequency let now.nu run. Those far from w(A) = nu are labels only: the averaged equations hold
-   near the resonance. */
+/* A steady vibration: a solution A' = delta' = 0 of the averaged equations */
 typedef struct VM_TAG(vm_steady_state) {
-    vm_real nu, A, delta;
-    vm_real trace, det; /* of the averaged equations there: rates lambda^2 - trace lambda + det = 0 */
-    int stable;         /* det > 0 and trace < 0; det < 0 is a saddle */
+    vm_real nu;         /* frequency of the force, rad/s */
+    vm_real A;          /* mean amplitude, m; vm_forced_from_averaged gives the motion with its ripple */
+    vm_real delta;      /* phase before the force, rad, in (-pi, pi] */
+    vm_real trace, det; /* small deviations change at rates lambda with lambda^2 - trace lambda + det = 0 */
+    int stable;         /* 1 where det > 0 and trace < 0, else 0; det < 0 means a saddle */
 } vm_steady_state;
 
-/* Passage through the resonance, all rates as they are at time t. The backbone's amplitude A at nu; torque: the
-   drift of w - nu over the force's hold on it, below 1 the vibration may be captured and follow A, with the phase
-   delta, above 1 it passes; jump: half the range of the relative change of A in a quick passage, torque >> 1, over
-   all phases. For alpha = 1 A cannot be told from nu: it is the amplitude given. */
+/* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A, torque, delta, jump; /* delta NaN where torque > 1 */
+    vm_real A;              /* amplitude, m, on the backbone w(A) = nu; for alpha = 1 the amplitude that was given */
+    vm_real drift_ratio;    /* drift of w - nu over the largest drift that the force can hold. Below 1 the vibration
+                               may be captured and follow A, above 1 it passes */
+    vm_real delta;          /* phase before the force, rad, of the captured vibration; NaN where drift_ratio > 1 */
+    vm_real amplitude_jump; /* of a quick passage, drift_ratio much larger than 1: half the range, over all phases, of
+                               the relative change of the amplitude */
 } vm_passage;
 
-/* The resonance with all quantities frozen, p = q/(alpha+3) */
-typedef struct VM_TAG(vmi_forced_frozen_state) {
-    vm_real w1, exponent, nu, p, push; /* w = w1 A^exponent; push = force G/m, signed */
-} vmi_forced_frozen_state;
+/* The resonance at one time */
+typedef struct VM_TAG(vmi_resonance) {
+    vm_real w1, exponent; /* w = w1 A^exponent, rad/s */
+    vm_real nu;           /* frequency of the force, rad/s */
+    vm_real p;            /* q/(alpha+3), 1/s: free vibrations follow A' = -p A */
+    vm_real push;         /* F G/m, with the sign of F */
+} vmi_resonance;
 
-VM_API vmi_forced_frozen_state vmi_forced_freeze(const vm_forced *f, const vm_forced_parameters *n)
+/* The resonance with the parameters n */
+VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
-    vmi_forced_frozen_state z;
+    vmi_resonance z;
     z.w1 = vmi_forced_natural(f, n, 1);
     z.exponent = (f->alpha - 1) / 2;
     z.nu = n->nu;
@@ -45,16 +61,17 @@ VM_API vmi_forced_frozen_state vmi_forced_freeze(const vm_forced *f, const vm_fo
     return z;
 }
 
-/* ln of A w sqrt((w - nu)^2 + p^2)/|push|, 0 at a steady amplitude A = e^x */
-VM_API vm_real vmi_forced_excess(vm_real x, void *frozen)
+/* ln of A w sqrt((w - nu)^2 + p^2)/|push| at A = e^x, which is 0 for a steady vibration */
+VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
-    const vmi_forced_frozen_state *z = (const vmi_forced_frozen_state *)frozen;
+    const vmi_resonance *z = (const vmi_resonance *)resonance;
     const vm_real w = z->w1 * vmi_exp(z->exponent * x, 0), detuning = vmi_c_modulus(vmi_complex(w - z->nu, z->p));
     if (!(detuning > 0)) return -VM_MAX;
     return (1 + z->exponent) * x + vmi_log(z->w1 / VM_FABS(z->push) * detuning).hi;
 }
 
-VM_API vm_steady_state vmi_forced_state(const vmi_forced_frozen_state *z, vm_real alpha, vm_real A)
+/* The steady vibration of amplitude A, with trace and determinant of the linearized averaged equations */
+VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha, vm_real A)
 {
     const vm_real w = z->w1 * vmi_pow_checked(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
     vm_steady_state s;
@@ -67,120 +84,140 @@ VM_API vm_steady_state vmi_forced_state(const vmi_forced_frozen_state *z, vm_rea
     return s;
 }
 
-/* The values of x = ln A between which the excess is monotonic: w of det = 0, which is 2 alpha w^2 - (3 alpha + 1)
-   nu w + (alpha + 1)(nu^2 + p^2) = 0; their number */
-VM_API int vmi_forced_turns(const vmi_forced_frozen_state *z, vm_real alpha, vm_real *x)
+/* The extrema of the excess for alpha != 1, ascending: writes x = ln A of at most two and returns their number. There
+   det = 0, so that w solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
+VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
-    const vm_real half = (3 * alpha + 1) * z->nu + (square > 0 ? VM_SQRT(square) : 0);
-    int n = 0;
-    if (!(square > 0)) return 0; /* so for alpha = 1 */
-    x[n++] = vmi_log(2 * (alpha + 1) * (z->nu * z->nu + z->p * z->p) / (half * z->w1)).hi / z->exponent;
-    if (alpha > 0) x[n++] = vmi_log(half / (4 * alpha * z->w1)).hi / z->exponent;
-    if (n == 2 && x[0] > x[1]) {
-        x[2] = x[0];
-        x[0] = x[1];
-        x[1] = x[2];
+    vm_real half, first;
+    if (!(square > 0)) return 0;
+    half = (3 * alpha + 1) * z->nu + VM_SQRT(square);
+    x[0] = vmi_log(2 * (alpha + 1) * (z->nu * z->nu + z->p * z->p) / (half * z->w1)).hi / z->exponent;
+    if (!(alpha > 0)) return 1;
+    x[1] = vmi_log(half / (4 * alpha * z->w1)).hi / z->exponent;
+    if (x[0] > x[1]) {
+        first = x[1];
+        x[1] = x[0];
+        x[0] = first;
     }
-    return n;
+    return 2;
 }
 
-/* The steady amplitudes of alpha != 1: one at most below, between and above the turns */
-VM_API int vmi_forced_roots(vmi_forced_frozen_state *z, vm_real alpha, vm_real *A)
+/* The steady amplitudes of alpha != 1, at most three, ascending, and their number. The excess is monotonic below,
+   between and above its extrema, so that each of these intervals of x = ln A holds one zero at most. */
+VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
-    const vm_real steep = VM_FABS(z->exponent) > 1 ? VM_FABS(z->exponent) : 1;
-    const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* A and w are numbers to there */
-    vm_real ends[5], turns[3], left, right;
-    int i, n = vmi_forced_turns(z, alpha, turns), found = 0;
+    const vm_real steep = vmi_larger(VM_FABS(z->exponent), 1);
+    const vm_real reach = -vmi_log(VM_MIN).hi / steep; /* for |x| <= reach, A and w neither overflow nor underflow */
+    vm_real ends[4], turns[2], left, right;
+    int i, found = 0;
+    const int n = vmi_resonance_turns(z, alpha, turns);
     ends[0] = -reach;
     ends[n + 1] = reach;
-    for (i = 0; i < n; i++) ends[i + 1] = turns[i] < -reach ? -reach : turns[i] > reach ? reach : turns[i];
+    for (i = 0; i < n; i++) ends[i + 1] = vmi_clamp(turns[i], -reach, reach);
     for (i = 0; i <= n; i++) {
-        left = vmi_forced_excess(ends[i], z);
-        right = vmi_forced_excess(ends[i + 1], z);
+        left = vmi_resonance_excess(ends[i], z);
+        right = vmi_resonance_excess(ends[i + 1], z);
         if (!((left > 0) != (right > 0))) continue;
-        A[found++] = vmi_exp(vmi_find_zero(vmi_forced_excess, z, ends[i], ends[i + 1], left, right), 0);
+        A[found++] = vmi_exp(vmi_find_zero(vmi_resonance_excess, z, ends[i], ends[i + 1], left, right), 0);
     }
     return found;
 }
 
+/* Steady vibrations of an excited oscillator with all parameters as they are at time t.
+   Writes at most three to steady, the smallest amplitude first, and returns their number, 0 where the force is 0, or a
+   negative status. Amplitudes within some 100 eps of the averaged equations' solutions. For the response at each
+   frequency let nu run. Solutions far from w(A) = nu are formal, since the averaged equations hold near the resonance.
+   The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
+    vmi_forced_parameters n;
     int i, found = 0;
-    const int status = vmi_forced_check(&n);
+    const int status = vmi_forced_at(f, t, &n);
     vm_real A[3];
-    vmi_forced_frozen_state z;
+    vmi_resonance z;
     if (status) return status;
-    z = vmi_forced_freeze(f, &n);
+    z = vmi_resonance_of(f, &n);
     if (z.push == 0) return 0;
     if (f->alpha == 1) {
         A[0] = VM_FABS(z.push) / (z.w1 * vmi_c_modulus(vmi_complex(z.w1 - z.nu, z.p)));
         found = VM_IS_FINITE(A[0]);
-    } else found = vmi_forced_roots(&z, f->alpha, A);
-    for (i = 0; i < found; i++) steady[i] = vmi_forced_state(&z, f->alpha, A[i]);
+    } else {
+        found = vmi_resonance_roots(&z, f->alpha, A);
+    }
+    for (i = 0; i < found; i++) steady[i] = vmi_resonance_state(&z, f->alpha, A[i]);
     return found;
 }
 
-/* The amplitude-frequency curve, traced by its amplitude: the steady vibrations of amplitude A at any nu > 0, the
-   backbone w(A) in the middle between two. Their number, 0 where the force is too small for A, or a negative
-   status. */
+/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
+   Writes at most two to curve, the lower frequency first, one on each side of the backbone w(A). Returns their number,
+   0 where the force is too small for A, or a negative status: those of vm_forced_rhs, VM_DOMAIN also where A is not
+   positive and finite. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
-    vmi_forced_frozen_state z;
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
+    vmi_resonance z;
     vm_real w, hold, width, p;
     int found = 0;
     if (status) return status;
     if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
-    z = vmi_forced_freeze(f, &n);
+    z = vmi_resonance_of(f, &n);
     w = vmi_forced_natural(f, &n, A);
     hold = VM_FABS(z.push) / (w * A);
     p = VM_FABS(z.p);
     if (!(hold >= p) || z.push == 0) return 0;
-    width = VM_SQRT(hold - p) * VM_SQRT(hold + p);
+    width = VM_SQRT(hold - p) * VM_SQRT(hold + p); /* |w - nu| */
     z.nu = w - width;
-    if (z.nu > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A);
+    if (z.nu > 0) curve[found++] = vmi_resonance_state(&z, f->alpha, A);
     z.nu = w + width;
-    if (width > 0) curve[found++] = vmi_forced_state(&z, f->alpha, A); /* NaN: overflow */
+    if (width > 0) curve[found++] = vmi_resonance_state(&z, f->alpha, A);
     return found;
 }
 
-/* The amplitude where the curve meets the backbone, its largest; infinite without damping */
+/* Largest amplitude of the amplitude-frequency curve, m: where it meets the backbone w(A) = nu.
+   Infinite without damping. Within some eps. NaN for a null pointer and where the parameters at time t are not in
+   their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    vmi_forced_frozen_state z;
-    if (vmi_forced_check(&n)) return VM_NAN;
-    z = vmi_forced_freeze(f, &n);
+    vmi_forced_parameters n;
+    vmi_resonance z;
+    if (vmi_forced_at(f, t, &n)) return VM_NAN;
+    z = vmi_resonance_of(f, &n);
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* delta'' = -(gamma push/A) sin delta - nu D, a pendulum under a torque, gamma = (alpha - 1)/2, D the relative
-   drift of w - nu; and for gamma = 0 the same jump */
+/* Passage through the resonance at time t, by the rates of mass, stiffness and frequency at t.
+   amplitude, m, is used for alpha = 1 only, where the backbone is at one frequency for all amplitudes. On the backbone
+   delta'' = -(gamma push/A) sin(delta) - nu D, as for a pendulum under a torque, with gamma = (alpha - 1)/2 and D the
+   relative drift of w - nu; drift_ratio is this torque over the pendulum's largest. The statuses are those of
+   vm_forced_rhs, VM_DOMAIN also where the force is 0 or the amplitude is not positive and finite; then *passage is left
+   as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
-    const vm_forced_parameters n = vmi_forced_at(f, t);
-    const int status = vmi_forced_check(&n);
-    vmi_forced_frozen_state z;
+    vmi_forced_parameters n;
+    const int status = vmi_forced_at(f, t, &n);
+    vmi_resonance z;
     vm_passage r;
-    vm_real D, sine;
+    vm_real D, sine = VM_INFINITY, cosine;
     if (status) return status;
-    z = vmi_forced_freeze(f, &n);
-    r.A = z.exponent == 0 ? amplitude : vmi_pow_checked(z.nu / z.w1, 1 / z.exponent);
+    z = vmi_resonance_of(f, &n);
+    r.A = amplitude;
+    if (z.exponent != 0) r.A = vmi_pow_checked(z.nu / z.w1, 1 / z.exponent);
     if (!(r.A > 0) || !VM_IS_FINITE(r.A) || z.push == 0) return VM_DOMAIN;
     D = n.mass_rate / (2 * n.mass) - n.k_rate / (2 * n.k) + n.nu_rate / n.nu + z.exponent * z.p;
-    sine = z.exponent == 0 ? VM_INFINITY : -z.nu * D * r.A / (z.exponent * z.push);
-    r.torque = VM_FABS(sine);
-    r.delta = r.torque <= 1
-                  ? ateb_phase(sine, VM_COPYSIGN(VM_SQRT((1 - sine) * (1 + sine)), z.exponent * z.push), 1)
-                  : VM_NAN;
-    r.jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
+    if (z.exponent != 0) sine = -z.nu * D * r.A / (z.exponent * z.push);
+    r.drift_ratio = VM_FABS(sine);
+    r.delta = VM_NAN;
+    if (r.drift_ratio <= 1) {
+        cosine = VM_COPYSIGN(VM_SQRT((1 - sine) * (1 + sine)), z.exponent * z.push);
+        r.delta = ateb_phase(sine, cosine, 1);
+    }
+    r.amplitude_jump = VM_FABS(z.push) / (z.nu * r.A) * VM_SQRT(2 * VM_PI / (z.nu * VM_FABS(D)));
     *passage = r;
     return VM_OK;
 }

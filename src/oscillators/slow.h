@@ -1,4 +1,14 @@
-/* oscillators/slow.h - what oscillators with slowly varying mass share */
+/* oscillators/slow.h - laws that oscillators with slowly varying mass share
+
+   The amplitude and the largest velocity of an oscillator m x'' + k x|x|^(alpha-1) = -(r m' + b) x' whose mass m(t)
+   varies slowly, that is little within a period, in closed form: (325), (326), (344), (364), (367), (389), (395).
+   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on it.
+
+       vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
+
+   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, r = reactive, q the rate at which mass,
+   damping and stiffness change the vibration (vmi_slow_q). Averaging needs q much smaller than Om.
+   Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
 
@@ -7,82 +17,87 @@
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "constant_mass.h"
+#include "laws.h"
 
-/* A mass, and in this chapter's last sections all that depends on it, at time t: kg, and its rate in kg/s. Slow: it
-   changes little in a period. vm_slow_mass_linear is one, whose ctx is a vm_linear_mass. */
-typedef vm_real (*vm_slow_mass)(vm_real t, vm_real *rate, void *ctx);
-
-typedef struct VM_TAG(vm_linear_mass) {
-    vm_real mass, rate; /* mass + rate t */
-} vm_linear_mass;
-
-VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Whether the arguments of vm_osc_amplitude_law and vm_osc_velocity_law are in their domain */
+VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(damping) &&
+    return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(decay) &&
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude A/A0 and largest velocity over its first value when the mass has come to mass_ratio = m/m0 and
-   damping = integral of b/m dt. reactive: r = 1 where what joins or leaves has no velocity, so that there is a
-   reactive force; r = 0 where it has the body's, as what leaks out. To first order in m' and b:
-     A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 damping/(alpha+3))      [(325), (344), (367), (389) corrected]
-   All three averaging methods give it, once (335)'s sign is mended. */
-VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
+   (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)), (325), (344), (367), (389) corrected. All three averaging methods
+   give it, if the sign of (335) is mended. Pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
+   reactive, r, 1 where mass that joins or leaves is at rest, so that there is the full reactive force, 0 where it has
+   the body's own velocity, as what leaks out; alpha >= 0. To first order in m' and the damping; the rounding error is
+   some eps. NaN outside the domain and for infinite arguments. Time: a power and an exponential. */
+VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * damping / (alpha + 3), 0);
+    if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Documented with vm_osc_amplitude_law. */
-/* xdot_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected */
-VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real damping, vm_real reactive, vm_real alpha)
+/* Largest velocity over its first value, of an oscillator whose mass varies slowly.
+   It follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected.
+   Arguments, accuracy and errors are those of vm_osc_amplitude_law. */
+VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    vm_real share = (alpha + 1) / (alpha + 3);
-    if (!vmi_osc_law_is_in_domain(mass_ratio, damping, reactive, alpha)) return VM_NAN;
-    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * damping, 0);
+    const vm_real share = (alpha + 1) / (alpha + 3); /* exponent of the velocity over twice that of the amplitude */
+    if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
+    return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-VM_API vm_real vm_slow_mass_linear(vm_real t, vm_real *rate, void *linear_mass)
-{
-    if (!rate || !linear_mass) return VM_NAN;
-    const vm_linear_mass *m = (const vm_linear_mass *)linear_mass;
-    *rate = m->rate;
-    return m->mass + m->rate * t;
-}
+/* A linear mass m0 + rate t between 0 and t */
+typedef struct VM_TAG(vmi_linear_mass) {
+    vm_real m0, m, rate; /* at 0 and at t, kg; kg/s */
+    vm_real ln_ratio;    /* ln(m/m0) */
+    vm_real integral;    /* of dt/m from 0 to t, s/kg; smooth through rate = 0 */
+} vmi_linear_mass;
 
-/* The mass at t; VM_BAD_ARGUMENT where there is no law, VM_BAD_MASS, VM_NOT_FINITE */
-VM_API int vmi_slow_mass(vm_slow_mass law, void *ctx, vm_real t, vm_real *mass, vm_real *rate)
+/* The linear mass that a law is, between 0 and t: closed forms need it. VM_NO_LAW where the law is not linear, that is
+   not f0 exp(rate u) with rate = base. VM_BAD_MASS where a mass is not positive; VM_BAD_ARGUMENT, VM_NOT_FINITE. */
+VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
-    if (!law) return VM_BAD_ARGUMENT;
-    *mass = law(t, rate, ctx);
-    if (!VM_IS_FINITE(*mass) || !VM_IS_FINITE(*rate)) return VM_NOT_FINITE;
-    return *mass > 0 ? VM_OK : VM_BAD_MASS;
-}
-
-/* ln(m/m0) and the integral of dt/m for the linear mass, smooth through m' = 0; 0 where a mass is not positive */
-VM_API int vmi_slow_linear(vm_linear_mass m, vm_real t, vm_real *ln_ratio, vm_real *integral)
-{
-    const vm_real growth = m.rate * t / m.mass;
-    vm_real mean;
-    if (!(m.mass > 0) || !(growth > -1) || !VM_IS_FINITE(m.mass) || !VM_IS_FINITE(growth)) return 0;
+    vm_real growth, mean, base, rate;
+    int status = vmi_law_at(law, VM_BAD_MASS, 0, &linear->m0, &linear->rate);
+    if (!status) status = vmi_law_at(law, VM_BAD_MASS, t, &linear->m, &rate);
+    if (status) return status;
+    if (!vmi_law_exponential_form(law, &base, &rate) || base != rate) return VM_NO_LAW;
+    growth = linear->rate * t / linear->m0;
+    if (!VM_IS_FINITE(growth)) return VM_NOT_FINITE;
+    if (!(growth > -1)) return VM_BAD_MASS;
     mean = vmi_log_ratio(growth); /* of m0/m */
-    *ln_ratio = growth * mean;
-    *integral = t / m.mass * mean;
-    return 1;
+    linear->ln_ratio = growth * mean;
+    linear->integral = t / linear->m0 * mean;
+    return VM_OK;
 }
 
-/* Om, the rate of the Ateb phase; 0 at rest, where it may be infinite */
+/* (2r - 1) m' + 2 b, kg/s: what the reactive force and the damping b together take from the vibration. Where mass
+   joins at rest (r = 1) it is m' + 2 b, where it joins with the body's velocity (r = 0) -m' + 2 b. */
+VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real damping)
+{
+    return (2 * reactive - 1) * mass_rate + 2 * damping;
+}
+
+/* q = ((2r - 1) m' + 2 b)/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration. The mean
+   amplitude follows A' = -q A/(alpha + 3). */
+VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
+
+/* Om, the rate of the Ateb phase at amplitude A; 0 at rest, where the formula may give infinity */
 VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
 {
-    return A == 0 && alpha < 1 ? 0 : vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
+    if (A == 0 && alpha < 1) return 0;
+    return vmi_osc_rate(A, VM_SQRT(k / mass), alpha);
 }
 
-/* x = A ca(psi), x' = -vmax(A) sa(psi), and back */
+/* x = A ca(psi) and x' = -vmax(A) sa(psi) */
 VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_real alpha, vm_real *x, vm_real *v)
 {
     vmi_osc_at_phase(A, psi, VM_SQRT(k / mass), alpha, x, v);
 }
 
+/* A and psi from x and x' = v, the inverse of vmi_slow_motion */
 VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
 {
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);

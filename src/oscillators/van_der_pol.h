@@ -1,4 +1,20 @@
-/* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass */
+/* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
+
+   The equation is (404), with the mass m(t) and a spring of any exponent alpha:
+       m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
+   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. Here are the equation of
+   motion, the averaged equations (410), the amplitude in closed form for a linear mass, and that of the limit cycle:
+   (403) to (440), corrected.
+
+       vm_vdp v;
+       memset(&v, 0, sizeof v);
+       v.alpha = v.k = v.reactive = 1;
+       v.feed = v.c = VM_C(0.1);
+       v.mass = vm_law_linear(1, VM_C(0.02)); // 1 kg, and 0.02 kg/s joins at rest
+       int status = vm_vdp_init(&v);
+       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // at t = 100 s, where it was 0.3 m at t = 0
+
+   Tests: tests/test_van_der_pol.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_H
 
@@ -9,114 +25,158 @@
 #include "../base/status.h"
 #include "../jacobi/means.h"
 #include "constant_mass.h"
+#include "force_terms.h"
+#include "laws.h"
 #include "slow.h"
 
-/* m x'' + k x|x|^(alpha-1) = (b - c x^2) x' - r m' x' (404). Here b > 0 feeds the vibration; b and c are the eps b
-   and eps c of [1], of either sign. vm_vdp_init checks alpha, k, b, c, reactive and method and fills a1, a2, a3,
-   which the other functions need; the mass is for the equations of motion only. */
-typedef struct VM_TAG(vm_vdp) {
-    vm_real alpha, k, b, c; /* alpha >= 0; k > 0 N/m^alpha; kg/s; kg/(s m^2) */
-    vm_real reactive;       /* r: 1 where what joins or leaves is at rest, 0 where it has the body's velocity */
-    int method;             /* of averaging */
-    vm_slow_mass mass;
-    void *mass_ctx;
-    vm_real a1, a2, a3;
-} vm_vdp;
-
+/* Methods of averaging: what the mean values are taken of */
 enum {
-    VM_VDP_ATEB = 0,         /* about the exact generating solution: a1 = 1, exact to first order */
-    VM_VDP_JACOBI = 1,       /* (411)-(413), exact means; the steady amplitude is right to 0.5 % for alpha <= 5 */
-    VM_VDP_TRIGONOMETRIC = 2 /* a3/a1 = 1/(2 (alpha + 3)): the steady amplitude does not depend on alpha */
+    VM_VDP_ATEB = 0,         /* the exact motion without damping, by Ateb functions: exact to first order */
+    VM_VDP_JACOBI = 1,       /* cn (411)-(413): the limit cycle's amplitude is right to 0.5 % for alpha <= 5 */
+    VM_VDP_TRIGONOMETRIC = 2 /* the cosine: the limit cycle's amplitude does not depend on alpha */
 };
 
+/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c of
+   the dissertation; both may have either sign. */
+typedef struct VM_TAG(vm_vdp) {
+    vm_real alpha;      /* exponent of the spring, >= 0 */
+    vm_real k;          /* stiffness, N/m^alpha, > 0 */
+    vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
+    vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
+    vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    int method;         /* of averaging, VM_VDP_... */
+    vm_law mass;        /* kg, > 0, slow; vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_real a1, a2, a3; /* mean values, pure numbers; vm_vdp_init writes them */
+} vm_vdp;
+
+/* The mean values a1, a2, a3 of averaging with cn. (411) for a1 is simplified by (1 - m) + m C4 = 2 a2. */
+VM_API void vmi_vdp_jacobi_means(vm_vdp *v)
+{
+    const vm_real m = vm_osc_jacobi_parameter(v->alpha);
+    vm_real C2, C4, C6;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
+    v->a1 = (v->alpha + 3) / 2 * v->a2;
+    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+}
+
+/* Prepare a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, writes a1, a2, a3.
+   The functions below need it; the mass may be set and changed later. Mean values are within 20 eps. VM_BAD_ARGUMENT
+   for a null pointer or an unknown method, VM_NOT_FINITE, VM_BAD_STIFFNESS where k <= 0, VM_DOMAIN where alpha < 0;
+   then v is left as it was. (411)-(413). */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
-    vm_real C2, C4, C6, m;
     if (!v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->b) || !VM_IS_FINITE(v->c) ||
+    if (!VM_IS_FINITE(v->alpha) || !VM_IS_FINITE(v->k) || !VM_IS_FINITE(v->feed) || !VM_IS_FINITE(v->c) ||
         !VM_IS_FINITE(v->reactive))
         return VM_NOT_FINITE;
-    if (!(v->alpha >= 0) || !(v->k > 0)) return VM_DOMAIN;
+    if (!(v->k > 0)) return VM_BAD_STIFFNESS;
+    if (!(v->alpha >= 0)) return VM_DOMAIN;
     v->a1 = 1;
     v->a2 = 2 / (v->alpha + 3);
     if (v->method == VM_VDP_ATEB) v->a3 = 2 / (v->alpha + 1) * ateb_mean(v->alpha, 2, 2);
-    if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
-    if (v->method != VM_VDP_JACOBI) return VM_OK;
-    m = vm_osc_jacobi_parameter(v->alpha);
-    jacobi_cn_means(m, &C2, &C4, &C6);
-    v->a2 = (1 - m) - (1 - 2 * m) * C2 - m * C4;
-    v->a1 = (v->alpha + 3) / 2 * v->a2; /* (411), since (1 - m) + m C4 = 2 a2 */
-    v->a3 = (1 - m) * C2 - (1 - 2 * m) * C4 - m * C6;
+    else if (v->method == VM_VDP_TRIGONOMETRIC) v->a3 = v->a2 / 4;
+    else vmi_vdp_jacobi_means(v);
     return VM_OK;
 }
 
-/* 2b - (2r-1) m', what feeds the vibration */
+/* 2 feed - (2r - 1) m', N s/m: what feeds a small vibration on average */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
-    return 2 * v->b - (2 * v->reactive - 1) * mass_rate;
+    return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* Amplitude at t where it was first_A at t = 0 and the mass is m.mass + m.rate t > 0; m.rate may be 0: (422), (424),
-   (427), (429), (431)-(435), (437) in one, as corrected, smooth through q = 0. Right to 1e-14 but for what is
-   averaged. c < 0 may carry it to infinity in a finite time: NaN from there on. */
-/* 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 int e^F dt/m) (416). F = drive a2/a1 int dt/m is linear in int dt/m where m' is
-   constant, so that the integral is phi(F) int dt/m. Written with e^-|F| and the larger of the two terms taken out.
-   */
-VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A, vm_linear_mass m)
+/* The averaged Van der Pol term and reactive force: a1 m A'/A at amplitude A, N s/m (410). Its zero is the amplitude
+   of the limit cycle; the closed form of vm_vdp_amplitude solves A' = A (p - s A^2)/(a1 m), of which it is the
+   bracket. */
+VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
+{
+    return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
+}
+
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
+   t = 0, of either sign. One formula for (422), (424), (427), (429), (431)-(435), (437), as corrected, without a
+   singularity where terms cancel. The error is that of averaging (see `method`) and some 12 eps. NaN for a null
+   pointer, an oscillator that is not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a
+   law of mass that is neither linear nor constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the
+   time on when the amplitude becomes infinite. Method: the solution of (416) is 1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1
+   times the integral of e^F dt/m), where F = drive a2/a1 times the integral of dt/m. For a linear mass F is
+   proportional to that integral, hence the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. It is
+   evaluated with e^-|F| and with the larger of the two terms divided out, so that nothing overflows. */
+VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
-    vm_real ln_ratio, integral, F, damping, root, e, s, denominator;
-    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || !vmi_slow_linear(m, t, &ln_ratio, &integral)) return VM_NAN;
-    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * integral - (2 * v->reactive - 1) * (v->a2 / v->a1) * ln_ratio;
+    vmi_linear_mass m;
+    vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
+    if (!VM_IS_FINITE(first_A) || !(v->a1 > 0) || vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
+        (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
     e = vmi_exp(-VM_FABS(F), 0);
-    damping = 2 * v->c * (v->a3 / v->a1) * integral * vmi_exp_ratio(-VM_FABS(F));
-    root = VM_SQRT(VM_FABS(damping));
-    s = VM_FABS(first_A) * root; /* squared, and with damping's sign, beside 1 or e^-|F| */
-    if (s > 1) {
-        denominator = (F > 0 ? e / s : 1 / s) / s + VM_COPYSIGN(1, damping);
-        first_A = VM_COPYSIGN(1 / root, first_A);
+    limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
+    root = VM_SQRT(VM_FABS(limit));
+    size = VM_FABS(first_A) * root; /* its square, with the sign of limit, stands beside free_term */
+    if (F > 0) {
+        numerator = 1;
+        free_term = e;
     } else {
-        denominator = (F > 0 ? e : 1) + VM_COPYSIGN(s * s, damping);
+        numerator = e;
+        free_term = 1;
     }
-    return denominator < 0 ? VM_NAN : first_A * VM_SQRT((F > 0 ? 1 : e) / denominator);
+    if (size > 1) {
+        scale = VM_COPYSIGN(1 / root, first_A);
+        denominator = free_term / size / size + VM_COPYSIGN(1, limit);
+    } else {
+        scale = first_A;
+        denominator = free_term + VM_COPYSIGN(size * size, limit);
+    }
+    if (denominator < 0) return VM_NAN;
+    return scale * VM_SQRT(numerator / denominator);
 }
 
-/* The amplitude other than 0 that stays while the mass changes at mass_rate, (425), (430), (438); 0 where there is
-   none. stable, where not null: whether the amplitudes around tend to the one returned. */
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438).
+   0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. Within
+   some 12 eps for the mean values of the method. NaN for a null pointer, an oscillator that is not prepared, or an
+   infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
     const vm_real drive = vmi_vdp_drive(v, mass_rate);
     const int exists = (drive > 0 && v->c > 0) || (drive < 0 && v->c < 0);
+    const int limited = v->c > 0, rest_is_stable = drive < 0 || (drive == 0 && limited);
     if (!VM_IS_FINITE(drive) || !(v->a1 > 0)) return VM_NAN;
-    if (stable_or_NULL) *stable_or_NULL = exists ? v->c > 0 : drive < 0 || (drive == 0 && v->c > 0);
-    return exists ? VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3))) : 0;
+    if (stable_or_NULL) *stable_or_NULL = exists ? limited : rest_is_stable;
+    if (!exists) return 0;
+    return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
 }
 
-/* Equations for rk45 or rk87, ctx a vm_vdp: of motion, y = (x, x') (404); averaged, y = (A, psi), any mass (410),
-   where x = A ca(psi). They return a status of this header, which stops the run, where the mass is not positive. */
+/* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
+   y = (x, x'), m and m/s; vdp points to a vm_vdp. VM_BAD_ARGUMENT for null pointers or where no constructor made the
+   mass, VM_BAD_MASS, VM_NOT_FINITE; these statuses stop the run. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    vm_real mass, rate, feed;
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
+    feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
-    dydt[1] = ((v->b - v->c * y[0] * y[0] - v->reactive * rate) * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) /
-              mass;
+    dydt[1] = (feed * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
     return VM_OK;
 }
 
-/* Documented with vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87, with any slow mass. y = (A, psi): mean
+   amplitude, m, and Ateb phase; x = A ca(psi), at the turning points |x| = A. vdp points to a vm_vdp that is
+   prepared. From rest A errs by the square of (feed, c A^2, m')/(m Om) over times of m/feed, psi by the first power
+   (method VM_VDP_ATEB). The errors are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
     vm_real mass, rate;
-    const int status = vmi_slow_mass(v->mass, v->mass_ctx, t, &mass, &rate);
+    const int status = vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate);
     if (status) return status;
-    dydt[0] = y[0] / (v->a1 * mass) * (vmi_vdp_drive(v, rate) * v->a2 / 2 - v->c * y[0] * y[0] * v->a3);
+    dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
     dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
     return VM_OK;
 }

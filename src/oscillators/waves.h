@@ -1,4 +1,14 @@
-/* oscillators/waves.h - the wave forms of a strongly nonlinear oscillator: cosine, cn, ca */
+/* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
+
+   The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
+   the phase psi (282), (283). Two simpler waves with the same amplitude and period stand in for ca: cos (291), (329)
+   and Jacobi's cn (297), (370). A vmi_osc_wave is one of the three, with all that averaged equations need of it:
+     A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
+   for a force F on the mass m, where q is the rate at which stiffness, mass and damping change the motion.
+   A new form is a function that evaluates it and a constructor.
+       vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
+       vmi_osc_wave_at(&w, psi, &c, &s); // x = A c, x' = -w.speed vmax(A) s
+   Tests: tests/test_constant_mass.c, tests/test_averaging.c. */
 #ifndef VARMASS_OSCILLATORS_WAVES_H
 #define VARMASS_OSCILLATORS_WAVES_H
 
@@ -11,71 +21,131 @@
 #include "../jacobi/means.h"
 #include "../jacobi/modulus.h"
 
-/* Routes to x(t), x'(t), the cheapest first. q = (ln k)' + (2r-1)(ln m)' + 2b/m is the rate at which things change,
-   Om the rate of the Ateb phase; q/Om must be small for the first four. */
-enum {
-    VM_ROUTE_TRIG = 0,      /* (329), (330), averaged to first order, with the sign of (335) mended */
-    VM_ROUTE_JACOBI = 1,    /* (370), (371), averaged to first order */
-    VM_ROUTE_ATEB = 2,      /* (310), (311), averaged to first order: error q/Om */
-    VM_ROUTE_SECOND = 3,    /* the second-order law: error (q/Om)^2; without F only */
-    VM_ROUTE_VARIATION = 4, /* exact equations of amplitude and phase, (314), (315) completed, by rk45 */
-    VM_ROUTE_RK45 = 5,      /* the equation of motion itself */
-    VM_ROUTE_RK87 = 6
+typedef struct VM_TAG(vmi_osc_wave) vmi_osc_wave;
+struct VM_TAG(vmi_osc_wave) {
+    /* c and s at Ateb phase psi */
+    void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
+    /* how far the wave is from ca and sa, where mean_ca2 is the mean of ca^2; null: it is ca */
+    vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
+    vm_real alpha;
+    vm_real turn;               /* the wave's own angle is turn psi */
+    vm_real speed;              /* x' = -speed vmax(A) s */
+    vm_real gain_A, gain_theta; /* factors of the means of the force */
+    vm_real m;                  /* of cn: parameter m = k^2; else 0 */
+    vm_real mean_c2;            /* of cn: the mean of cn^2; else 0 */
+    const ateb_plan *ateb;      /* of ca, may be null */
 };
 
-/* A periodic function that stands for the motion, x = A c, x' = -speed vmax(A) s, as a function of the Ateb phase
-   psi, of which its own angle is turn psi. In the averaged equations with a force F by mass, V = speed vmax(A),
-     A'/A = -q/(alpha+3) - gain_A <F s>/V,   theta' = -gain_theta <F c>/V   (in its own angle) */
-typedef struct VM_TAG(vmi_osc_wave) {
-    int method;
-    vm_real alpha, turn, speed, gain_A, gain_theta;
-    vm_real m; /* k^2 of cn */
-    const ateb_plan *ateb;
-} vmi_osc_wave;
+VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s) { w->at(w, psi, c, s); }
 
-VM_API vmi_osc_wave vmi_osc_wave_of(int method, vm_real alpha, vm_real pi, const ateb_plan *ateb_or_NULL)
+/* -- ca: exact -- */
+VM_API void vmi_osc_ca_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
+{
+    ateb_saca(psi, w->alpha, s, c);
+}
+
+VM_API void vmi_osc_ca_by_plan(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
+{
+    ateb_plan_saca(w->ateb, psi, s, c);
+}
+
+/* The wave x = A ca(psi), x' = -vmax(A) sa(psi); with a plan for this alpha it is evaluated faster. */
+VM_API vmi_osc_wave vmi_osc_wave_ca(vm_real alpha, const ateb_plan *ateb_or_NULL)
 {
     vmi_osc_wave w;
-    w.method = method;
+    w.at = ateb_or_NULL ? vmi_osc_ca_by_plan : vmi_osc_ca_at;
+    w.error = NULL;
     w.alpha = alpha;
-    w.ateb = ateb_or_NULL;
-    w.turn = w.speed = w.gain_theta = 1;
+    w.turn = 1;
+    w.speed = 1;
     w.gain_A = 2 / (alpha + 1);
+    w.gain_theta = 1;
     w.m = 0;
-    if (method == VM_ROUTE_TRIG) {
-        w.turn = VM_PI / pi;
-        w.gain_A = w.gain_theta = 4 / (alpha + 3); /* 5 - alpha in (337)-(339): the sign in (335) */
-    }
-    if (method == VM_ROUTE_JACOBI) {
-        vm_real C2, C4, C6, bracket;
-        w.m = jacobi_solve_kpK(pi / (alpha + 1));
-        w.turn = 2 * jacobi_K(w.m) / pi;
-        jacobi_cn_means(w.m, &C2, &C4, &C6);
-        bracket = (1 - w.m) + w.m * C4; /* = 2 <sn^2 dn^2> */
-        w.gain_A = 4 / ((alpha + 3) * bracket);
-        w.gain_theta = 1 / bracket;
-    }
-    if (method != VM_ROUTE_ATEB) w.speed = (alpha + 1) / 2 * w.turn;
+    w.mean_c2 = 0;
+    w.ateb = ateb_or_NULL;
     return w;
 }
 
-VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
+/* -- cos: exact for alpha = 1 -- */
+VM_API void vmi_osc_cos_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
 {
-    if (w->method == VM_ROUTE_TRIG) vmi_sincos(w->turn * psi, s, c);
-    else if (w->method == VM_ROUTE_JACOBI) {
-        vm_real dn;
-        jacobi_sncndn(w->turn * psi, w->m, s, c, &dn);
-        *s *= dn;
-    } else if (w->ateb) ateb_plan_saca(w->ateb, psi, s, c);
-    else ateb_saca(psi, w->alpha, s, c);
+    vmi_sincos(w->turn * psi, s, c);
 }
 
-/* Largest differences from ca and sa, over a quarter of the period, at points that crowd where x = 0 */
-VM_API void vmi_osc_wave_errors(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
+/* The velocity at x = 0 is what is wrong most. */
+VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
+{
+    (void)mean_ca2;
+    return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
+}
+
+/* The wave x = A cos with the exact period; pi = Pi_alpha. The gains are those of (337)-(339) with alpha + 3 for
+   5 - alpha, which comes from a wrong sign in (335). */
+VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
+{
+    vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
+    w.at = vmi_osc_cos_at;
+    w.error = vmi_osc_cos_error;
+    w.turn = VM_PI / pi;
+    w.speed = (alpha + 1) / 2 * w.turn;
+    w.gain_A = 4 / (alpha + 3);
+    w.gain_theta = w.gain_A;
+    return w;
+}
+
+/* -- cn: exact for alpha = 1 and 3 -- */
+
+/* c = cn, s = sn dn */
+VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
+{
+    vm_real sn, dn;
+    jacobi_sncndn(w->turn * psi, w->m, &sn, c, &dn);
+    *s = sn * dn;
+}
+
+/* From the mean of the square, which is right where cn is exact, times a factor that fits the largest error within
+   5 % for alpha <= 10 */
+VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
+{
+    return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
+}
+
+/* The wave x = A cn with the exact period and the exact velocity at x = 0; pi = Pi_alpha. m by (307), the gains of
+   (380)-(382). */
+VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
+{
+    vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
+    vm_real C2, C4, C6, bracket; /* the means of cn^2, cn^4, cn^6; 2 <sn^2 dn^2> */
+    w.at = vmi_osc_cn_at;
+    w.error = vmi_osc_cn_error;
+    w.m = jacobi_solve_kpK(pi / (alpha + 1));
+    w.turn = 2 * jacobi_K(w.m) / pi;
+    w.speed = (alpha + 1) / 2 * w.turn;
+    jacobi_cn_means(w.m, &C2, &C4, &C6);
+    w.mean_c2 = C2;
+    bracket = (1 - w.m) + w.m * C4;
+    w.gain_A = 4 / ((alpha + 3) * bracket);
+    w.gain_theta = 1 / bracket;
+    return w;
+}
+
+/* -- How good a wave is -- */
+
+/* Estimate of the larger of the wave's errors of x/A and x'/vmax, at most 1 */
+VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
+{
+    const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
+    return vmi_smaller(error, 1);
+}
+
+/* The largest differences of c from ca and of speed s from sa, over a quarter of the period, at points that crowd
+   where x = 0 */
+VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
     int i;
-    *x_error = *v_error = 0;
+    *x_error = 0;
+    *v_error = 0;
     for (i = 0; i <= points; i++) {
         const vm_real u = (vm_real)i / (vm_real)points, psi = pi / 2 * (1 - u * u);
         vm_real sa, ca, c, s;
@@ -85,21 +155,6 @@ VM_API void vmi_osc_wave_errors(const vmi_osc_wave *w, vm_real pi, vm_real *x_er
         s = VM_FABS(w->speed * s - sa);
         if (c > *x_error) *x_error = c;
         if (s > *v_error) *v_error = s;
-    }
-}
-
-/* -- The plan -- */
-VM_API const char *vm_osc_route_name(int route)
-{
-    switch (route) {
-    case VM_ROUTE_TRIG: return "trigonometric";
-    case VM_ROUTE_JACOBI: return "Jacobi";
-    case VM_ROUTE_ATEB: return "Ateb, first order";
-    case VM_ROUTE_SECOND: return "second-order law";
-    case VM_ROUTE_VARIATION: return "variation of constants, rk45";
-    case VM_ROUTE_RK45: return "direct, rk45";
-    case VM_ROUTE_RK87: return "direct, rk87";
-    default: return "unknown route";
     }
 }
 

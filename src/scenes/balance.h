@@ -1,4 +1,15 @@
-/* scenes/balance.h - the book of momentum, angular momentum and energy */
+/* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
+
+   A scene that keeps a budget integrates along with its bodies what comes in from outside: the impulse and the work of
+   the effects, and what streams bring. At any time, what is there must be what was there at the start plus what came
+   in. The difference, the defect, shows the error of a run, and what constraints take.
+
+       vm_budget budget, now;
+       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET numbers more
+       ...                                              // vm_scene_start, vm_scene_run
+       vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
+
+   Tests: tests/test_scene_runs.c, tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_BALANCE_H
 #define VARMASS_SCENES_BALANCE_H
 
@@ -14,42 +25,58 @@
 #include "start.h"
 #include "state.h"
 
-VM_INLINE void vmi_add3(vm_vec3 a, vm_real *d) {
-d[0] += a.x;
-d[1] += a.y;
-d[2] += a.z; }
+/* Places of the sums in the VM_BUDGET numbers of the state */
+enum {
+    VMI_BUDGET_IMPULSE = 0,
+    VMI_BUDGET_ANGULAR_IMPULSE = 3,
+    VMI_BUDGET_BROUGHT = 6,
+    VMI_BUDGET_BROUGHT_ANGULAR = 9,
+    VMI_BUDGET_WORK = 12,
+    VMI_BUDGET_BROUGHT_ENERGY = 13,
+    VMI_BUDGET_MIXING = 14
+};
 
-/* What a body's load adds to the book by the second: impulse, angular impulse, momentum and angular momentum brought,
-   work, energy brought, mixing */
-VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *d)
+VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
+{
+    sum[0] += a.x;
+    sum[1] += a.y;
+    sum[2] += a.z;
+}
+
+/* Adds to the rates of the sums what the load of a body makes of them */
+VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    const vm_vec3 at = vmi_scene_moving(b, y + b->at);
+    const vm_real *state = y + b->at;
+    const vm_vec3 r = vmi_scene_moving(b, state), v = vmi_scene_moving(b, state + b->positions);
     const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
     const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
-    const vm_vec3 brought = vmi_scene_moving(b, load->brought);
-    vmi_add3(force, d);
-    vmi_add3(vmi_add(torque, vmi_cross(at, force)), d + 3);
-    vmi_add3(brought, d + 6);
-    vmi_add3(vmi_add(vmi_scene_turning(b, load->brought), vmi_cross(at, brought)), d + 9);
-    d[12] += vmi_dot(force, vmi_scene_moving(b, y + b->at + b->positions)) + vmi_dot(torque, vmi_scene_spin(b, y));
-    d[13] += load->brought_energy;
-    d[14] += load->mixing;
+    const vm_vec3 brought = vmi_scene_moving(b, load->brought), turning = vmi_scene_turning(b, load->brought);
+    vmi_add3(force, rates + VMI_BUDGET_IMPULSE);
+    vmi_add3(vmi_add(torque, vmi_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
+    vmi_add3(brought, rates + VMI_BUDGET_BROUGHT);
+    vmi_add3(vmi_add(turning, vmi_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
+    rates[VMI_BUDGET_WORK] += vmi_dot(force, v) + vmi_dot(torque, vmi_scene_spin(b, y));
+    rates[VMI_BUDGET_BROUGHT_ENERGY] += load->brought_energy;
+    rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *d)
+/* Adds what a body makes of the rates. The part M'(v) v' of its mass rate is known only now, with the acceleration
+   v'. */
+VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
-    if (load->by_v != 0) { /* M'(v) v' is known only now */
-        const vm_real rate = load->by_v * (load->force[0] / (load->mass + load->extra));
-        const vm_real faster = load->own - y[b->at + 1];
-        load->brought[0] += rate * load->own;
-        load->brought_energy += rate * load->own * load->own / 2;
-        load->mixing += rate * faster * faster / 2;
+    if (load->mass_by_v != 0) {
+        const vm_real mass_rate = load->mass_by_v * (load->force[0] / (load->mass + load->extra_mass));
+        const vm_real faster = load->joining_v - y[b->at + 1];
+        load->brought[0] += mass_rate * load->joining_v;
+        load->brought_energy += mass_rate * load->joining_v * load->joining_v / 2;
+        load->mixing += mass_rate * faster * faster / 2;
     }
-    vmi_scene_enter_loads(b, y, d);
+    vmi_scene_enter_loads(b, y, rates);
 }
 
+/* The derivatives of the sums, after an evaluation */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -58,13 +85,14 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
 
-/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are there */
-VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *book)
+/* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. What is the mass of a
+   body on an axle is its inertia and has no momentum. */
+VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
     int i;
-    book->momentum = book->angular_momentum = zero;
-    book->energy = 0;
+    budget->momentum = budget->angular_momentum = zero;
+    budget->energy = 0;
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         vm_body now;
@@ -74,63 +102,66 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *boo
         if (b->motion == VM_AXLE) now.mass = 0;
         p = vmi_scale(now.mass, now.v);
         spin = vmi_spin_momentum(&now);
-        book->momentum = vmi_add(book->momentum, p);
-        book->angular_momentum = vmi_add(book->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
-        book->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
+        budget->momentum = vmi_add(budget->momentum, p);
+        budget->angular_momentum = vmi_add(budget->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
+        budget->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
     }
 }
 
-VM_API void vmi_scene_open_book(vm_scene *s, const vm_real *y, vm_real *sums)
+/* At the start of the scene: notes what is there, and sets the sums to 0 */
+VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 {
-    const vm_budget hooks = *s->book;
+    const vm_budget functions = *s->budget;
     int i;
-    memset(s->book, 0, sizeof *s->book);
-    s->book->open = hooks.open;
-    s->book->rates = hooks.rates;
-    s->book->totals = hooks.totals;
-    vmi_scene_totals(s, y, s->book);
+    memset(s->budget, 0, sizeof *s->budget);
+    s->budget->open = functions.open;
+    s->budget->rates = functions.rates;
+    s->budget->totals = functions.totals;
+    vmi_scene_totals(s, y, s->budget);
     for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
 }
 
-/* Before vm_scene_start: the scene keeps book of momentum, angular momentum and energy, in VM_BUDGET more numbers of
-   the state; NULL: no longer */
-VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *book)
+/* Makes a scene keep a budget of momentum, angular momentum and energy, or, with NULL, no longer. To be called before
+   vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene keeps in
+   it what was there at the start. A budget may be given up between two runs, but not begun. */
+VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
-    scene->book = book;
-    if (!book) return;
-    memset(book, 0, sizeof *book);
-    book->open = vmi_scene_open_book;
-    book->rates = vmi_scene_rates;
-    book->totals = vmi_scene_totals;
+    scene->budget = budget_or_NULL;
+    if (!budget_or_NULL) return;
+    memset(budget_or_NULL, 0, sizeof *budget_or_NULL);
+    budget_or_NULL->open = vmi_scene_open_budget;
+    budget_or_NULL->rates = vmi_scene_rates;
+    budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* Momentum, angular momentum and energy in state y, what came in since the start, and the defects: what rounding and
-   the integrator's errors leave, and what a constraint takes (a line, an axle, the plane hold their bodies).
-   VM_BAD_ARGUMENT where there is no book. */
-VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *book)
+/* The budget of a scene in the state y at time t: what is there, what came in since the start, and the defects. Defects
+   are what rounding and the integrator's errors leave, and what constraints take: a line, an axle, the plane hold their
+   bodies.
+   VM_BAD_ARGUMENT where the scene keeps no budget or a pointer is NULL; VM_NOT_STARTED. */
+VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
-    const vm_budget *start = scene ? scene->book : NULL;
-    const vm_real *d;
+    const vm_budget *start = scene ? scene->budget : NULL;
+    const vm_real *sums;
     vm_budget b;
-    if (!start || !y || !book) return VM_BAD_ARGUMENT;
+    if (!start || !y || !budget) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start;
-    d = y + vm_scene_size(scene) - VM_BUDGET;
+    sums = y + vm_scene_size(scene) - VM_BUDGET;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
-    b.impulse = vmi_add(start->impulse, vmi_vec3(d[0], d[1], d[2]));
-    b.angular_impulse = vmi_add(start->angular_impulse, vmi_vec3(d[3], d[4], d[5]));
-    b.brought = vmi_vec3(d[6], d[7], d[8]);
-    b.brought_angular = vmi_vec3(d[9], d[10], d[11]);
-    b.work = d[12];
-    b.brought_energy = d[13];
-    b.mixing = d[14];
+    b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
+    b.angular_impulse = vmi_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
+    b.brought = vmi_get3(sums + VMI_BUDGET_BROUGHT);
+    b.brought_angular = vmi_get3(sums + VMI_BUDGET_BROUGHT_ANGULAR);
+    b.work = sums[VMI_BUDGET_WORK];
+    b.brought_energy = sums[VMI_BUDGET_BROUGHT_ENERGY];
+    b.mixing = sums[VMI_BUDGET_MIXING];
     b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
     b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
                                vmi_add(b.angular_impulse, b.brought_angular));
     b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
-    *book = b;
+    *budget = b;
     return VM_OK;
 }
 

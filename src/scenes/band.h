@@ -1,4 +1,16 @@
-/* scenes/band.h - a band that winds up */
+/* scenes/band.h - a band that winds up on a drum or off it
+
+   The drum is a body on an axle (chapter 5.2). Its angle phi is 0 where the drum is bare, and the inertia with which
+   the body was made is that of the bare drum. The band comes or goes at the radius
+     R + h phi/(2 pi)   along a spiral, or
+     R + h n            in layers, after n complete turns (by_layer),
+   and the inertia grows by rho b h radius^3 per radian. In layers, the torque has a kink at each complete turn.
+   vm_band_at computes what is wound up at any angle; vm_effect_band is the mass law of the drum in a scene.
+
+       vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
+       vm_effect wind = vm_effect_band(0, &band);
+
+   Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_BAND_H
 #define VARMASS_SCENES_BAND_H
 
@@ -8,34 +20,38 @@
 #include "mass.h"
 #include "scene.h"
 
-/* A band that is wound up on a drum on an axle, or unwound from it (chapter 5.2), layer upon layer. At the angle phi,
-   0 where the drum, of the inertia with which the body was made, is bare, the band comes or goes at the radius
-   R + h phi/(2 pi), a spiral, or where by_layer is set at R + h n, n turns being complete; its inertia grows by
-   rho b h radius^3 a radian. Its own velocity is speed + share (radius omega): share = 1 and speed = 0 if it moves
-   with the drum. By layers the torque has kinks at full turns. */
+/* A band. Its own velocity is speed + (1 - reactive) (radius omega): it comes at the absolute velocity `speed` for
+   reactive = 1, and it moves with the drum for speed = 0, reactive = 0. */
 typedef struct VM_TAG(vm_band) {
-    vm_real radius;           /* R of the bare drum, m */
-    vm_real thickness, width; /* h, b, m */
-    vm_real density;          /* rho, kg/m^3 */
-    vm_real speed, share;     /* m/s */
-    int by_layer;
+    vm_real radius;    /* m: R, of the bare drum, > 0 */
+    vm_real thickness; /* m: h, >= 0 */
+    vm_real width;     /* m: b, >= 0 */
+    vm_real density;   /* kg/m^3: rho, >= 0 */
+    vm_real speed;     /* m/s */
+    vm_real reactive;     /* a pure number */
+    int by_layer;      /* 1: in layers; 0: along a spiral */
 } vm_band;
 
+/* What is wound up at an angle */
 typedef struct VM_TAG(vm_band_now) {
-    vm_real radius, rate, mass, inertia; /* m; kg/rad, mu (181) of this radius; of what is wound up, kg, kg m^2 */
+    vm_real radius;  /* m, at which the band comes or goes */
+    vm_real rate;    /* kg/rad: mu, mass per radian at this radius (181) */
+    vm_real mass;    /* kg: of the band that is wound up */
+    vm_real inertia; /* kg m^2: of the band that is wound up */
 } vm_band_now;
 
-/* rho b h integral of radius^k over phi, k = 1 the mass, 3 the inertia; d: what has been added to R. With n layers
-   complete sum (R + i h)^k, i < n, is by sum i, i^2, i^3 */
+/* The band in layers. line = rho b h. Mass and inertia are line times the integrals of the radius and its cube over
+   phi; over n complete layers these are sums of R + i h and its cube, i < n. The sums of i, i^2 and i^3 are sum1,
+   sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
-    const vm_real s1 = n * (n - 1) / 2, s2 = s1 * (2 * n - 1) / 3, r = R + n * h;
+    const vm_real sum1 = n * (n - 1) / 2, sum2 = sum1 * (2 * n - 1) / 3, r = R + n * h;
     vm_band_now now;
     now.radius = r;
     now.rate = line * r;
-    now.mass = line * (2 * VM_PI * (n * R + h * s1) + r * rest);
-    now.inertia = line * (2 * VM_PI * (n * R * R * R + 3 * R * h * (R * s1 + h * s2) + h * h * h * s1 * s1) +
+    now.mass = line * (2 * VM_PI * (n * R + h * sum1) + r * rest);
+    now.inertia = line * (2 * VM_PI * (n * R * R * R + 3 * R * h * (R * sum1 + h * sum2) + h * h * h * sum1 * sum1) +
                           r * r * r * rest);
     return now;
 }
@@ -45,24 +61,26 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-VM_API vm_band_now vmi_no_band(void)
+/* A band that is not wound up, or NaN */
+VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
-    none.radius = none.rate = none.mass = none.inertia = VM_NAN;
+    none.radius = radius;
+    none.rate = others;
+    none.mass = others;
+    none.inertia = others;
     return none;
 }
 
-/* phi < 0: the bare drum; NaN where phi is not finite, the radius not > 0, a size < 0. Some eps of each number */
+/* Radius, mass and inertia of the band that is wound up at the angle phi. phi < 0 gives the bare drum. NaN where phi is
+   not finite, the radius is not positive, a size is negative, or band is NULL. Each number is right to some eps. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
-    if (!band) return vmi_no_band();
+    if (!band || !VM_IS_FINITE(phi) || !vmi_band_is_valid(band)) return vmi_band_none(VM_NAN, VM_NAN);
     const vm_real line = band->density * band->width * band->thickness, R = band->radius;
-    const vm_real d = band->thickness * (phi / (2 * VM_PI)), r = R + d;
-    const vm_real bare = VM_IS_FINITE(phi) && vmi_band_is_valid(band) ? 0 : VM_NAN;
+    const vm_real r = R + band->thickness * (phi / (2 * VM_PI));
     vm_band_now now;
-    now.radius = R + bare;
-    now.rate = now.mass = now.inertia = bare;
-    if (!(phi >= 0 && bare == 0)) return now;
+    if (!(phi >= 0)) return vmi_band_none(R, 0);
     if (band->by_layer) return vmi_band_by_layer(phi, band, line);
     now.radius = r;
     now.rate = line * r;
@@ -71,19 +89,30 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
+/* Places of the parameters of the effect; its variant is by_layer */
+enum {
+    VMI_BAND_RADIUS,
+    VMI_BAND_THICKNESS,
+    VMI_BAND_WIDTH,
+    VMI_BAND_DENSITY,
+    VMI_BAND_SPEED,
+    VMI_BAND_REACTIVE
+};
+
 VM_API vm_band vmi_band_of(const vm_effect *e)
 {
     vm_band b;
-    b.radius = e->p[0];
-    b.thickness = e->p[1];
-    b.width = e->p[2];
-    b.density = e->p[3];
-    b.speed = e->p[4];
-    b.share = e->p[5];
-    b.by_layer = e->other_coordinate;
+    b.radius = e->p[VMI_BAND_RADIUS];
+    b.thickness = e->p[VMI_BAND_THICKNESS];
+    b.width = e->p[VMI_BAND_WIDTH];
+    b.density = e->p[VMI_BAND_DENSITY];
+    b.speed = e->p[VMI_BAND_SPEED];
+    b.reactive = e->p[VMI_BAND_REACTIVE];
+    b.by_layer = e->variant;
     return b;
 }
 
+/* The inertia of the drum by its law J(phi). On an axle u is an angular velocity. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -93,7 +122,7 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;
-    vmi_scene_apply_law(e, y, s, &now, &u, band.share);
+    vmi_scene_apply_law(e, y, s, &now, &u, band.reactive);
 }
 
 VM_API int vmi_band_check(const vm_effect *e)
@@ -102,21 +131,23 @@ VM_API int vmi_band_check(const vm_effect *e)
     return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
-/* Documented with vm_band_at. */
+/* A band that winds up on the drum `body`, a body on an axle, or off it, with its reactive torque. It is the mass law
+   of the body. At the start VM_BAD_ARGUMENT where band is NULL, VM_DOMAIN where its radius is not positive or a size is
+   negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_AXLE, 0, 0, 0);
-    e.order = 0;
-    e.apply = band ? vmi_apply_band : NULL;
+    vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
+    e.motions = 1 << VM_AXLE;
+    e.order = VMI_ORDER_MASS_LAW;
     e.check = vmi_band_check;
     if (!band) return e;
-    e.p[0] = band->radius;
-    e.p[1] = band->thickness;
-    e.p[2] = band->width;
-    e.p[3] = band->density;
-    e.p[4] = band->speed;
-    e.p[5] = band->share;
-    e.other_coordinate = band->by_layer != 0;
+    e.p[VMI_BAND_RADIUS] = band->radius;
+    e.p[VMI_BAND_THICKNESS] = band->thickness;
+    e.p[VMI_BAND_WIDTH] = band->width;
+    e.p[VMI_BAND_DENSITY] = band->density;
+    e.p[VMI_BAND_SPEED] = band->speed;
+    e.p[VMI_BAND_REACTIVE] = band->reactive;
+    e.variant = band->by_layer != 0;
     return e;
 }
 

@@ -1,4 +1,20 @@
-/* scenes/effects.h - effects that act on coordinates */
+/* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
+
+   An effect exerts a force of forces.h on a coordinate of a body. x and v are then the position and the velocity of
+   this coordinate. Where an effect acts against another body, x and v are relative to a coordinate of that body, which
+   takes the reaction; against VM_GROUND they are relative to a point at rest. A mass law of a body stands before the
+   other effects on it, and a link stands after them.
+
+       vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
+                              vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
+                              vm_effect_damper(1, 0, 0, 0, 5)};                     // 5 N s/m between bodies 1 and 0
+
+   Arguments of all constructors here: `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
+   coordinates of them (scene.h has a list). A constructor checks nothing but functions that are missing; vm_scene_check
+   and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN or outside their
+   domain.
+
+   Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EFFECTS_H
 #define VARMASS_SCENES_EFFECTS_H
 
@@ -11,9 +27,19 @@
 #include "motions.h"
 #include "scene.h"
 
-/* An effect on one coordinate, against another */
-VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coordinate, unsigned motions, vm_real p0,
-                            vm_real p1, vm_real p2)
+/* To add an effect, write one block like that of the spring below, and nothing else in the headers:
+     an enum          the places of its parameters in p[6];
+     vmi_apply_NAME   adds its force to the loads, at each evaluation;
+     vmi_NAME_check   only where not all finite parameters are allowed: returns a status;
+     vm_effect_NAME   the constructor: vmi_effect, the parameters by name, and what differs from its defaults (the
+                      motions on which it can act, the check).
+   The force itself may be a function of forces.h. */
+
+/* An effect on a coordinate of a body against another one. It may act on all motions, is neither a mass law nor a link,
+   and its parameters are 0. */
+VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
+                                    void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
+                                                  vm_scene *scene))
 {
     vm_effect e;
     memset(&e, 0, sizeof e);
@@ -21,239 +47,292 @@ VM_API vm_effect vmi_effect(int body, int coordinate, int other, int other_coord
     e.coordinate = coordinate;
     e.other = other;
     e.other_coordinate = other_coordinate;
-    e.motions = motions;
+    e.apply = apply;
+    e.motions = VMI_ALL_MOTIONS;
     e.other_motions = VMI_ALL_MOTIONS;
-    e.order = 1;
-    e.p[0] = p0;
-    e.p[1] = p1;
-    e.p[2] = p2;
+    e.order = VMI_ORDER_FORCE;
     return e;
 }
+
+/* An effect on a coordinate of a body against the ground; otherwise it is what vmi_effect_between makes */
+VM_API vm_effect vmi_effect(int body, int coordinate,
+                            void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene))
+{
+    return vmi_effect_between(body, coordinate, VM_GROUND, 0, apply);
+}
+
+enum { VMI_GRAVITY_G };
 
 VM_API void vmi_apply_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)y;
     (void)s;
-    e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[0]);
+    e->load->force[e->coordinate] += vm_force_gravity(e->load->mass, e->p[VMI_GRAVITY_G]);
 }
 
-/* Effects, the forces above on a coordinate of a body, x and v its position and velocity; where there is an other
-   body, or VM_GROUND, x and v are relative to its coordinate, and it takes the reaction. A mass law of a body stands
-   before what else acts on it. */
-/* M g, along the coordinate: g = -9.81 where it points upwards; not on an angle */
+/* Gravity along a coordinate: the force M g, with the mass M of the body now. g in m/s^2 is -9.81 where the coordinate
+   points up. Not on an axle (VM_BAD_MOTION), nor on the angle of a body in the plane (VM_NOT_ON_ANGLE). */
 VM_API vm_effect vm_effect_gravity(int body, int coordinate, vm_real g)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS & ~(1 << VM_AXLE), g, 0, 0);
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_gravity);
+    e.p[VMI_GRAVITY_G] = g;
+    e.motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
     e.not_on_angle = 1;
-    e.apply = vmi_apply_gravity;
     return e;
 }
 
+enum { VMI_SPRING_STIFFNESS, VMI_SPRING_EXPONENT, VMI_SPRING_REST };
+
 VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real extension = vmi_effect_x(e, y) - e->p[VMI_SPRING_REST];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_spring(e->p[0], e->p[1], vmi_effect_x(e, y) - e->p[2]));
+    vmi_effect_act(e, vm_force_spring(extension, e->p[VMI_SPRING_STIFFNESS], e->p[VMI_SPRING_EXPONENT]));
 }
 
-VM_API int vmi_power_check(const vm_effect *e) { return e->p[1] >= 0 ? VM_OK : VM_DOMAIN; } /* alpha */
+VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
-/* vm_force_spring of x - rest */
+/* A nonlinear spring: the force -k z |z|^(alpha-1) (248), z = x - rest. k in N/m^alpha may have either sign; rest is in
+   m or rad. VM_DOMAIN for alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, alpha, rest);
-    e.apply = vmi_apply_spring;
-    e.check = vmi_power_check;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_spring);
+    e.p[VMI_SPRING_STIFFNESS] = k;
+    e.p[VMI_SPRING_EXPONENT] = alpha;
+    e.p[VMI_SPRING_REST] = rest;
+    e.check = vmi_spring_check;
     return e;
 }
 
 VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real extension = vmi_effect_x(e, y) - e->p[VMI_SPRING_REST];
     (void)t;
     (void)s;
-    vmi_effect_act(e, -e->p[0] * (vmi_effect_x(e, y) - e->p[2]));
+    vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* the same with alpha = 1: no power is linked */
+/* A linear spring: the force -k (x - rest). k in N/m may have either sign; rest is in m or rad. Unlike vm_effect_spring
+   it links no power. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, k, 1, rest);
-    e.apply = vmi_apply_linear_spring;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_linear_spring);
+    e.p[VMI_SPRING_STIFFNESS] = k;
+    e.p[VMI_SPRING_REST] = rest;
     return e;
 }
+
+enum { VMI_DAMPER_DAMPING };
 
 VM_API void vmi_apply_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_damper(e->p[0], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_damper(vmi_effect_v(e, y), e->p[VMI_DAMPER_DAMPING]));
 }
 
-/* Documented with vm_effect_spring. */
-VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real b)
+/* A linear damper: the force -damping v. damping in N s/m takes energy out if it is positive. */
+VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other_coordinate, vm_real damping)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, b, 0, 0);
-    e.apply = vmi_apply_damper;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, vmi_apply_damper);
+    e.p[VMI_DAMPER_DAMPING] = damping;
     return e;
 }
 
 VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 torque = vmi_scale(-e->p[0], vmi_scene_spin(b, y));
+    const vm_vec3 torque = vmi_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
 
-/* -b omega: on an axle, in the plane, free */
-VM_API vm_effect vm_effect_rotational_damper(int body, vm_real b)
+/* A damper of the rotation: the torque -damping omega. damping in N m s takes energy out if it is positive. For a body
+   on an axle, in the plane, or free. */
+VM_API vm_effect vm_effect_rotational_damper(int body, vm_real damping)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_FREE, b, 0, 0);
-    e.apply = vmi_apply_rotational_damper;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_rotational_damper);
+    e.p[VMI_DAMPER_DAMPING] = damping;
+    e.motions = 1 << VM_AXLE | 1 << VM_PLANE | 1 << VM_FREE;
     return e;
 }
+
+enum { VMI_VAN_DER_POL_FEEDING, VMI_VAN_DER_POL_LIMITING };
 
 VM_API void vmi_apply_van_der_pol(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real b = e->p[VMI_VAN_DER_POL_FEEDING], c = e->p[VMI_VAN_DER_POL_LIMITING];
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_van_der_pol(e->p[0], e->p[1], vmi_effect_x(e, y), vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_van_der_pol(vmi_effect_x(e, y), vmi_effect_v(e, y), b, c));
 }
 
-/* Documented with vm_effect_spring. */
+/* Van der Pol's damper: the force (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3 takes
+   it out at large amplitudes. */
 VM_API vm_effect vm_effect_van_der_pol(int body, int coordinate, vm_real b, vm_real c)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, b, c, 0);
-    e.apply = vmi_apply_van_der_pol;
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_van_der_pol);
+    e.p[VMI_VAN_DER_POL_FEEDING] = b;
+    e.p[VMI_VAN_DER_POL_LIMITING] = c;
     return e;
 }
 
-VM_API void vmi_apply_drive(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+enum { VMI_MOTOR_TORQUE, VMI_MOTOR_KAPPA };
+
+VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)t;
     (void)s;
-    vmi_effect_act(e, vm_force_motor(e->p[0], e->p[1], vmi_effect_v(e, y)));
+    vmi_effect_act(e, vm_force_motor(vmi_effect_v(e, y), e->p[VMI_MOTOR_TORQUE], e->p[VMI_MOTOR_KAPPA]));
 }
 
-/* Documented with vm_effect_spring. */
+/* A motor whose characteristic is a straight line: the torque torque - kappa v. torque in N m is that at rest, kappa is
+   in N m s. On a coordinate that is a length it is a force in N, and kappa is in N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real torque, vm_real kappa)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, torque, kappa, 0);
-    e.apply = vmi_apply_drive;
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
+    e.p[VMI_MOTOR_TORQUE] = torque;
+    e.p[VMI_MOTOR_KAPPA] = kappa;
     return e;
 }
+
+enum { VMI_HARMONIC_FORCE, VMI_HARMONIC_FREQUENCY, VMI_HARMONIC_PHASE };
 
 VM_API void vmi_apply_harmonic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real frequency = e->p[VMI_HARMONIC_FREQUENCY], phase = e->p[VMI_HARMONIC_PHASE];
     (void)y;
     (void)s;
-    vmi_effect_act(e, vm_force_harmonic(e->p[0], e->p[1], e->p[2], t));
+    vmi_effect_act(e, vm_force_harmonic(t, e->p[VMI_HARMONIC_FORCE], frequency, phase));
 }
 
-/* Documented with vm_effect_spring. */
+/* Harmonic excitation: the force force cos(frequency t + phase). force in N (N m on an angle), frequency in rad/s,
+   phase in rad. */
 VM_API vm_effect vm_effect_harmonic(int body, int coordinate, vm_real force, vm_real frequency, vm_real phase)
 {
-    vm_effect e = vmi_effect(body, coordinate, VM_GROUND, 0, VMI_ALL_MOTIONS, force, frequency, phase);
-    e.apply = vmi_apply_harmonic;
+    vm_effect e = vmi_effect(body, coordinate, vmi_apply_harmonic);
+    e.p[VMI_HARMONIC_FORCE] = force;
+    e.p[VMI_HARMONIC_FREQUENCY] = frequency;
+    e.p[VMI_HARMONIC_PHASE] = phase;
     return e;
 }
 
-VM_API void vmi_apply_user(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     (void)s;
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* Documented with vm_effect_force. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an angle);
+   x and v are relative to the other coordinate, which takes the reaction. VM_BAD_ARGUMENT at the start where force is
+   NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
-    vm_effect e = vmi_effect(body, coordinate, other, other_coordinate, VMI_ALL_MOTIONS, 0, 0, 0);
-    e.apply = force ? vmi_apply_user : NULL;
+    vm_effect e = vmi_effect_between(body, coordinate, other, other_coordinate, force ? vmi_apply_force : NULL);
     e.force = force;
     e.ctx = ctx;
     return e;
 }
 
-/* a force of one's own, which depends on t and the coordinate, and on what ctx points to */
+/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle), for time, position and
+   velocity of the coordinate. VM_BAD_ARGUMENT at the start where force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
     return vm_effect_force_between(body, coordinate, VM_GROUND, 0, force, ctx);
 }
 
-/* an effect of one's own, which may depend on everything: apply adds to effect->load->force[coordinate], to
-   load->mass_rate where the mass is a state, to load->mass where it is neither a state nor of a law; it may read
-   load->mass, y[effect->x] and y[effect->v], the first coordinate's, y[scene->bodies[i].at] and what follows of body
-   i, effect->p and effect->ctx, and load->force, which is what the effects before it in the list have made: a stop,
-   listed last, can take from it what it holds. other, or VM_GROUND: a body without which it does not act either,
-   effect->other_load and so on */
+/* An effect that the caller's function applies, which may depend on the whole state.
+   apply adds to effect->load->force[coordinate]; where the mass is a state, to effect->load->mass_rate; where it is
+   neither a state nor given by a law, to effect->load->mass.
+   apply may read effect->load->mass; y[effect->x] and y[effect->v], position and velocity of coordinate 0; the state of
+   body i from y[scene->bodies[i].at] on; effect->p and effect->ctx; and effect->load->force, the sum of the effects
+   that stand before it in the list, so that a stop that is listed last can take away the force that it holds.
+   other is another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load,
+   effect->other_x and effect->other_v belong to the other one. VM_BAD_ARGUMENT at the start where apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
                                     void *ctx)
 {
-    vm_effect e = vmi_effect(body, 0, other, 0, VMI_ALL_MOTIONS, 0, 0, 0);
-    e.apply = apply;
+    vm_effect e = vmi_effect_between(body, 0, other, 0, apply);
     e.ctx = ctx;
     return e;
 }
 
 VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real k = e->p[VMI_SPRING_STIFFNESS], alpha = e->p[VMI_SPRING_EXPONENT];
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_shaft(e->p[0], e->p[1], y[e->x], y[e->x + 1], &fx, &fy);
+    vm_force_shaft(y[e->x], y[e->x + 1], k, alpha, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* an elastic shaft: -k r |r|^(alpha-1) towards the origin, in coordinates 0 and 1 of a body in the plane, a point */
+/* An elastic shaft: the force -k r |r|^(alpha-1) towards the origin, r = (x, y). k in N/m^alpha; VM_DOMAIN for
+   alpha < 0. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, k, alpha, 0);
-    e.apply = vmi_apply_shaft;
-    e.check = vmi_power_check;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
+    e.p[VMI_SPRING_STIFFNESS] = k;
+    e.p[VMI_SPRING_EXPONENT] = alpha;
+    e.motions = VMI_FLAT;
+    e.check = vmi_spring_check;
     return e;
 }
+
+enum { VMI_UNBALANCE_SIZE, VMI_UNBALANCE_FREQUENCY, VMI_UNBALANCE_PHASE };
 
 VM_API void vmi_apply_unbalance(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real frequency = e->p[VMI_UNBALANCE_FREQUENCY], phase = e->p[VMI_UNBALANCE_PHASE];
     vm_real fx, fy;
     (void)y;
     (void)s;
-    vm_force_unbalance(e->p[0], e->p[1], e->p[2], t, &fx, &fy);
+    vm_force_unbalance(t, e->p[VMI_UNBALANCE_SIZE], frequency, phase, &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* an unbalance m e (kg m) that turns with Omega = frequency: m e Omega^2 (cos, sin)(Omega t + phase) */
+/* A rotating unbalance: the force m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m, frequency = Omega
+   in rad/s, phase in rad. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. */
 VM_API vm_effect vm_effect_unbalance(int body, vm_real unbalance, vm_real frequency, vm_real phase)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, unbalance, frequency, phase);
-    e.apply = vmi_apply_unbalance;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_unbalance);
+    e.p[VMI_UNBALANCE_SIZE] = unbalance;
+    e.p[VMI_UNBALANCE_FREQUENCY] = frequency;
+    e.p[VMI_UNBALANCE_PHASE] = phase;
+    e.motions = VMI_FLAT;
     return e;
 }
+
+enum { VMI_GYROSCOPIC_GYRO };
 
 VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_real fx, fy;
     (void)t;
     (void)s;
-    vm_force_gyroscopic(e->p[0], y[e->v], y[e->v + 1], &fx, &fy);
+    vm_force_gyroscopic(y[e->v], y[e->v + 1], e->p[VMI_GYROSCOPIC_GYRO], &fx, &fy);
     e->load->force[0] += fx;
     e->load->force[1] += fy;
 }
 
-/* force coupling (-vy, vx) */
-VM_API vm_effect vm_effect_gyroscopic(int body, vm_real coupling)
+/* A gyroscopic force across the velocity: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z'. For a body in the plane, or a point, on whose coordinates 0 and 1 it acts. It does
+   no work. */
+VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_FLAT, coupling, 0, 0);
-    e.apply = vmi_apply_gyroscopic;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
+    e.p[VMI_GYROSCOPIC_GYRO] = gyro;
+    e.motions = VMI_FLAT;
     return e;
 }
 

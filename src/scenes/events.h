@@ -1,4 +1,23 @@
-/* scenes/events.h - events of a scene and what they do */
+/* scenes/events.h - when an event happens, and what it does
+
+   An event is made in two steps: vm_event_... says when it happens, vm_then_... says what happens then, one thing for
+   an event. An event without vm_then_... is only counted: event.count says how often it has happened, event.time when
+   it last did, and the motion is what it would be without the event.
+
+       vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
+                            vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
+       ode_event located[2];                                                    // as many
+       scene.events = events;
+       scene.located = located;
+       scene.n_events = 2;
+
+   An event at a time happens once. A crossing happens as often as it may, or event.most times: direction > 0 counts
+   rising values, < 0 falling ones, 0 both. Only motion crosses a value; an event that sets a coordinate beyond it does
+   not. Bodies that are not present cross nothing. Events at one instant happen in the order of the list; where a jump
+   and a crossing are within rounding of each other, either may be the first. To get the times (or states) of all events
+   of one run, set scene.located[i].times (or .states) and .room after the start.
+
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
 #define VARMASS_SCENES_EVENTS_H
 
@@ -9,6 +28,7 @@
 #include "evaluate.h"
 #include "scene.h"
 
+/* An event that watches a coordinate of a body */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e;
@@ -21,13 +41,7 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     return e;
 }
 
-/* Events: one at a time happens once, a crossing (direction > 0 rising, < 0 falling, 0 both) as often as it may, or
-   event.most times. A crossing is what motion does: what jumps over the value does not cross it. At one instant
-   events happen in their order; where a jump comes within rounding of a crossing, either may come first. Nothing of a
-   body that is not there crosses anything. If no vm_then_... says what happens, an event is only counted:
-   event.count says how often it was, event.time when it was last, and the motion is what it would be without the
-   event. Set scene.located[i].times (or states) and room after the start to get the times (or states) of all events
-   of one run. */
+/* An event at a time (s), which happens once. A time before the start of the run is due as the run begins. */
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
@@ -43,7 +57,7 @@ VM_API vm_real vmi_when_position(const vm_event *e, vm_real t, const vm_real *y)
     return y[e->scene->bodies[e->body].at + e->coordinate] - e->value;
 }
 
-/* passes value */
+/* An event when a position crosses a value. The position is a coordinate of a body, value is in m or rad. */
 VM_API vm_event vm_event_position(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, coordinate, value, direction);
@@ -58,7 +72,8 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* Documented with vm_event_at. */
+/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, value is in m/s or
+   rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, coordinate, value, direction);
@@ -74,7 +89,8 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
     return b->load.mass - e->value;
 }
 
-/* > 0: a mass of 0 cannot be accelerated */
+/* An event when a mass crosses a value. value in kg (on an axle kg m^2) should be positive, since a run ends before a
+   mass reaches 0. */
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, 0, value, direction);
@@ -84,7 +100,8 @@ VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 
 VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { return e->user_when(t, y, e->ctx); }
 
-/* Documented with vm_event_at. */
+/* An event when a function of the caller's crosses zero. when(t, y, ctx) gets the state of the whole scene.
+   VM_BAD_ARGUMENT at the start where when is NULL. */
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
@@ -104,42 +121,34 @@ VM_API int vmi_then_stop(vm_event *e, vm_real t, vm_real *y)
     return VM_STOPPED;
 }
 
-/* ... and what happens then, one thing an event: vm_then_switch(vm_event_at(60), tap, 1). The run ends with
-   VM_STOPPED; an effect goes off (1) or on (0); a part leaves body and becomes into, which was absent; added becomes
-   a part of body and is no longer there; then is called, may change y, and returns a status (VM_STOPPED, < 0 end the
-   run).
-   A part is described as the instant after, in inertial axes; where relative is set, in the body's axes, r from its
-   mass centre, q, v and omega relative to the body as it moves there. In the plane and on an axle into takes the
-   body's angle, plus the angle with which it was made. event.external is an impulse from outside during the jump.
-   A jump is between bodies of one motion, or between a body in the plane or free and a point. The run ends with
-   VM_IS_THERE if `into` is there already, with VM_IS_AWAY if `body` or `added` is not there; the other errors are
-   those of vm_separate.
-   A point that takes up a body elsewhere than where it is loses the spin of the two: angular_defect has it. */
+/* The event ends the run, which returns VM_STOPPED. */
 VM_API vm_event vm_then_stop(vm_event event)
 {
     event.then = vmi_then_stop;
     return event;
 }
 
-/* Events switch effects on and off, also mass laws. A mass must not jump at that moment, since nothing would carry
-   off the mass and its momentum. So the masses are noted before the event and restored after it: a law then goes on
-   from the mass that is there. */
+/* Notes the masses of all bodies, for vmi_scene_hold_masses after a change */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
-    for (i = 0; i < s->n_bodies; i++) s->bodies[i].held = s->bodies[i].load.mass;
+    for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
+/* Gives all bodies the mass that was noted. Switching a mass law, and a jump, would otherwise change a mass without
+   anything that carries off the mass and its momentum. The loads are evaluated twice: first to see which masses the
+   laws give now, and what they lack; then anew, since the masses have changed and the loads depend on them.
+   A body uses only one of `mass` and `law_offset`, the latter where it has a mass law, so that both may be changed. */
 VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 {
     int i;
     vmi_scene_evaluate(s, t, y);
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
-        const vm_real more = b->held - b->load.mass;
+        const vm_real lacking = b->noted_mass - b->load.mass;
         if (b->away || b->mass_is_state) continue;
-        b->mass += more;
-        b->jumped += more; /* a body uses only one of them: `jumped` if it has a mass law */
+        b->mass += lacking;
+        b->law_offset += lacking;
     }
     vmi_scene_evaluate(s, t, y);
 }
@@ -150,12 +159,14 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
     vm_effect *effect = s->effects + e->effect;
     vmi_scene_evaluate(s, t, y);
     vmi_scene_note_masses(s);
-    effect->idle = (effect->idle & 2) | e->off;
+    effect->idle &= VMI_IDLE_BODY_AWAY;
+    if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
     vmi_scene_hold_masses(s, t, y);
     return VM_OK;
 }
 
-/* Documented with vm_then_stop. */
+/* The event switches an effect off (off = 1) or on (0). effect is its index. Switching a mass law does not change the
+   mass at this instant: the law goes on from the mass that is there. VM_NO_SUCH_EFFECT at the start. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
     event.then = vmi_then_switch;
@@ -167,7 +178,8 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event calls a function of the caller's. then(t, y, ctx) may change y; it returns a status: VM_OK to go on,
+   VM_STOPPED or a negative number to end the run with it. VM_BAD_ARGUMENT at the start where then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;

@@ -1,61 +1,78 @@
-/* scenes/forces.h - forces as functions of numbers */
+/* scenes/forces.h - the forces of effects, as functions of numbers
+
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
+   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v its
+   rate. Nothing is checked: an argument that is NaN gives NaN. The results are right to some eps of the terms that are
+   added.
+
+       dydt[1] = (vm_force_spring(y[0], 50, 3) + vm_force_damper(y[1], 2)) / mass; // -50 x^3 - 2 v
+
+   Tests: tests/test_forces.c. */
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
+#include "../oscillators/force_terms.h"
 
-/* Forces, N (torques, N m), for right-hand sides that are written by hand; the effects use them. x, v: extension, its
-   rate. A spring's force (248), k in N/m^alpha, alpha >= 0; a damper's, b in N s/m; that of Van der Pol's (404), c in
-   N s/m^3; a drive's, torque in N m, kappa in N m s; force cos(frequency t + phase), frequency in rad/s; the reactive
-   force of a stream of rate kg/s whose own velocity is u + share v. Within some eps of the terms that are added. */
-/* -k x |x|^(alpha-1) */
-VM_INLINE vm_real vm_force_spring(vm_real k, vm_real alpha, vm_real x)
+/* The force of a spring: -k x |x|^(alpha-1) (248). k in N/m^alpha may have either sign; alpha >= 0, NaN below. The exponents 1, 2 and 3 take
+   no power. */
+VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
     if (alpha == 3) return -(k * x) * (x * x);
     if (alpha == 2) return -k * (x * VM_FABS(x));
-    return -VM_COPYSIGN(k, x) * vmi_pow_checked(VM_FABS(x), alpha) * (x != 0);
+    return -k * VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x) * (x != 0);
 }
 
-/* -b v */
-VM_INLINE vm_real vm_force_damper(vm_real b, vm_real v) { return -b * v; }
+/* The force of a linear damper: -damping v. damping in N s/m takes energy out if it is positive. */
+VM_INLINE vm_real vm_force_damper(vm_real v, vm_real damping) { return -damping * v; }
 
-/* (b - c x^2) v */
-VM_INLINE vm_real vm_force_van_der_pol(vm_real b, vm_real c, vm_real x, vm_real v) { return (b - c * (x * x)) * v; }
+/* The force of Van der Pol's damper: (b - c x^2) v (404). b in N s/m feeds energy in if it is positive, c in N s/m^3
+   takes it out at large amplitudes. */
+VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real c)
+{
+    return vmi_van_der_pol_feed(b, c, x) * v;
+}
 
-/* torque - kappa omega */
-VM_INLINE vm_real vm_force_motor(vm_real torque, vm_real kappa, vm_real omega) { return torque - kappa * omega; }
+/* The torque of a motor whose characteristic is a straight line: torque - kappa omega. torque in N m is that at rest,
+   kappa in N m s. */
+VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real torque, vm_real kappa) { return torque - kappa * omega; }
 
-/* Documented with vm_force_spring. */
-VM_INLINE vm_real vm_force_harmonic(vm_real force, vm_real frequency, vm_real phase, vm_real t)
+/* The force of harmonic excitation: force cos(frequency t + phase). frequency in rad/s, phase in rad. */
+VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real force, vm_real frequency, vm_real phase)
 {
     vm_real s, c;
     vmi_sincos(frequency * t + phase, &s, &c);
     return force * c;
 }
 
-/* rate (u + share v - v) */
-VM_INLINE vm_real vm_force_stream(vm_real rate, vm_real u, vm_real share, vm_real v)
+/* The reactive force of a stream: rate (u - reactive v). The stream brings rate kg/s (carries it off, if rate < 0), and
+   the velocity of its mass is u + (1 - reactive) v: for reactive = 1 the absolute velocity u, for reactive = 0 the
+   velocity u relative to the body. */
+VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
-    return rate * (u + (share - 1) * v);
+    return rate * (u - reactive * v);
 }
 
-/* mass g */
+/* The weight of a mass: mass g. It points along the coordinate, so that g is negative where the coordinate points up.
+   mass in kg, g in m/s^2. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
-/* Documented with vm_force_spring. */
-VM_INLINE void vm_force_shaft(vm_real k, vm_real alpha, vm_real x, vm_real y, vm_real *fx, vm_real *fy)
+/* The force of an elastic shaft: -k r |r|^(alpha-1) towards the origin of its plane, r = (x, y) in m. The components go
+   to *fx and *fy; nothing happens if one of these pointers is NULL. k in N/m^alpha; alpha >= 0, NaN below. */
+VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(k, alpha, r) / r : 0;
+    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(r, k, alpha) / r : 0;
     *fx = f * x;
     *fy = f * y;
 }
 
-/* Documented with vm_force_spring. */
-VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real phase, vm_real t, vm_real *fx,
+/* The force of a rotating unbalance: m e Omega^2 (cos, sin)(Omega t + phase). unbalance = m e in kg m; Omega =
+   frequency in rad/s. The components go to *fx and *fy; nothing happens if one of these pointers is NULL. */
+VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequency, vm_real phase, vm_real *fx,
                                   vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -66,12 +83,14 @@ VM_INLINE void vm_force_unbalance(vm_real unbalance, vm_real frequency, vm_real 
     *fy = size * s;
 }
 
-/* Documented with vm_force_spring. */
-VM_INLINE void vm_force_gyroscopic(vm_real coupling, vm_real vx, vm_real vy, vm_real *fx, vm_real *fy)
+/* The gyroscopic force across a velocity in the plane: 2 gyro (-vy, vx). gyro in kg/s is that of Laval's rotor, whose
+   equation has the term 2 i gyro z'. It does no work. The components go to *fx and *fy; nothing happens if one of these
+   pointers is NULL. */
+VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    *fx = -coupling * vy;
-    *fy = coupling * vx;
+    *fx = -vmi_gyroscopic_coupling(gyro) * vy;
+    *fy = vmi_gyroscopic_coupling(gyro) * vx;
 }
 
 #endif

@@ -1,4 +1,13 @@
-/* scenes/growing.h - bodies whose mass centre and inertia change */
+/* scenes/growing.h - bodies whose mass centre and inertia change
+
+   The mass, the mass centre in the body, and the inertia of a growing body are numbers of the state, so that streams
+   can cross at its points (streams.h). It moves in the plane or in space. A body without extension (a rod, a point)
+   cannot grow.
+
+       vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
+       vm_effect effects[] = {vm_effect_stream_mass(0, &stream), vm_effect_stream_force(0, &stream)};
+
+   Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
@@ -11,8 +20,15 @@
 #include "motions.h"
 #include "scene.h"
 
-/* After the mass: where the mass centre is in the body, 2 or 3 numbers, then the inertia, 1 or 6 */
-VM_INLINE int vmi_growth(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
+/* Where the mass centre begins in the state of a growing body: after the mass */
+VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
+
+/* Where its inertia begins: after the 2 or 3 numbers of the mass centre */
+VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
+{
+    const int directions = b->motion == VM_PLANE ? 2 : 3;
+    return vmi_growth_centre_at(b) + directions;
+}
 
 VM_API void vmi_growth_begin(vm_scene_body *b)
 {
@@ -23,13 +39,13 @@ VM_API void vmi_growth_begin(vm_scene_body *b)
 
 VM_API vm_vec3 vmi_growth_centre(const vm_scene_body *b, const vm_real *state)
 {
-    const vm_real *c = state + vmi_growth(b);
+    const vm_real *c = state + vmi_growth_centre_at(b);
     return vmi_vec3(c[0], c[1], b->motion == VM_PLANE ? 0 : c[2]);
 }
 
 VM_API void vmi_growth_put_centre(const vm_scene_body *b, vm_vec3 centre, vm_real *state)
 {
-    vm_real *c = state + vmi_growth(b);
+    vm_real *c = state + vmi_growth_centre_at(b);
     c[0] = centre.x;
     c[1] = centre.y;
     if (b->motion != VM_PLANE) c[2] = centre.z;
@@ -39,11 +55,11 @@ VM_API void vmi_plane_growing_begin(vm_scene_body *b, const vm_real *state)
 {
     vm_real s, c;
     vmi_growth_begin(b);
-    vmi_sincos(state[2], &s, &c);
+    vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
     b->axes.x = vmi_vec3(c, s, 0);
     b->axes.y = vmi_vec3(-s, c, 0);
     b->axes.z = vmi_vec3(0, 0, 1);
-    b->inertia.zz = state[vmi_growth(b) + 2];
+    b->inertia.zz = state[vmi_growth_inertia_at(b)];
 }
 
 VM_API int vmi_plane_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
@@ -51,33 +67,34 @@ VM_API int vmi_plane_growing_accelerate(const vm_scene_body *b, const vm_real *s
     const vm_load *load = &b->load;
     if (!(b->inertia.zz > 0)) return VM_BAD_INERTIA;
     vmi_plane_accelerate(b, state, rates);
-    rates[0] += load->drift.x;
-    rates[1] += load->drift.y;
+    rates[VMI_PLANE_X] += load->drift.x;
+    rates[VMI_PLANE_Y] += load->drift.y;
     vmi_growth_put_centre(b, load->centre_rate, rates);
-    rates[vmi_growth(b) + 2] = load->inertia_rate.zz;
+    rates[vmi_growth_inertia_at(b)] = load->inertia_rate.zz;
     return VM_OK;
 }
 
 VM_API void vmi_plane_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vmi_plane_put(b, now, angle, state);
-    state[vmi_growth(b) + 2] = now->inertia.zz;
+    state[vmi_growth_inertia_at(b)] = now->inertia.zz;
 }
 
 VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    now->inertia.zz = state[vmi_growth(b) + 2];
+    now->inertia.zz = state[vmi_growth_inertia_at(b)];
     vmi_plane_get(b, state, now);
 }
 
-/* The same, its mass, the mass centre in the body and its inertia states: for streams that cross at points. A run
-   ends with VM_BAD_INERTIA when they leave an inertia that no body can have. A rod or a point cannot grow. */
+/* A growing body in the plane, made of one by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when its inertia is
+   no longer positive. VM_BAD_MOTION at the start for any other body. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.begin = vmi_plane_growing_begin;
     body.accelerate = vmi_plane_growing_accelerate;
-    body.put = body.motion == VM_PLANE ? vmi_plane_growing_put : NULL; /* NULL is refused by vm_scene_check */
+    body.put = NULL; /* refused by vm_scene_check */
+    if (body.motion == VM_PLANE) body.put = vmi_plane_growing_put;
     body.get = vmi_plane_growing_get;
     return body;
 }
@@ -85,53 +102,56 @@ VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 {
     vmi_growth_begin(b);
-    b->axes = vmi_rotation(vmi_free_quat(state));
-    b->inertia = b->filled = vmi_get_inertia(state + vmi_growth(b) + 3);
+    b->axes = vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    b->inertia = b->invertible = vmi_get_inertia(state + vmi_growth_inertia_at(b));
 }
 
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* which Euler's equations below do not use */
+    vmi_inertia_ldl factors; /* not used: Euler's equations below solve with pivots */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
-    vmi_set_inertia(rates + vmi_growth(b) + 3, &load->inertia_rate);
+    vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
     if (vmi_free_accelerate(b, state, rates)) return VM_BAD_INERTIA;
-    rates[0] += load->drift.x;
-    rates[1] += load->drift.y;
-    rates[2] += load->drift.z;
+    rates[VMI_FREE_R] += load->drift.x;
+    rates[VMI_FREE_R + 1] += load->drift.y;
+    rates[VMI_FREE_R + 2] += load->drift.z;
     return VM_OK;
 }
 
 VM_API void vmi_free_growing_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     vmi_free_put(b, now, angle, state);
-    vmi_set_inertia(state + vmi_growth(b) + 3, &now->inertia);
+    vmi_set_inertia(state + vmi_growth_inertia_at(b), &now->inertia);
 }
 
 VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    now->inertia = vmi_get_inertia(state + vmi_growth(b) + 3);
+    now->inertia = vmi_get_inertia(state + vmi_growth_inertia_at(b));
     vmi_free_get(b, state, now);
 }
 
-/* A rod or a point has no axis about which a stream could turn it */
+/* A rod or a point has an axis about which no stream could turn it, and is refused */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
     const int status = vmi_check_body(start);
     if (status) return status;
-    return vmi_inertia_factor_if_possible(&start->inertia, &factors) ? VM_OK : VM_BAD_INERTIA;
+    if (!vmi_inertia_factor_if_possible(&start->inertia, &factors)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
-/* Documented with vm_scene_body_growing_plane. */
+/* A growing body in space, made of one by vm_scene_body_free. A run ends with VM_BAD_INERTIA when no body can have its
+   inertia any longer. VM_BAD_MOTION at the start for any other body, VM_BAD_INERTIA for a rod. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
     body.check = vmi_free_growing_check;
     body.begin = vmi_free_growing_begin;
     body.accelerate = vmi_free_growing_accelerate;
-    body.put = body.motion == VM_FREE ? vmi_free_growing_put : NULL;
+    body.put = NULL; /* refused by vm_scene_check */
+    if (body.motion == VM_FREE) body.put = vmi_free_growing_put;
     body.get = vmi_free_growing_get;
     return body;
 }

@@ -1,4 +1,31 @@
-/* scenes/jumps.h - separation and attachment as events */
+/* scenes/jumps.h - separation and attachment as events of a scene
+
+   An event can make a part separate from a body, which then moves on as a body of its own, or attach one body to
+   another, by the laws of chapter 3 (mechanics/jumps.h). The part must be among the bodies, absent before; an attached
+   body is absent afterwards.
+
+       vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
+       vm_body part = {0};
+       part.mass = 1;   // kg
+       part.v.x = 2;    // m/s faster than the body
+       vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
+
+   A part is described as it is the instant after: in inertial axes, or, where relative is set, in the axes of the body,
+   with r from the mass centre of the body, and q, v and omega relative to the body as it moves there. In the plane and
+   on an axle the new body takes the angle of the old one, plus the angle with which it was made. event.external is an
+   impulse that acts from outside during the jump.
+
+   Who can jump: bodies of one motion; a point and a body in the plane; a point and a free body. The functions whose
+   names end in _on_line and _in_plane do the same as vm_then_separate and vm_then_attach for these motions alone, and
+   link less (docs/scene-sizes.md). A point that takes up a body at another place loses the spin of the two; the
+   budget's angular_defect shows it.
+
+   A run ends with VM_IS_THERE where a part would separate into a body that is present already, with VM_IS_AWAY where a
+   body that jumps is not present, and with the errors of vm_separate and vm_attach. At the start vm_scene_check refuses
+   bodies that cannot jump together (VM_BAD_MOTION), a body with itself (VM_SAME_BODY), and a part that cannot be a
+   body.
+
+   Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 
@@ -16,17 +43,17 @@
 #include "scene.h"
 #include "state.h"
 
-/* The angle of a body in the plane or on an axle, which may be more than a turn */
-VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
+/* The jump on a line and on an axle. v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), sign = -1 for a part that
+   separates, and the mass centre moves by sign m/(M + sign m) of the way to that of the part (15). Line and axle go
+   through the same formulas: the numbers that a motion does not use are 0. */
+VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
-    const vm_scene_body *b = s->bodies + body;
-    return b->motion == VM_PLANE ? y[b->at + 2] : y[b->at];
-}
-
-/* (M v + m v2 + impulse)/(M + m), m < 0 for a part that separates, and m/(M + m) of the way to its mass centre */
-VM_API int vmi_event_jump_single(const vm_event *e, const vm_body *body, const vm_body *other, vm_body *b)
-{
-    const vm_real m = e->jumps > 0 ? -other->mass : other->mass, mass = body->mass + m;
+    const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
+    if (e->relative) {
+        other->r.x += body->r.x;
+        other->v.x += body->v.x;
+        other->omega.z += body->omega.z;
+    }
     *b = *body;
     if (!(mass > 0)) return VM_BAD_MASS;
     b->mass = mass;
@@ -36,18 +63,7 @@ VM_API int vmi_event_jump_single(const vm_event *e, const vm_body *body, const v
     return VM_OK;
 }
 
-/* On a line and on an axle, whose own numbers the other's formulas leave alone: they are 0 */
-VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
-{
-    if (e->relative) {
-        other->r.x += body->r.x;
-        other->v.x += body->v.x;
-        other->omega.z += body->omega.z;
-    }
-    return vmi_event_jump_single(e, body, other, b);
-}
-
-/* Where a part is whose motion is relative to the body */
+/* The motion of a part in inertial axes, where it is given relative to the body */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -58,45 +74,38 @@ VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
     part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
 }
 
-VM_API vm_body2 vmi_scene_to_plane(const vm_body *b)
+VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
 {
-    vm_body2 flat;
-    flat.mass = b->mass;
-    flat.inertia = b->inertia.zz;
-    flat.x = b->r.x;
-    flat.y = b->r.y;
-    flat.angle = 0;
-    flat.vx = b->v.x;
-    flat.vy = b->v.y;
-    flat.omega = b->omega.z;
-    return flat;
+    vm_impulse2 j;
+    j.jx = external->linear.x;
+    j.jy = external->linear.y;
+    j.couple = external->couple.z;
+    j.x = external->at.x;
+    j.y = external->at.y;
+    return j;
 }
 
+/* The jump in the plane. A rest without inertia is a point, which cannot move on as a body in the plane. */
 VM_API int vmi_event_jump_in_plane(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
-    const vm_impulse *external = &e->external;
-    vm_body2 one, two, flat;
-    vm_impulse2 blow;
+    const vm_impulse2 external = vmi_event_impulse2(&e->external);
+    vm_body2 one, two, result;
     int status;
     if (e->relative) vmi_event_jump_place(body, other);
-    one = vmi_scene_to_plane(body);
-    two = vmi_scene_to_plane(other);
-    blow.jx = external->linear.x;
-    blow.jy = external->linear.y;
-    blow.couple = external->couple.z;
-    blow.x = external->at.x;
-    blow.y = external->at.y;
-    status = e->jumps > 0 ? vm_separate2(&one, &two, &blow, &flat) : vm_attach2(&one, &two, &blow, &flat);
+    one = vmi_body_to_plane(body, 0);
+    two = vmi_body_to_plane(other, 0);
+    if (e->jump_kind == VMI_JUMP_SEPARATES) status = vm_separate2(&one, &two, &external, &result);
+    else status = vm_attach2(&one, &two, &external, &result);
     if (status < 0) return status;
     *b = *body;
-    b->mass = flat.mass;
-    b->inertia.zz = flat.inertia;
-    b->r.x = flat.x;
-    b->r.y = flat.y;
-    b->v.x = flat.vx;
-    b->v.y = flat.vy;
-    b->omega.z = flat.omega;
-    return flat.inertia > 0 ? VM_OK : VM_BAD_INERTIA; /* a rest that is a point cannot move on as a body */
+    b->mass = result.mass;
+    b->inertia.zz = result.inertia;
+    b->r.x = result.x;
+    b->r.y = result.y;
+    b->v.x = result.vx;
+    b->v.y = result.vy;
+    b->omega.z = result.omega;
+    return result.inertia > 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
 VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
@@ -105,11 +114,20 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     if (motion == VM_LINE || motion == VM_AXLE) return vmi_event_jump_on_line(e, body, other, b);
     if (motion == VM_PLANE) return vmi_event_jump_in_plane(e, body, other, b);
     if (e->relative) vmi_event_jump_place(body, other);
-    return e->jumps > 0 ? vm_separate(body, other, &e->external, b) : vm_attach(body, other, &e->external, b);
+    if (e->jump_kind == VMI_JUMP_SEPARATES) return vm_separate(body, other, &e->external, b);
+    return vm_attach(body, other, &e->external, b);
 }
 
-/* The mass centre of a growing body, which a jump moves to r, moves in the body, too */
-VM_API void vmi_scene_shift(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
+/* The angle of a body in the plane or on an axle, complete turns included; of any other body a number that put
+   ignores */
+VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
+{
+    const vm_scene_body *b = s->bodies + body;
+    return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
+}
+
+/* A jump moves the mass centre of a growing body to r: so its place in the body changes as well */
+VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
@@ -119,30 +137,41 @@ VM_API void vmi_scene_shift(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
     vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
 }
 
-VM_API void vmi_scene_jumped(vm_event *e, vm_real t, vm_real *y, int into_is_new, const vm_body *b,
-                             const vm_body *other)
+/* Writes the bodies after a jump into the state: the one that lost or gained mass, and the part that separated, or NULL
+   where `other` was attached. Then the mass laws, which do not know of the jump, get their masses. */
+VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
-    vm_budget before, after;
+    vm_scene_body *body = s->bodies + e->jump_body, *other = s->bodies + e->other;
     const vm_real angle = vmi_scene_angle(s, e->jump_body, y);
-    if (s->book) s->book->totals(s, y, &before);
     vmi_scene_note_masses(s);
-    s->bodies[e->jump_body].held = b->mass;
-    if (into_is_new) s->bodies[e->other].held = other->mass;
-    s->bodies[e->other].away = !into_is_new;
-    vmi_scene_shift(s, e->jump_body, b->r, y);
-    if (into_is_new && s->bodies[e->other].grows)
-        vmi_growth_put_centre(s->bodies + e->other, vmi_vec3(0, 0, 0), y + s->bodies[e->other].at);
-    if (into_is_new) vmi_scene_put(s, e->other, other, angle + s->bodies[e->other].angle, y);
-    vmi_scene_put(s, e->jump_body, b, angle, y);
+    body->noted_mass = result->mass;
+    other->away = part_or_NULL == NULL;
+    vmi_scene_shift_centre(s, e->jump_body, result->r, y);
+    if (part_or_NULL) {
+        other->noted_mass = part_or_NULL->mass;
+        if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
+        vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
+    }
+    vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
     vmi_scene_hold_masses(s, t, y);
-    if (!s->book) return;
-    s->book->totals(s, y, &after);
-    s->book->jump_energy += after.energy - before.energy;
-    s->book->impulse = vmi_add(s->book->impulse, e->external.linear);
-    s->book->angular_impulse = vmi_add(s->book->angular_impulse,
-                                       vmi_add(e->external.couple, vmi_cross(e->external.at, e->external.linear)));
+}
+
+/* Writes the bodies after a jump into the state, and enters into the budget the energy that the jump adds and the
+   impulse from outside */
+VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+{
+    vm_scene *s = e->scene;
+    vm_budget *budget = s->budget;
+    vm_budget before, after;
+    if (budget) budget->totals(s, y, &before);
+    vmi_scene_put_jump(e, t, y, result, part_or_NULL);
+    if (!budget) return;
+    budget->totals(s, y, &after);
+    budget->jump_energy += after.energy - before.energy;
+    budget->impulse = vmi_add(budget->impulse, e->external.linear);
+    budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
@@ -155,27 +184,30 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
-    vmi_scene_jumped(e, t, y, 1, &rest, &part);
+    vmi_scene_jump(e, t, y, &rest, &part);
     return VM_OK;
 }
 
-/* The same, of bodies on a line or on an axle, or in the plane, which link no more than that (docs/scene-sizes.md) */
+/* The event separates a part from a body on a line or on an axle. The part, as *part says, becomes the body `into`,
+   which was absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is
+   NULL. */
 VM_API vm_event vm_then_separate_on_line(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event.then = vmi_then_separate;
-    if (!part) event.status = VM_BAD_ARGUMENT;
     event.check = vmi_scene_check_jump;
     event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
+    event.jump_kind = VMI_JUMP_SEPARATES;
     event.jump_body = body;
     event.other = into;
-    event.jumps = 1;
     event.relative = relative;
     if (part) event.part = *part;
+    else event.status = VM_BAD_ARGUMENT;
     return event;
 }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event separates a part from a body in the plane. The part, as *part says, becomes the body `into`, which was
+   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
 VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -184,7 +216,8 @@ VM_API vm_event vm_then_separate_in_plane(vm_event event, int body, int into, co
     return event;
 }
 
-/* Documented with vm_then_stop. */
+/* The event separates a part from a body of any motion. The part, as *part says, becomes the body `into`, which was
+   absent. relative = 1: its motion is given relative to the body. VM_BAD_ARGUMENT at the start where part is NULL. */
 VM_API vm_event vm_then_separate(vm_event event, int body, int into, const vm_body *part, int relative)
 {
     event = vm_then_separate_on_line(event, body, into, part, relative);
@@ -203,25 +236,26 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
-    vmi_scene_jumped(e, t, y, 0, &whole, NULL);
+    vmi_scene_jump(e, t, y, &whole, NULL);
     return VM_OK;
 }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event attaches a body to another one on its line or its axle. `added` becomes a part of `body` and is no longer
+   present. */
 VM_API vm_event vm_then_attach_on_line(vm_event event, int body, int added)
 {
     event.then = vmi_then_attach;
     event.check = vmi_scene_check_jump;
     event.jump = vmi_event_jump_on_line;
     event.motions = VMI_SINGLE;
+    event.jump_kind = VMI_JUMP_ATTACHES;
     event.jump_body = body;
     event.other = added;
-    event.jumps = -1;
     event.relative = 0;
     return event;
 }
 
-/* Documented with vm_then_separate_on_line. */
+/* The event attaches a body to another one in the plane. `added` becomes a part of `body` and is no longer present. */
 VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -230,7 +264,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
     return event;
 }
 
-/* Documented with vm_then_stop. */
+/* The event attaches a body to another one, of any motion. `added` becomes a part of `body` and is no longer
+   present. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);

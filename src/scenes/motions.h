@@ -1,4 +1,19 @@
-/* scenes/motions.h - how each kind of body moves */
+/* scenes/motions.h - the bodies of a scene, and how each of them moves
+
+   A body moves along a line, about an axle, in the plane, or in space: there as a point or, with rotation, free. Its
+   constructor states how it starts, in SI units. Each kind of body brings four functions: put writes its motion into
+   the state, get reads it from there, accelerate computes the derivatives of the state from the load, and check refuses
+   an inertia that it cannot have.
+
+       vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
+                                 vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
+                                 vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
+
+   The constructors check nothing but NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not
+   positive (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite
+   (VM_NOT_FINITE).
+
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
 #define VARMASS_SCENES_MOTIONS_H
 
@@ -23,11 +38,13 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
     return b;
 }
 
-/* A line and an axle: one coordinate */
+/* -- One coordinate: a line and an axle -- */
+
+/* x'' = F/(M + extra mass) */
 VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     rates[0] = state[1];
-    rates[1] = b->load.force[0] / (b->load.mass + b->load.extra);
+    rates[1] = b->load.force[0] / (b->load.mass + b->load.extra_mass);
     return VM_OK;
 }
 
@@ -46,8 +63,7 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->v.x = state[1];
 }
 
-/* Bodies. m, m/s, rad, rad/s; of an axle the inertia is about it, in the plane about the mass centre, kg m^2. A free
-   body may be a rod, whose spin about itself then stays. */
+/* A body on a line. mass in kg, x in m, v in m/s. */
 VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
     vm_scene_body b = vmi_scene_body(VM_LINE, 1, 1);
@@ -74,7 +90,7 @@ VM_API void vmi_axle_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->inertia.zz = now->mass;
 }
 
-/* Documented with vm_scene_body_line. */
+/* A body on a fixed axle. inertia about the axle in kg m^2, angle in rad, omega in rad/s. */
 VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real omega)
 {
     vm_scene_body b = vmi_scene_body(VM_AXLE, 1, 1);
@@ -87,41 +103,48 @@ VM_API vm_scene_body vm_scene_body_axle(vm_real inertia, vm_real angle, vm_real 
     return b;
 }
 
+/* -- The plane -- */
+
+enum { VMI_PLANE_X, VMI_PLANE_Y, VMI_PLANE_ANGLE, VMI_PLANE_VX, VMI_PLANE_VY, VMI_PLANE_OMEGA }; /* its state */
+
 VM_API int vmi_plane_check(const vm_body *start) { return start->inertia.zz > 0 ? VM_OK : VM_BAD_INERTIA; }
 
 VM_API int vmi_plane_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
     for (i = 0; i < 3; i++) rates[i] = state[3 + i];
-    for (i = 0; i < 2; i++) rates[3 + i] = b->load.force[i] / b->load.mass;
-    rates[5] = b->load.force[2] / b->inertia.zz;
+    rates[VMI_PLANE_VX] = b->load.force[0] / b->load.mass;
+    rates[VMI_PLANE_VY] = b->load.force[1] / b->load.mass;
+    rates[VMI_PLANE_OMEGA] = b->load.force[2] / b->inertia.zz;
     return VM_OK;
 }
 
 VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     (void)b;
-    state[0] = now->r.x;
-    state[1] = now->r.y;
-    state[2] = angle;
-    state[3] = now->v.x;
-    state[4] = now->v.y;
-    state[5] = now->omega.z;
+    state[VMI_PLANE_X] = now->r.x;
+    state[VMI_PLANE_Y] = now->r.y;
+    state[VMI_PLANE_ANGLE] = angle;
+    state[VMI_PLANE_VX] = now->v.x;
+    state[VMI_PLANE_VY] = now->v.y;
+    state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
+/* As a lamina: the moments about x and y, which no motion in the plane asks for, make a body that is possible */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
-    now->r.x = state[0];
-    now->r.y = state[1];
-    now->v.x = state[3];
-    now->v.y = state[4];
-    vmi_sincos(state[2] / 2, &now->q.z, &now->q.w);
-    now->omega.z = state[5];
-    now->inertia.xx = now->inertia.yy = now->inertia.zz / 2; /* of a lamina: any that is possible will do */
+    now->r.x = state[VMI_PLANE_X];
+    now->r.y = state[VMI_PLANE_Y];
+    now->v.x = state[VMI_PLANE_VX];
+    now->v.y = state[VMI_PLANE_VY];
+    vmi_sincos(state[VMI_PLANE_ANGLE] / 2, &now->q.z, &now->q.w);
+    now->omega.z = state[VMI_PLANE_OMEGA];
+    now->inertia.xx = now->inertia.yy = now->inertia.zz / 2;
 }
 
-/* Documented with vm_scene_body_line. */
+/* A body in the plane. mass in kg, inertia about the mass centre in kg m^2 (> 0), r in m, angle in rad (anticlockwise),
+   v in m/s, omega in rad/s. r.z and v.z do not count. */
 VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
                                     vm_real omega)
 {
@@ -140,13 +163,17 @@ VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 
     return b;
 }
 
+/* -- A point in space -- */
+
 VM_API int vmi_point_body_check(const vm_body *start)
 {
     const vm_inertia *i = &start->inertia;
     const int none = i->xx == 0 && i->yy == 0 && i->zz == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
-    return none ? VM_OK : VM_BAD_INERTIA;
+    if (none) return VM_OK;
+    return VM_BAD_INERTIA;
 }
 
+/* r' and v' of a point, and of a free body, whose state has q between r and v */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -157,24 +184,18 @@ VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *stat
 
 VM_API void vmi_point_body_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
-    vm_real *v = state + b->positions;
     (void)angle;
-    state[0] = now->r.x;
-    state[1] = now->r.y;
-    state[2] = now->r.z;
-    v[0] = now->v.x;
-    v[1] = now->v.y;
-    v[2] = now->v.z;
+    vmi_set3(state, now->r);
+    vmi_set3(state + b->positions, now->v);
 }
 
 VM_API void vmi_point_body_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    const vm_real *v = state + b->positions;
-    now->r = vmi_vec3(state[0], state[1], state[2]);
-    now->v = vmi_vec3(v[0], v[1], v[2]);
+    now->r = vmi_get3(state);
+    now->v = vmi_get3(state + b->positions);
 }
 
-/* Documented with vm_scene_body_line. */
+/* A point in space. mass in kg, r in m, v in m/s. */
 VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 {
     vm_scene_body b = vmi_scene_body(VM_POINT, 3, 3);
@@ -188,90 +209,90 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
     return b;
 }
 
-VM_API vm_quat vmi_free_quat(const vm_real *state)
+/* -- A free body in space -- */
+
+enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* its state; omega in body axes */
+
+/* q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, omega in body axes. The second term holds the length of q at 1; it
+   acts as fast as q turns, so that a slow rotation is not stiff. mechanics/flow.h has the same law. */
+VM_API void vmi_free_turn(vm_quat q, vm_vec3 omega, vm_real *rates)
 {
-    vm_quat q;
-    q.w = state[3];
-    q.x = state[4];
-    q.y = state[5];
-    q.z = state[6];
-    return q;
+    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
 }
 
-/* Euler's equations in body axes, and the quaternion's, whose length is drawn to 1 (as exp(-t)). About the null axis
-   of a rod, which no load turns, the spin stays. */
-VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
+/* Euler's equations I omega' = torque - omega x I omega in body axes. They are solved with the dummy moments, and so
+   the spin about the null axis of a rod stays: no load turns a rod about it. */
+VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
 {
-    const vm_inertia *i = &b->filled;
-    const vm_vec3 w = vmi_vec3(state[10], state[11], state[12]);
-    const vm_quat q = vmi_free_quat(state);
-    const vm_real *f = b->load.force, pull = (1 - (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)) / 2;
-    const vmi_mat3 axes = vmi_rotation(q);
-    const vm_vec3 torque = vmi_times_transposed(&axes, vmi_vec3(f[3], f[4], f[5]));
-    const vm_vec3 h = vmi_sub(torque, vmi_cross(w, vmi_inertia_times(&b->inertia, w)));
-    vm_quat spin, turn;
+    const vm_inertia *i = &b->invertible;
+    const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
     vm_real a[9];
-    spin.w = 0;
-    spin.x = w.x / 2;
-    spin.y = w.y / 2;
-    spin.z = w.z / 2;
-    turn = vmi_quat_times(q, spin);
-    vmi_point_body_accelerate(b, state, rates);
-    rates[3] = turn.w + pull * q.w;
-    rates[4] = turn.x + pull * q.x;
-    rates[5] = turn.y + pull * q.y;
-    rates[6] = turn.z + pull * q.z;
+    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
     a[1] = a[3] = i->xy;
     a[2] = a[6] = i->xz;
     a[5] = a[7] = i->yz;
-    rates[10] = h.x;
-    rates[11] = h.y;
-    rates[12] = h.z;
-    return vmi_solve_linear(3, a, rates + 10) ? VM_BAD_INERTIA : VM_OK;
+    if (vmi_solve_linear(3, a, rates)) return VM_BAD_INERTIA;
+    return VM_OK;
 }
 
-/* Euler's equations are solved with something about a null axis, too: it finds nothing to accelerate there */
-VM_API vm_inertia vmi_free_filled(const vm_inertia *i)
+VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
-    const vm_real trace = i->xx + i->yy + i->zz;
+    const vm_quat q = vmi_get_quat(state + VMI_FREE_Q);
+    const vm_vec3 omega = vmi_get3(state + VMI_FREE_OMEGA);
+    const vmi_mat3 axes = vmi_rotation(q);
+    vmi_point_body_accelerate(b, state, rates);
+    vmi_free_turn(q, omega, rates + VMI_FREE_Q);
+    return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
+}
+
+/* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
+   an axis, so that the dummy accelerates nothing. */
+VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
+{
+    const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
     vmi_principal p = vmi_principal_axes(i);
     int k, null_axes = 0;
     for (k = 0; k < 3; k++)
         if (!(p.moment[k] > vmi_slack(i))) {
-            p.moment[k] = trace > 0 ? trace : 1;
+            p.moment[k] = dummy;
             null_axes++;
         }
-    return null_axes ? vmi_inertia_from(&p) : *i;
+    if (null_axes > 0) return vmi_inertia_from(&p);
+    return *i;
 }
 
 VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
-    const vmi_mat3 turn = vmi_rotation(now->q);
-    const vm_vec3 omega = vmi_times_transposed(&turn, now->omega);
-    b->filled = vmi_free_filled(&now->inertia);
+    const vmi_mat3 axes = vmi_rotation(now->q);
+    b->invertible = vmi_invertible_inertia(&now->inertia);
     vmi_point_body_put(b, now, angle, state);
-    state[3] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
-    state[4] = now->q.x;
-    state[5] = now->q.y;
-    state[6] = now->q.z;
-    state[10] = omega.x;
-    state[11] = omega.y;
-    state[12] = omega.z;
+    state[VMI_FREE_Q] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
+    state[VMI_FREE_Q + 1] = now->q.x;
+    state[VMI_FREE_Q + 2] = now->q.y;
+    state[VMI_FREE_Q + 3] = now->q.z;
+    vmi_set3(state + VMI_FREE_OMEGA, vmi_times_transposed(&axes, now->omega));
 }
 
 VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
-    vmi_mat3 turn;
+    vmi_mat3 axes;
     vmi_point_body_get(b, state, now);
-    now->q = vmi_free_quat(state);
-    turn = vmi_rotation(now->q);
-    now->omega = vmi_times(&turn, vmi_vec3(state[10], state[11], state[12]));
+    now->q = vmi_get_quat(state + VMI_FREE_Q);
+    axes = vmi_rotation(now->q);
+    now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* Documented with vm_scene_body_line. */
+/* A body that moves and turns freely in space, as *start says. It may be a rod, whose spin about itself then stays.
+   VM_BAD_ARGUMENT at the start of the scene where start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -285,45 +306,58 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
     return b;
 }
 
-/* the same, its mass a state */
+/* -- Any body -- */
+
+/* A body whose mass is a state, so that streams can change it. Otherwise it is `body`. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* the same, not yet there */
+/* A body that is not present until an event brings it in. Otherwise it is `body`. Effects on it do not act before. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* Numbers by coordinate as vectors: the part that moves the mass centre, the part that turns, inertial axes */
+/* How many coordinates the mass moves in; of an axle, the one in which the inertia turns */
+VM_INLINE int vmi_scene_directions(int motion)
+{
+    if (motion <= VM_AXLE) return 1;
+    return motion == VM_PLANE ? 2 : 3;
+}
+
+/* Numbers by coordinate as a vector, inertial axes: the part that moves the mass centre */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
     if (b->motion == VM_LINE) return vmi_vec3(a[0], 0, 0);
-    return vmi_vec3(a[0], a[1], b->motion == VM_PLANE ? 0 : a[2]);
+    if (b->motion == VM_PLANE) return vmi_vec3(a[0], a[1], 0);
+    return vmi_get3(a);
 }
 
+/* Numbers by coordinate as a vector: the part that turns the body, in the axes in which the numbers are */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
     if (b->motion == VM_PLANE) return vmi_vec3(0, 0, a[2]);
-    return b->motion == VM_FREE ? vmi_vec3(a[3], a[4], a[5]) : vmi_vec3(0, 0, 0);
+    if (b->motion == VM_FREE) return vmi_get3(a + 3);
+    return vmi_vec3(0, 0, 0);
 }
 
+/* The angular velocity of a body, inertial axes */
 VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
 {
-    const vm_vec3 w = vmi_scene_turning(b, y + b->at + b->positions);
+    const vm_vec3 omega = vmi_scene_turning(b, y + b->at + b->positions);
     vmi_mat3 axes;
-    if (b->motion != VM_FREE) return w;
-    axes = vmi_rotation(vmi_free_quat(y + b->at));
-    return vmi_times(&axes, w);
+    if (b->motion != VM_FREE) return omega;
+    axes = vmi_rotation(vmi_get_quat(y + b->at + VMI_FREE_Q));
+    return vmi_times(&axes, omega);
 }
 
-/* The way back: a += these */
+/* Adds two vectors to numbers by coordinate: the inverse of vmi_scene_moving and vmi_scene_turning */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {

@@ -1,4 +1,11 @@
-/* scenes/start.h - how a scene starts */
+/* scenes/start.h - the start of a scene
+
+   vm_scene_start checks a scene, fills its state, and connects effects and events with the bodies on which they act.
+
+       vm_scene_fault fault;
+       int status = vm_scene_start(&scene, t, y, &fault); // y: vm_scene_size(&scene) numbers
+
+   Tests: tests/test_scene_runs.c. */
 #ifndef VARMASS_SCENES_START_H
 #define VARMASS_SCENES_START_H
 
@@ -12,7 +19,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Whether bodies, effects and events are those of the last start, as far as can be seen: a book may be given up */
+/* Whether the scene was started and its lists are still those of the start, as far as can be seen. The state may have
+   become shorter, since a budget may be given up. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -24,12 +32,15 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
+/* The event function that the integrator watches; ctx is the event of the scene */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
-    return e->when ? e->when(e, t, y) : 1;
+    if (e->when) return e->when(e, t, y);
+    return 1;
 }
 
+/* The integrator's event i. An event that is only counted, without limit, need not end a step: ODE_RECORD. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -37,57 +48,75 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
     located->g = vmi_scene_when;
     located->ctx = s->events + i;
     located->direction = s->events[i].direction;
-    /* what is only counted, and without end, need not end a step */
-    located->action = s->events[i].then || s->events[i].most ? ODE_STOP : ODE_RECORD;
+    located->action = ODE_STOP;
+    if (!s->events[i].then && !s->events[i].most) located->action = ODE_RECORD;
 }
 
-/* Where an effect finds what it needs, so that it need not look for it at each evaluation */
+/* Notes in an effect where its coordinates and loads are. Against the ground, other_coordinate may be any number. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
-    e->idle = e->off != 0;
+    e->idle = 0;
+    if (e->off) e->idle = VMI_IDLE_SWITCHED_OFF;
     e->load = &b->load;
     e->other_load = NULL;
     e->x = b->at + e->coordinate;
     e->v = e->x + b->positions;
     e->other_x = e->x;
     e->other_v = e->v;
-    if (!other) return; /* other_coordinate may be anything then */
+    if (!other) return;
     e->other_load = &other->load;
     e->other_x = other->at + e->other_coordinate;
     e->other_v = e->other_x + other->positions;
 }
 
-/* Checks the scene, and makes the state at the start: vm_scene_size numbers */
-VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *culprit)
+/* Writes the bodies as they start into the state; returns where the numbers of the budget begin */
+VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
 {
-    int i, k, at = 0, status = vm_scene_check(scene, culprit);
+    int i, k, at = 0;
+    for (i = 0; i < s->n_bodies; i++) {
+        vm_scene_body *b = s->bodies + i;
+        b->at = at;
+        b->mass_at = at + vmi_scene_mass_at(b);
+        b->away = b->absent;
+        b->law_offset = 0;
+        for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
+        vmi_scene_put(s, i, &b->start, b->angle, y);
+    }
+    return at;
+}
+
+VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
+{
+    int i;
+    for (i = 0; i < s->n_events; i++) {
+        vm_event *e = s->events + i;
+        e->scene = s;
+        e->count = e->seen = 0;
+        if (e->when) e->time = t;
+        vmi_scene_locate(s, i);
+    }
+}
+
+/* Start of a scene at time t: checks it and fills its state y, vm_scene_size numbers. Returns VM_OK or what
+   vm_scene_check says, with the place of the fault in *fault_or_NULL; VM_BAD_ARGUMENT where y is NULL, VM_NOT_FINITE
+   for t, VM_SHORT_ARRAY where scene.y_size is set and too small. y is untouched if the start fails. After the start the
+   arrays of the scene must stay where they are. */
+VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
+{
+    int i, end, status = vm_scene_check(scene, fault_or_NULL);
     if (status) return status;
     if (!y) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     if (scene->y_size && scene->y_size < vm_scene_size(scene)) return VM_SHORT_ARRAY;
     scene->size = vm_scene_size(scene);
-    for (i = 0; i < scene->n_bodies; i++) {
-        vm_scene_body *b = scene->bodies + i;
-        b->at = at;
-        b->mass_at = at + vmi_scene_mass_at(b);
-        b->away = b->absent;
-        b->jumped = 0;
-        for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
-        vmi_scene_put(scene, i, &b->start, b->angle, y);
-    }
+    end = vmi_scene_place_bodies(scene, y);
     for (i = 0; i < scene->n_effects; i++) vmi_scene_bind(scene, scene->effects + i);
-    for (i = 0; i < scene->n_events; i++) {
-        vm_event *e = scene->events + i;
-        e->scene = scene;
-        e->count = e->seen = 0;
-        if (e->when) e->time = t;
-        vmi_scene_locate(scene, i);
-    }
+    vmi_scene_reset_events(scene, t);
     vmi_scene_presence(scene);
     vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
-    if (scene->book) scene->book->open(scene, y, y + at);
+    if (scene->budget) scene->budget->open(scene, y, y + end);
     return VM_OK;
 }
 

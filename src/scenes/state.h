@@ -1,4 +1,12 @@
-/* scenes/state.h - the state of a scene */
+/* scenes/state.h - the state of a scene: its size, and the bodies in it
+
+   A scene's state y holds the numbers of each body one after the other, and at the end, where the scene keeps a budget,
+   the VM_BUDGET numbers of it. scene.h has a table of the numbers of each body.
+
+       vm_body now;
+       vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
+
+   Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
@@ -9,15 +17,19 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-enum { VM_BUDGET = 15 };
+enum { VM_BUDGET = 15 }; /* how many numbers a budget adds to the state */
+
+/* How many numbers of work vm_scene_run needs for a state of so many numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
-/* numbers in the state; VM_BAD_ARGUMENT for null pointers */
+/* How many numbers the state of a scene has. It depends on the bodies and on whether the scene keeps a budget.
+   VM_BAD_ARGUMENT where scene is NULL or its bodies are missing. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
-    int i, size = scene && scene->book ? VM_BUDGET : 0;
+    int i, size = 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
+    if (scene->budget) size += VM_BUDGET;
     return size;
 }
 
@@ -30,9 +42,9 @@ VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm
     b->get(b, y + b->at, now);
 }
 
-/* Body 0 <= body < n_bodies of a scene that has been started as it moves in state y; where its mass is of a law, that
-   when the right-hand side was last evaluated. NaN where there is no such body, for null pointers and before a
-   start */
+/* The motion of a body in the state y. The scene must have been started; 0 <= body < n_bodies. A mass that is given by
+   a law is that of the last evaluation of the right-hand side. All numbers of *now are NaN for an index that does not
+   exist, for NULL pointers, and before a start. */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
@@ -47,7 +59,7 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* The state of a body that moves as now; its angle is given apart, since a turn more or less does not show in now */
+/* Writes a body that moves as `now` into the state. Its angle comes apart, since `now` does not tell complete turns. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -57,14 +69,15 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Effects on bodies that are not there do not act */
+/* Makes the effects idle that act on or against a body that is not present, and the others of these not */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_effects; i++) {
         vm_effect *e = s->effects + i;
-        const int gone = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
-        e->idle = (e->idle & 1) | (gone ? 2 : 0);
+        const int away = s->bodies[e->body].away || (e->other >= 0 && s->bodies[e->other].away);
+        e->idle &= VMI_IDLE_SWITCHED_OFF;
+        if (away) e->idle |= VMI_IDLE_BODY_AWAY;
     }
 }
 

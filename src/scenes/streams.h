@@ -1,4 +1,18 @@
-/* scenes/streams.h - streams of mass onto and out of bodies of a scene */
+/* scenes/streams.h - streams of mass into and out of the bodies of a scene
+
+   A stream changes a mass that is a state (vm_scene_body_with_mass_state). vm_effect_stream is a stream that crosses at
+   the mass centre: it changes the mass and has a reactive force. The other four are for a stream of chapter 5 that
+   crosses at a point of a growing body; each is one thing that the stream does, and each may be left out:
+     vm_effect_stream_mass    mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
+     vm_effect_stream_force   reactive force M' (u - v) (156)
+     vm_effect_stream_moment  moment d x M' (u - v) about the mass centre (158)
+     vm_effect_stream_torque  torque M' kappa omega2 - I' omega (157)
+   mechanics/streams.h explains the symbols.
+
+       vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
+       vm_effect effects[] = {vm_effect_stream(0, 5, falls, 1)}; // 5 kg/s of velocity falls, a vm_vec3
+
+   Tests: tests/test_scene_streams.c. */
 #ifndef VARMASS_SCENES_STREAMS_H
 #define VARMASS_SCENES_STREAMS_H
 
@@ -15,30 +29,34 @@
 
 VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
+    const vm_real rate = e->p[VMI_MASS_RATE];
     (void)t;
-    e->load->mass_rate += e->p[4];
-    vmi_scene_reactive(e, y, s, e->p[4], e->p, e->p[3]);
+    e->load->mass_rate += rate;
+    vmi_scene_reactive(e, y, s, rate, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* A stream, for a body whose mass is a state: rate kg/s (on an axle kg m^2/s), u and share as above; it crosses at
-   the mass centre and leaves the inertia as it is */
-VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real share)
+/* A stream that crosses at the mass centre, with its reactive force. The mass of the body must be a state
+   (VM_MASS_IS_NO_STATE). rate in kg/s (on an axle kg m^2/s) is negative for mass that leaves; its own velocity is
+   u + (1 - reactive) v, as in vm_effect_mass_law. The inertia of the body stays as it is. */
+VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, VMI_ALL_MOTIONS, u.x, u.y, u.z);
-    e.p[3] = share;
-    e.p[4] = rate;
-    e.needs_mass_state = 1;
-    e.apply = vmi_apply_stream;
+    vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
+    e.p[VMI_MASS_U] = u.x;
+    e.p[VMI_MASS_U + 1] = u.y;
+    e.p[VMI_MASS_U + 2] = u.z;
+    e.p[VMI_MASS_REACTIVE] = reactive;
+    e.p[VMI_MASS_RATE] = rate;
+    e.needs = VMI_NEEDS_MASS_STATE;
     return e;
 }
 
-/* A stream at a point of a growing body: the body as the stream sees it, and what section 5 makes of it. The book
-   has what the stream brings with the mass; as mixing, what of that does not go into the body's energy. */
+/* A stream at a point of a growing body: the motion of the body as the stream sees it, and the sums of chapter 5 */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
 } vmi_crossing;
 
+/* Fills *c. A varying stream whose motion has become unknown sets the status of the scene, which ends the run. */
 VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -49,20 +67,21 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
-    c->seen.energy = s->book != NULL;
+    c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
     c->seen.centre = vmi_growth_centre(b, y + b->at);
-    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT; /* an unknown motion */
+    if (!vmi_stream_sums(1, &stream, &c->seen, &c->sum)) s->status = VM_BAD_ARGUMENT;
 }
 
-/* A reactive force and a moment or torque, inertial axes */
+/* Adds a reactive force and a moment or torque, inertial axes, to the load and to the budget. The budget has what the
+   stream brings together with the mass; here it loses from `mixing` the power of these loads. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_load *load = e->load;
     vmi_scene_add(b, load->force, force, torque);
-    if (!s->book) return;
+    if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
     load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
@@ -80,7 +99,7 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
     load->centre_rate = vmi_add(load->centre_rate, shift);
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
-    if (!s->book) return;
+    if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
     turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
     vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
@@ -113,6 +132,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
+/* Chapter 5's check of a stream, and that it has no store: a scene has no place for what is on the way to it */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
@@ -122,40 +142,56 @@ VM_API int vmi_crossing_check(const vm_effect *e)
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
                                      void (*apply)(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s))
 {
-    vm_effect e = vmi_effect(body, 0, VM_GROUND, 0, 1 << VM_PLANE | 1 << VM_FREE, 0, 0, 0);
-    e.needs_mass_state = 2;
+    vm_effect e = vmi_effect(body, 0, apply);
+    e.motions = 1 << VM_PLANE | 1 << VM_FREE;
+    e.needs = VMI_NEEDS_GROWING_BODY;
     e.stream = stream;
     e.check = vmi_crossing_check;
-    e.apply = apply;
     return e;
 }
 
-/* A stream of chapter 5 that crosses at a point of a growing body and is put there (in body axes from where the mass
-   centre was at first; a stream with a store is refused). Each of what it does is an effect, and each may be left
-   out: mass (the mass M, its centre, the inertia; r' = v + (M'/M) d), reactive force M' (u - v) (156), moment
-   d x M' (u - v) (158), torque M' kappa omega2 - I' omega (157). A book's mixing is that of streams whose effects are
-   all listed. The stream is the caller's; what an event changes in it has changed. */
+/* Mass, mass centre and inertia that a stream at a point brings to a growing body. The stream stays the caller's: where
+   an event changes it, the run goes on with the change. Its points are in body axes from where the mass centre was at
+   the start. The budget's `mixing` is right where the stream's mass, force, moment and torque are all listed.
+   At the start VM_BAD_ARGUMENT for a NULL pointer or an unknown motion, VM_STORED_STREAM for a stream with a store,
+   VM_DOES_NOT_GROW for a body that is not a growing one. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
 }
 
-/* Documented with vm_effect_stream_mass. */
+/* Reactive force M' (u - v) of a stream at a point of a growing body (156). Conditions and errors are those of
+   vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
 }
 
-/* Documented with vm_effect_stream_mass. */
+/* Moment d x M' (u - v) of the reactive force of a stream, about the mass centre of a growing body (158). Conditions
+   and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_moment);
 }
 
-/* Documented with vm_effect_stream_mass. */
+/* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). Conditions and errors are those of
+   vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
+}
+
+/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass or its like. At each evaluation
+   vary receives a copy of the stream and writes what differs at t and y: the point, which may move in the body, the
+   rate, the velocity. VM_BAD_ARGUMENT at the start where vary is NULL or the effect has no stream. */
+VM_API vm_effect vm_effect_varying(vm_effect effect,
+                                   void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
+                                   void *ctx)
+{
+    effect.vary = vary;
+    effect.ctx = ctx;
+    if (!effect.stream || !vary) effect.apply = NULL;
+    return effect;
 }
 
 #endif

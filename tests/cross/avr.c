@@ -1,5 +1,5 @@
-/* The same for an ATmega1284P under simavr, which shows what goes out by the first serial port; sleeping without
-   interrupts ends the run. int main of golden.c is called golden_main. */
+/* The way out of golden.c on an ATmega1284P under simavr: golden_line writes to the first serial port, which simavr
+   prints; sleeping without interrupts ends the run. int main of golden.c is called golden_main. */
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>

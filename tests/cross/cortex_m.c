@@ -1,5 +1,5 @@
 /* The least that a Cortex-M needs under an emulator: vectors, data and bss, the floating-point unit, and semihosting to
-   write a line and to end with main's value. golden_line is what golden.c writes by. */
+   write a line and to end with main's value. golden_line is the function by which golden.c writes. */
 #include <stdint.h>
 
 extern uint32_t data_load[], data_start[], data_end[], bss_start[], bss_end[], stack_top[];

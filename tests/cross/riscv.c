@@ -1,4 +1,5 @@
-/* The same for RISC-V under qemu's "virt" board */
+/* The least that RISC-V needs on qemu's "virt" board: the start, bss, and semihosting to write a line and to end with the
+   value of main. golden_line is the function by which golden.c writes. */
 #include <stdint.h>
 
 extern char bss_start[], bss_end[];

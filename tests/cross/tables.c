@@ -1,5 +1,6 @@
 /* Calls that read every table of jacobi.h and ateb.h (-DATEB), or of one pair of integrators.h (-DRK45, -DRK87: both do
-   not fit into 32 KB of flash); prints the bits of each result. tests/test_avr.sh compares the lines of an ATmega328P, whose tables may lie in flash, with those of a PC. */
+   not fit into 32 KB of flash). It prints the bits of each result. tests/test_avr.sh compares the lines of an ATmega328P,
+   whose tables may lie in flash, with those of a PC. */
 #define VM_USE_FLOAT
 #ifdef ATEB
 #include "../../ateb.h"

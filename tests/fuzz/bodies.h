@@ -36,6 +36,12 @@ static vm_quat draw_attitude(void)
     return q;
 }
 
+static double norm4(vm_quat q)
+{
+    return sqrt((double)q.w * (double)q.w + (double)q.x * (double)q.x + (double)q.y * (double)q.y +
+                (double)q.z * (double)q.z);
+}
+
 /* Principal moments that a body of this mass and size can have, rods, plates and points among them; products of
    inertia by a turn about an axis. */
 static vm_inertia draw_inertia(vm_real mass, double size)
@@ -141,8 +147,7 @@ static double trace_of(const vm_inertia *i) { return (double)i->xx + (double)i->
 /* q v q* for |q| = 1, of which all zero is the identity */
 static void turn3(vm_quat q, const double *v, double *turned)
 {
-    const double n = sqrt((double)q.w * (double)q.w + (double)q.x * (double)q.x + (double)q.y * (double)q.y +
-                          (double)q.z * (double)q.z);
+    const double n = norm4(q);
     const double f = n > 0 ? 1 / n : 0, w = n > 0 ? (double)q.w * f : 1, x = (double)q.x * f, y = (double)q.y * f,
                  z = (double)q.z * f;
     const double a = y * v[2] - z * v[1], b = z * v[0] - x * v[2], c = x * v[1] - y * v[0];
@@ -151,13 +156,14 @@ static void turn3(vm_quat q, const double *v, double *turned)
     turned[2] = v[2] + 2 * (w * c + x * b - y * a);
 }
 
-/* Of a body, about a point, in inertial axes, with its sign; returns what goes with its roundings: the trace, m d^2,
-   and m d |r|, which an eps of r moves */
+/* Add a body's inertia about a point, in inertial axes, sign times. Returns the size of its rounding errors: the trace,
+   m d^2, and m d |r|, which an eps of r moves. */
 static double add_body_inertia(double *sum, double sign, const vm_body *b, vm_vec3 about)
 {
     const vm_vec3 d = vmi_sub(b->r, about);
     double own[6] = {0, 0, 0, 0, 0, 0}, axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, m[3][3];
-    int i, j, k, l;
+    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2}; /* of xx, yy, zz, xy, xz, yz */
+    int i, j, k;
     add_inertia(own, 1, &b->inertia);
     m[0][0] = own[0];
     m[1][1] = own[1];
@@ -168,10 +174,7 @@ static double add_body_inertia(double *sum, double sign, const vm_body *b, vm_ve
     for (i = 0; i < 3; i++) turn3(b->q, axes[i], axes[i]);
     for (k = 0; k < 6; k++) /* sum of m_ij a_i a_j */
         for (i = 0; i < 3; i++)
-            for (j = 0; j < 3; j++) {
-                l = k < 3 ? k : k == 5 ? 1 : 0;
-                sum[k] += sign * m[i][j] * axes[i][l] * axes[j][k < 3 ? k : k == 3 ? 1 : 2];
-            }
+            for (j = 0; j < 3; j++) sum[k] += sign * m[i][j] * axes[i][row[k]] * axes[j][column[k]];
     add_point_inertia(sum, sign * (double)b->mass, (double)d.x, (double)d.y, (double)d.z);
     return trace_of(&b->inertia) + (double)b->mass * size3(d) * (size3(d) + size3(b->r) + size3(about));
 }

@@ -21,7 +21,10 @@ static int system_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     for (i = 0; i < s->n; i++) {
         const vm_real next = y[(i + 1) % s->n];
         switch (s->kind) {
-        case 0: dydt[i] = i % 2 ? -y[i - 1] : (i + 1 < s->n ? next : 0); break;
+        case 0:
+            if (i % 2) dydt[i] = -y[i - 1];
+            else dydt[i] = i + 1 < s->n ? next : 0;
+            break;
         case 1: dydt[i] = -s->a * y[i]; break;
         case 2: dydt[i] = s->a * y[i] * y[i]; break;
         case 3: dydt[i] = VM_SQRT(y[i]) * s->b; break;

@@ -52,7 +52,7 @@ plant "sign: cn next to K" jacobi jacobi.h 's/theta.c = aa - rb;/theta.c = aa + 
 plant "sign: the phase's half plane" ateb ateb.h 's/return VM_COPYSIGN(r, sa);/return VM_COPYSIGN(r, -sa);/'
 plant "sign: a weight of the step" integrators integrators.h 's/+ VMI_H(0.01) \* k2\[i\]/- VMI_H(0.01) * k2[i]/'
 plant "sign: velocity of the rest" jumps varmass.h \
-    '/^VM_API int vmi_jump(/,/^}/s/b.v = vmi_add(frame.v, load.v)/b.v = vmi_sub(frame.v, load.v)/'
+    '/^VM_API int vmi_jump(/,/^}/s/b.v = vmi_add(frame.v, lump.v)/b.v = vmi_sub(frame.v, lump.v)/'
 plant "sign: Tsiolkovsky's formula" streams varmass.h \
     '/^VM_API vm_real vm_tsiolkovsky(/,/^}/s/return v0 + w/return v0 - w/'
 # bounds
@@ -68,9 +68,9 @@ plant "inertia: a product of a point's" jumps varmass.h \
 plant "inertia: the part's mass for the reduced one" jumps varmass.h \
     '/^VM_API int vmi_join(/,/^}/s/b->inertia), reduced, moved/b->inertia), sign * b->mass, moved/'
 plant "inertia: not turned" jumps varmass.h \
-    '/^VM_API vmi_lump vmi_lump_of(/,/^}/s/load.inertia = vmi_inertia_along(.*;/load.inertia = body->inertia;/'
+    '/^VM_API vmi_lump vmi_lump_of(/,/^}/s/lump.inertia = vmi_inertia_along(.*;/lump.inertia = body->inertia;/'
 plant "inertia: of the plane, sizes of its terms" jumps varmass.h \
-    's/b.inertia = load.inertia.zz, b.angle/b.inertia = load.sizes.zz, b.angle/'
+    's/b.inertia = lump.inertia.zz;/b.inertia = lump.sizes.zz;/'
 plant "inertia: of streams, without the place" streams varmass.h \
     '/^VM_INLINE int vmi_stream_sums(/,/^}/s/s->rate, vmi_inertia_of_point(stored)/0, vmi_inertia_of_point(stored)/'
 plant "inertia: of streams in the plane" streams varmass.h \

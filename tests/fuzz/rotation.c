@@ -1,12 +1,6 @@
-/* Fuzz target: varmass.h, free rotation and Euler's angles. Angular momentum and energy stay at any time, the way
+/* Fuzz target: varmass.h, torque-free rotation and Euler's angles. Angular momentum and energy stay at any time, running
    back leads back, |q| stays, refusals change nothing. */
 #include "bodies.h"
-
-static double norm4(vm_quat q)
-{
-    return sqrt((double)q.w * (double)q.w + (double)q.x * (double)q.x + (double)q.y * (double)q.y +
-                (double)q.z * (double)q.z);
-}
 
 static void check_free(void)
 {
@@ -54,8 +48,8 @@ static void check_free(void)
 
 static void check_principal(void)
 {
-    const double x = (double)draw_in(0, 1), y = (double)draw_in(0, 1),
-                 z = draw_byte() & 1 ? (double)draw_in(0, 1) : y;
+    const double x = (double)draw_in(0, 1), y = (double)draw_in(0, 1);
+    const double z = draw_byte() & 1 ? (double)draw_in(0, 1) : y;
     const vm_real t = MOSTLY(draw_in(-50, 50));
     vm_vec3 moments, omega = draw_vector(4), now;
     vm_quat q = draw_attitude(), q_now;

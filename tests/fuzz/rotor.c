@@ -204,12 +204,31 @@ static void check_root(const vm_real *c, double x, double y)
     HOLDS(hypot(re, im) <= 32 * EPS * terms + (double)VM_MIN);
 }
 
+/* The sum of the eigenvalues is -k*, they come in pairs, and they are roots of the polynomial c. A multiple root moves
+   by the root of eps of its multiplicity, which is 3 at the most, as D, G > 0 and k* do not come together. */
+static void check_eigenvalues(const vm_real *c, const vm_real *re, const vm_real *im, int stable)
+{
+    const double moved = 8 * cbrt(EPS);
+    double sum = 0, scale = 0, others = 0;
+    int i;
+    for (i = 0; i < 5; i++) {
+        sum += (double)re[i];
+        others += (double)im[i];
+        scale += fabs((double)re[i]) + fabs((double)im[i]);
+    }
+    HOLDS(fabs(sum + (double)c[1]) <= moved * (scale + (double)c[1]) && fabs(others) <= moved * scale);
+    for (i = 0; i < 5 && !fuzz.wild; i++) check_root(c, (double)re[i], (double)im[i]);
+    if (!stable) return;
+    for (i = 0; i < 5; i++) HOLDS((double)re[i] <= moved * scale);
+}
+
 static void check_steady(void)
 {
     const vm_broken_rotor r = draw_rotor();
-    const vm_real Omega = MOSTLY(draw_in(-30, 30));
-    vm_real c[6], re[5], im[5], column[6], steady = vm_broken_rotor_steady_radius(&r, Omega), growth;
-    int i, status, stable = vm_broken_rotor_is_stable(&r, Omega);
+    const vm_real Omega = MOSTLY(draw_in(-30, 30)), steady = vm_broken_rotor_steady_radius(&r, Omega);
+    const int stable = vm_broken_rotor_is_stable(&r, Omega);
+    vm_real c[6], re[5], im[5], column[6], growth;
+    int i, status;
     STAIN(c);
     STAIN(re);
     STAIN(im);
@@ -217,28 +236,15 @@ static void check_steady(void)
     if (vm_broken_rotor_characteristic(&r, Omega, c)) HOLDS(UNTOUCHED(c));
     status = vm_broken_rotor_eigenvalues(&r, Omega, re, im);
     if (vm_broken_rotor_routh(&r, Omega, column)) HOLDS(UNTOUCHED(column));
-    if (status) HOLDS(UNTOUCHED(re) && UNTOUCHED(im) && !(stable && tame_rotor(&r) && tame(Omega)));
-    else {
+    if (status) {
+        HOLDS(UNTOUCHED(re) && UNTOUCHED(im) && !(stable && tame_rotor(&r) && tame(Omega)));
+    } else {
         HOLDS(vmi_all_finite(5, re) && vmi_all_finite(5, im));
-        for (i = 0; i < 5; i++)
-            HOLDS(i == 0 || fuzz.wild ||
-                  fabs((double)im[i]) >=
-                      fabs((double)im[i - 1]) * (1 - 8 * cbrt(EPS))); /* but for multiple roots */
-        if (tame_rotor(&r) && VM_FABS(Omega) < R(1e3)) {              /* their sum is -k*, they come in pairs */
-            double sum = 0, scale = 0, others = 0;
-            for (i = 0; i < 5; i++) {
-                sum += (double)re[i];
-                others += (double)im[i];
-                scale += fabs((double)re[i]) + fabs((double)im[i]);
-            }
-            /* each root moves by the root of eps of its multiplicity, 3 at the most as D, G > 0 and k* do not come
-               together */
-            HOLDS(fabs(sum + (double)c[1]) <= 8 * cbrt(EPS) * (scale + (double)c[1]) &&
-                  fabs(others) <= 8 * cbrt(EPS) * scale);
-            for (i = 0; i < 5 && !fuzz.wild; i++) check_root(c, (double)re[i], (double)im[i]);
-            if (stable)
-                for (i = 0; i < 5; i++) HOLDS((double)re[i] <= 8 * cbrt(EPS) * scale);
+        for (i = 0; i < 5; i++) { /* in order, but for multiple roots */
+            const double before = i > 0 ? fabs((double)im[i - 1]) : 0;
+            HOLDS(i == 0 || fuzz.wild || fabs((double)im[i]) >= before * (1 - 8 * cbrt(EPS)));
         }
+        if (tame_rotor(&r) && VM_FABS(Omega) < R(1e3)) check_eigenvalues(c, re, im, stable);
     }
     if (r.s == 0 && tame_rotor(&r) && Omega * Omega * r.mass != r.stiffness && is_finite(Omega))
         HOLDS(steady == 0 || is_nan(steady));

@@ -53,7 +53,7 @@ static vm_real push_between(vm_real t, vm_real x, vm_real v, void *ctx)
     return *(const vm_real *)ctx * VM_LIBM(cos)(t) - x * x * x - v;
 }
 
-/* the point of contact moves, the stream swells and fades, and comes back */
+/* The point of contact moves; the stream swells and fades. */
 static void vary(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
     (void)y;
@@ -62,10 +62,18 @@ static void vary(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
     stream->velocity.y += *(const vm_real *)ctx * t;
 }
 
-static int draw_index(int n) { return draw_byte() % 32 ? draw_below(n + 1) % (n ? n : 1) : (int)draw_byte() - 128; }
+/* An index below n, or sometimes any */
+static int draw_index(int n)
+{
+    if (draw_byte() % 32 == 0) return (int)draw_byte() - 128;
+    return draw_below(n + 1) % (n ? n : 1);
+}
+
+/* Mostly the first coordinate, sometimes another one, or any number */
 static int draw_coordinate(void)
 {
-    return draw_byte() % 16 ? draw_byte() % 4 ? 0 : draw_below(3) : (int)draw_byte() - 128;
+    if (draw_byte() % 16 == 0) return (int)draw_byte() - 128;
+    return draw_byte() % 4 ? 0 : draw_below(3);
 }
 
 static vm_scene_body draw_scene_body(void)
@@ -122,7 +130,7 @@ static vm_band draw_band(void)
     band.width = MOSTLY(draw_in(0, 1));
     band.density = MOSTLY(draw_log(10, 1e4));
     band.speed = MOSTLY(draw_in(-2, 2));
-    band.share = draw_in(0, 1);
+    band.reactive = 1 - draw_in(0, 1);
     band.by_layer = draw_byte() & 1;
     return band;
 }
@@ -202,11 +210,11 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 6: return vm_effect_custom(body, other, callback, ctx);
     case 7: return vm_effect_shaft(body, positive, alpha);
     case 8: return vm_effect_unbalance(body, p, positive, alpha);
-    case 9: return vm_effect_gyroscopic(body, p);
+    case 9: return vm_effect_gyroscopic(body, p / 2);
     case 10: return vm_effect_link(body, other, moving_point, ctx, positive, draw_below(2), 10);
-    case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(draw_below(2)));
-    case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(draw_below(2)));
-    case 13: return vm_effect_stream(body, *ctx / 5, u, R(draw_below(2)));
+    case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(1 - draw_below(2)));
+    case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(1 - draw_below(2)));
+    case 13: return vm_effect_stream(body, *ctx / 5, u, R(1 - draw_below(2)));
     default: return vm_effect_spring(body, coordinate, other, other_coordinate, positive, alpha, p);
     }
 }
@@ -263,89 +271,119 @@ static void check_forces(void)
                   v = MOSTLY(draw_in(-3, 3));
     vm_real fx, fy;
     if (!tame(k) || !tame(x) || !tame(v) || !tame(alpha) || alpha < 0 || alpha > 8 || k < 0) return;
-    HOLDS(vm_force_spring(k, alpha, -x) == -vm_force_spring(k, alpha, x) &&
-          (double)x * (double)vm_force_spring(k, alpha, x) <= 0);
-    HOLDS(vm_force_damper(k, v) == -k * v && vm_force_van_der_pol(k, 0, x, v) == k * v &&
-          vm_force_motor(k, 0, v) == k);
-    if (VM_FABS(x) < 1000) HOLDS(VM_FABS(vm_force_harmonic(k, 2, x, v)) <= k);
-    HOLDS(vm_force_stream(k, 0, 1, v) == 0 &&
-          within(vm_force_stream(k, x, 0, v), k * (x - v), 4 * EPS * (double)(k * (VM_FABS(x) + VM_FABS(v)))));
+    HOLDS(vm_force_spring(-x, k, alpha) == -vm_force_spring(x, k, alpha) &&
+          (double)x * (double)vm_force_spring(x, k, alpha) <= 0);
+    HOLDS(vm_force_damper(v, k) == -k * v && vm_force_van_der_pol(x, v, k, 0) == k * v &&
+          vm_force_motor(v, k, 0) == k);
+    if (VM_FABS(x) < 1000) HOLDS(VM_FABS(vm_force_harmonic(v, k, 2, x)) <= k);
+    HOLDS(vm_force_stream(v, k, 0, 0) == 0 &&
+          within(vm_force_stream(v, k, x, 1), k * (x - v), 4 * EPS * (double)(k * (VM_FABS(x) + VM_FABS(v)))));
     HOLDS(vm_force_gravity(k, -x) == -vm_force_gravity(k, x) && vm_force_gravity(k, 0) == 0);
-    vm_force_shaft(k, alpha, x, v, &fx, &fy); /* towards the axis, k r^alpha in all */
+    vm_force_shaft(x, v, k, alpha, &fx, &fy); /* towards the axis, k r^alpha in all */
     HOLDS((double)fx * (double)x + (double)fy * (double)v <= 0 &&
           fabs((double)fx * (double)v - (double)fy * (double)x) <=
               64 * EPS * fabs((double)fx * (double)v) + (double)VM_MIN);
-    vm_force_shaft(k, 1, x, v, &fx, &fy);
+    vm_force_shaft(x, v, k, 1, &fx, &fy);
     HOLDS(close_to(fx, -k * x, 8) && close_to(fy, -k * v, 8));
-    vm_force_gyroscopic(k, x, v, &fx, &fy); /* does no work */
+    vm_force_gyroscopic(x, v, k / 2, &fx, &fy); /* does no work */
     HOLDS(fabs((double)fx * (double)x + (double)fy * (double)v) <=
           8 * EPS * (double)k * fabs((double)x * (double)v));
-    vm_force_unbalance(k, x, alpha, v, &fx, &fy);
+    vm_force_unbalance(v, k, x, alpha, &fx, &fy);
     HOLDS(within(R(hypot((double)fx, (double)fy)), k * x * x, 8 * EPS * (double)(k * x * x)));
 }
 
-static void check_scene(void)
-{
+typedef struct drawn_scene {
+    vm_scene scene;
     vm_scene_body bodies[BODIES];
     effect_data data[EFFECTS];
     vm_effect effects[EFFECTS];
     vm_event events[EVENTS];
     ode_event located[EVENTS];
-    vm_real ctx[EVENTS], y[STATE], dydt[STATE], work[VM_SCENE_WORK(STATE)], t = 0;
-    const vm_real t_end = MOSTLY(draw_in(0, 2));
-    rk45_options options;
-    vm_scene scene;
-    vm_budget book, now;
+    vm_budget book;
+    vm_real ctx[EVENTS], y[STATE], dydt[STATE], work[VM_SCENE_WORK(STATE)];
+} drawn_scene;
+
+static void draw_scene(drawn_scene *d)
+{
+    vm_scene *scene = &d->scene;
+    int i;
+    memset(scene, 0, sizeof *scene);
+    scene->n_bodies = 1 + draw_below(BODIES);
+    scene->n_effects = draw_below(EFFECTS + 1);
+    scene->n_events = draw_byte() & 1 ? draw_below(EVENTS + 1) : 0;
+    for (i = 0; i < scene->n_bodies; i++) d->bodies[i] = draw_scene_body();
+    for (i = 0; i < scene->n_effects; i++) d->effects[i] = draw_effect(scene->n_bodies, d->data + i);
+    for (i = 0; i < scene->n_events; i++) d->events[i] = draw_event(scene->n_bodies, scene->n_effects, d->ctx + i);
+    scene->bodies = d->bodies;
+    scene->effects = d->effects;
+    scene->events = d->events;
+    scene->located = d->located;
+    if (draw_byte() & 1) vm_scene_keep_budget(scene, &d->book);
+}
+
+/* The check and the start agree; has the scene been started? */
+static int check_start(drawn_scene *d)
+{
+    const int size = vm_scene_size(&d->scene);
     vm_scene_fault culprit;
-    vm_body body;
-    int i, status, checked, size, wild = 0;
-    memset(&scene, 0, sizeof scene);
-    memset(&options, 0, sizeof options);
-    scene.n_bodies = 1 + draw_below(BODIES);
-    scene.n_effects = draw_below(EFFECTS + 1);
-    scene.n_events = draw_byte() & 1 ? draw_below(EVENTS + 1) : 0;
-    for (i = 0; i < scene.n_bodies; i++) bodies[i] = draw_scene_body();
-    for (i = 0; i < scene.n_effects; i++) effects[i] = draw_effect(scene.n_bodies, data + i);
-    for (i = 0; i < scene.n_events; i++) events[i] = draw_event(scene.n_bodies, scene.n_effects, ctx + i);
-    scene.bodies = bodies;
-    scene.effects = effects;
-    scene.events = events;
-    scene.located = located;
-    if (draw_byte() & 1) vm_scene_keep_budget(&scene, &book);
+    int status, checked;
     STAIN(culprit);
-    STAIN(y);
-    checked = vm_scene_check(&scene, &culprit);
+    STAIN(d->y);
+    checked = vm_scene_check(&d->scene, &culprit);
     HOLDS(checked <= 0 && strcmp(vm_strerror(checked), "unknown status") != 0);
-    size = vm_scene_size(&scene);
-    status = vm_scene_start(&scene, t, y, &culprit);
+    status = vm_scene_start(&d->scene, 0, d->y, &culprit);
     if (checked)
-        HOLDS(status == checked && culprit.kind && culprit.index >= -1 && culprit.index < 16 && UNTOUCHED(y));
+        HOLDS(status == checked && culprit.kind && culprit.index >= -1 && culprit.index < 16 && UNTOUCHED(d->y));
     if (status < 0) {
-        HOLDS(UNTOUCHED(y));
-        return;
+        HOLDS(UNTOUCHED(d->y));
+        return 0;
     }
-    HOLDS(size > 0 && size <= STATE && vmi_all_finite(size, y));
-    HOLDS(vm_scene_rhs(t, y, dydt, &scene) == 0);
-    HOLDS(vmi_all_finite(size, dydt) || scene.status < 0 || fuzz.wild); /* x^alpha of what is extreme overflows */
-    options.max_steps = 3000;
-    status = vm_scene_run(&scene, &t, t_end, y, work, &options);
-    HOLDS(strcmp(vm_strerror(status), "unknown status") != 0 && t >= 0 && is_finite(t) && vmi_all_finite(size, y));
-    if (!(t_end >= 0) || !is_finite(t_end)) HOLDS(status < 0 && t == 0);
-    if (status == VM_OK) HOLDS(t == t_end);
-    if (status == VM_STOPPED) HOLDS(t <= t_end);
-    if (status < 0) return;
-    for (i = 0; i < scene.n_bodies; i++) {
-        vm_scene_body_at(&scene, i, y, &body);
+    HOLDS(size > 0 && size <= STATE && vmi_all_finite(size, d->y));
+    HOLDS(vm_scene_rhs(0, d->y, d->dydt, &d->scene) == 0);
+    /* x^alpha of what is extreme overflows */
+    HOLDS(vmi_all_finite(size, d->dydt) || d->scene.status < 0 || fuzz.wild);
+    return 1;
+}
+
+/* At the end of a run the bodies are finite, and so is the book of a scene in which nothing is extreme. */
+static void check_end(drawn_scene *d, vm_real t)
+{
+    vm_budget now;
+    vm_body body;
+    int i, status, wild = 0;
+    for (i = 0; i < d->scene.n_bodies; i++) {
+        vm_scene_body_at(&d->scene, i, d->y, &body);
         HOLDS(finite_body(&body) || fuzz.wild); /* the state is finite, omega = L/J of it may overflow */
         wild |= !tame_body(&body);
     }
     STAIN(now);
-    if (!scene.book) HOLDS(vm_scene_budget_at(&scene, t, y, &now) == VM_BAD_ARGUMENT && UNTOUCHED(now));
-    else {
-        status = vm_scene_budget_at(&scene, t, y, &now);
-        HOLDS(status == VM_OK);
-        if (!wild && status == VM_OK) HOLDS(is_finite(now.energy) && finite3(now.momentum));
+    status = vm_scene_budget_at(&d->scene, t, d->y, &now);
+    if (!d->scene.budget) {
+        HOLDS(status == VM_BAD_ARGUMENT && UNTOUCHED(now));
+        return;
     }
+    HOLDS(status == VM_OK);
+    if (!wild && status == VM_OK) HOLDS(is_finite(now.energy) && finite3(now.momentum));
+}
+
+static void check_scene(void)
+{
+    const vm_real t_end = MOSTLY(draw_in(0, 2));
+    rk45_options options;
+    drawn_scene d;
+    vm_real t = 0;
+    int status;
+    memset(&options, 0, sizeof options);
+    options.max_steps = 3000;
+    draw_scene(&d);
+    if (!check_start(&d)) return;
+    status = vm_scene_run(&d.scene, &t, t_end, d.y, d.work, &options);
+    HOLDS(strcmp(vm_strerror(status), "unknown status") != 0 && t >= 0 && is_finite(t));
+    HOLDS(vmi_all_finite(vm_scene_size(&d.scene), d.y));
+    if (!(t_end >= 0) || !is_finite(t_end)) HOLDS(status < 0 && t == 0);
+    if (status == VM_OK) HOLDS(t == t_end);
+    if (status == VM_STOPPED) HOLDS(t <= t_end);
+    if (status >= 0) check_end(&d, t);
 }
 
 static void fuzz_scenes(void)

@@ -1,23 +1,18 @@
 /* Fuzz target: varmass.h, chapters 7.6 to 8 and the diagnostics: Van der Pol, Laval's rotor, two bodies, harmonic
-   excitation. Right-hand sides are finite or say why not, splitting and joining are inverses, steady vibrations
-   are. */
+   excitation. Right-hand sides are finite or say why not, splitting and joining are inverses of each other, and
+   steady vibrations are steady. */
 #include "bodies.h"
 
-static vm_linear_mass draw_mass(void)
+static vm_law draw_mass(void)
 {
-    vm_linear_mass m;
-    m.mass = MOSTLY(draw_log(0.1, 10));
-    m.rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.05, 0.05) : 0);
-    return m;
+    const vm_real mass = MOSTLY(draw_log(0.1, 10));
+    return vm_law_linear(mass, MOSTLY(draw_byte() & 1 ? draw_in(-0.05, 0.05) : 0));
 }
-static int tame_mass(vm_linear_mass m)
-{
-    return tame(m.mass) && tame(m.rate) && m.mass > R(0.05) && VM_FABS(m.rate) <= 1;
-}
+static int tame_mass(vm_law m) { return tame(m.f0) && tame(m.f1) && m.f0 > R(0.05) && VM_FABS(m.f1) <= 1; }
 
 static void check_van_der_pol(void)
 {
-    vm_linear_mass m = draw_mass();
+    const vm_law m = draw_mass();
     const vm_real t = MOSTLY(draw_in(0, 3)), A0 = MOSTLY(draw_in(0, 3));
     vm_real y[2], dydt[2], A, steady;
     vm_vdp v;
@@ -25,12 +20,11 @@ static void check_van_der_pol(void)
     memset(&v, 0, sizeof v);
     v.alpha = MOSTLY(draw_in(0, 7));
     v.k = MOSTLY(draw_log(0.1, 10));
-    v.b = MOSTLY(draw_in(-0.1, 0.3));
+    v.feed = MOSTLY(draw_in(-0.1, 0.3));
     v.c = MOSTLY(draw_in(-0.1, 0.3));
     v.reactive = MOSTLY(draw_in(0, 1));
     v.method = draw_byte() % 16 ? draw_below(3) : 7;
-    v.mass = vm_slow_mass_linear;
-    v.mass_ctx = &m;
+    v.mass = m;
     status = vm_vdp_init(&v);
     if (status) {
         HOLDS(status < 0 && v.a1 == 0 && v.a2 == 0);
@@ -38,33 +32,35 @@ static void check_van_der_pol(void)
     }
     HOLDS(v.alpha >= 0 && v.k > 0 && v.a1 > 0 &&
           (!tame(v.k) || !tame(v.alpha) || (is_finite(v.a2) && is_finite(v.a3))));
-    A = vm_vdp_amplitude(&v, t, A0, m);
-    steady = vm_vdp_limit_cycle(&v, m.rate, &stable);
+    A = vm_vdp_amplitude(&v, t, A0);
+    steady = vm_vdp_limit_cycle(&v, m.f1, &stable);
     HOLDS(is_nan(steady) || steady >= 0);
-    if (fuzz.wild || !tame_mass(m) || !tame(v.b) || !tame(v.c) || !tame(t) || !tame(A0) || !tame(v.alpha) ||
-        !tame(v.reactive) || VM_FABS(v.b) > 1 || VM_FABS(v.c) > 1 || v.reactive < 0 || v.reactive > 1 || A0 < 0 ||
+    if (fuzz.wild || !tame_mass(m) || !tame(v.feed) || !tame(v.c) || !tame(t) || !tame(A0) || !tame(v.alpha) ||
+        !tame(v.reactive) || VM_FABS(v.feed) > 1 || VM_FABS(v.c) > 1 || v.reactive < 0 || v.reactive > 1 || A0 < 0 ||
         A0 > 3 || t < 0 || t > 3)
         return;
-    HOLDS(is_nan(A) ? v.c < 0 || m.mass + m.rate * t <= 0 : A >= 0);
-    HOLDS(within(vm_vdp_amplitude(&v, 0, A0, m), A0, 16 * EPS * (double)A0));
-    if (m.rate == 0 && steady > R(0.01) && steady < 100 && v.c > R(1e-3))
-        HOLDS(
-            within(vm_vdp_amplitude(&v, t, steady, m), steady, 256 * EPS * (double)steady * (1 + exp((double)t))));
+    if (is_nan(A)) HOLDS(v.c < 0 || m.f0 + m.f1 * t <= 0);
+    else HOLDS(A >= 0);
+    HOLDS(within(vm_vdp_amplitude(&v, 0, A0), A0, 16 * EPS * (double)A0));
+    if (m.f1 == 0 && steady > R(0.01) && steady < 100 && v.c > R(1e-3))
+        HOLDS(within(vm_vdp_amplitude(&v, t, steady), steady, 256 * EPS * (double)steady * (1 + exp((double)t))));
     y[0] = draw_in(-2, 2);
     y[1] = draw_in(-2, 2);
     status = vm_vdp_rhs(t, y, dydt, &v);
-    HOLDS(status ? m.mass + m.rate * t <= 0 : vmi_all_finite(2, dydt) && dydt[0] == y[1]);
+    if (status) HOLDS(m.f0 + m.f1 * t <= 0);
+    else HOLDS(vmi_all_finite(2, dydt) && dydt[0] == y[1]);
     y[0] = draw_in(0.1, 2);
     if (vm_vdp_averaged_rhs(t, y, dydt, &v) == 0) HOLDS(vmi_all_finite(2, dydt));
 }
 
 static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
 {
+    const vm_real strength = *(const vm_real *)ctx;
     vm_complex f;
     (void)t;
     (void)v;
-    f.re = -*(const vm_real *)ctx * z.im;
-    f.im = *(const vm_real *)ctx * z.re;
+    f.re = -strength * z.im;
+    f.im = strength * z.re;
     return f;
 }
 
@@ -73,35 +69,91 @@ static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
 static void check_split_back(const vm_real *y, const vm_real *back, const vm_power_force *spring, vm_real mass)
 {
     const double omega = sqrt((double)spring->k / (double)mass);
-    const double moves = 16 * EPS * (hypot((double)y[0], (double)y[1]) + hypot((double)y[2], (double)y[3]) / omega);
+    const double moves =
+        16 * EPS * (hypot((double)y[0], (double)y[1]) + hypot((double)y[2], (double)y[3]) / omega);
     int i;
     for (i = 0; i < 4; i++) HOLDS(within(back[i], y[i], i < 2 ? moves : omega * moves));
 }
 
-static void check_laval(void)
+static vm_jeffcott draw_laval(vm_law m, vm_power_force *spring, vm_real *load)
 {
-    vm_linear_mass m = draw_mass();
-    vm_power_force spring;
     vm_jeffcott r;
-    vm_real load = draw_in(-0.1, 0.1), y[5], dydt[5], motion[4], state[5], rho, phi, slope, W, A;
-    vm_complex z, v;
-    const vm_real t = draw_in(0, 2);
-    int i, all_tame, status, sense = draw_below(2) ? 1 : -1;
     memset(&r, 0, sizeof r);
-    spring.k = MOSTLY(draw_log(0.1, 10));
-    spring.alpha = MOSTLY(draw_byte() & 1 ? R(1) : draw_in(0, 5));
-    r.mass = vm_slow_mass_linear;
-    r.mass_ctx = &m;
+    spring->k = MOSTLY(draw_log(0.1, 10));
+    spring->alpha = MOSTLY(draw_byte() & 1 ? R(1) : draw_in(0, 5));
+    r.mass = m;
     r.stiffness = vm_jeffcott_power;
-    r.stiffness_ctx = &spring;
+    r.stiffness_ctx = spring;
     if (draw_byte() & 1) {
         r.force = turning_load;
-        r.force_ctx = &load;
+        r.force_ctx = load;
     }
     if (draw_byte() & 1) r.gyro = MOSTLY(draw_in(-1, 1));
     r.reactive = MOSTLY(draw_in(0, 1));
     r.u.re = draw_in(-1, 1);
-    r.samples = draw_byte() & 1 ? 0 : draw_below(40);
+    r.nodes = draw_byte() & 1 ? 0 : draw_below(40);
+    return r;
+}
+
+static int tame_laval(const vm_jeffcott *r, vm_law m, const vm_power_force *spring)
+{
+    return tame_mass(m) && tame(spring->k) && spring->k > R(0.01) && tame(spring->alpha) && spring->alpha >= 0 &&
+           spring->alpha < 10 && tame(r->gyro) && VM_FABS(r->gyro) <= 1 && tame(r->reactive) &&
+           VM_FABS(r->reactive) <= 1;
+}
+
+static void check_laval_modes(vm_jeffcott *r, vm_real t, const vm_real *y, int all_tame)
+{
+    const vm_power_force *spring = (const vm_power_force *)r->stiffness_ctx;
+    vm_real state[5], motion[4], dydt[5], mass = 1, rate;
+    int status;
+    STAIN(state);
+    if (vm_jeffcott_to_averaged(r, t, y, y[4], state)) {
+        HOLDS(UNTOUCHED(state));
+        return;
+    }
+    HOLDS(vmi_all_finite(5, state));
+    status = vm_jeffcott_from_averaged(r, t, state, motion);
+    HOLDS(status == 0 || (status == VM_NOT_FINITE && !all_tame));
+    if (!all_tame || spring->alpha != 1) return;
+    HOLDS(vm_law_at(&r->mass, t, &mass, &rate) == VM_OK);
+    check_split_back(y, motion, spring, mass);
+    HOLDS(vm_jeffcott_exact_rhs(t, state, dydt, r) != 0 || vmi_all_finite(5, dydt));
+    HOLDS(vm_jeffcott_averaged_rhs(t, state, dydt, r) != 0 || vmi_all_finite(5, dydt));
+}
+
+/* The circle of radius A, whose frequency W solves m W^2 - 2 g W = F_e/A */
+static void check_laval_circle(vm_jeffcott *r, vm_real t, vm_real A, vm_real W, int sense)
+{
+    const vm_real m = r->mass.f0;
+    const vm_power_force *spring = (const vm_power_force *)r->stiffness_ctx;
+    const double w = (double)W, F = (double)spring->k * pow((double)A, (double)spring->alpha - 1);
+    const double g = (double)r->gyro, mass = (double)m;
+    const ode_rhs rhs = sense > 0 ? vm_jeffcott_forward_whirl_rhs : vm_jeffcott_backward_whirl_rhs;
+    vm_real y[2], dydt[2] = {0};
+    HOLDS(sense > 0 ? W > 0 : W < 0);
+    HOLDS(fabs(mass * w * w - 2 * g * w - F) <= 64 * EPS * (mass * w * w + 2 * fabs(g * w) + F));
+    y[0] = A;
+    y[1] = draw_in(-3, 3);
+    if (rhs(t, y, dydt, r) == 0) HOLDS(vmi_all_finite(2, dydt));
+    HOLDS(within(vm_jeffcott_amplitude(r, A, m, m), A, 256 * EPS * (double)A) ||
+          (r->gyro != 0 && r->reactive != 1));
+    if (r->gyro == 0)
+        HOLDS(within(vm_jeffcott_amplitude(r, A, m, m * R(1.5)),
+                     A * vm_osc_amplitude_law(R(1.5), 0, r->reactive, spring->alpha), 1e3 * EPS * (double)A));
+}
+
+static void check_laval(void)
+{
+    const vm_law m = draw_mass();
+    vm_power_force spring;
+    vm_jeffcott r;
+    vm_real load = draw_in(-0.1, 0.1), y[5], dydt[4] = {0}, rho, phi, slope, W, A;
+    vm_complex z, v;
+    const vm_real t = draw_in(0, 2);
+    const int sense = draw_below(2) ? 1 : -1;
+    int i, all_tame;
+    r = draw_laval(m, &spring, &load);
     for (i = 0; i < 5; i++) y[i] = draw_in(-2, 2);
     z.re = y[0];
     z.im = y[1];
@@ -109,60 +161,30 @@ static void check_laval(void)
     v.im = y[3];
     vm_jeffcott_polar(z, &rho, &phi);
     HOLDS(rho >= 0 && VM_FABS(phi) <= VM_PI);
-    all_tame = tame_mass(m) && tame(spring.k) && spring.k > R(0.01) && tame(spring.alpha) && spring.alpha >= 0 &&
-               spring.alpha < 10 && tame(r.gyro) && VM_FABS(r.gyro) <= 1 && tame(r.reactive) &&
-               VM_FABS(r.reactive) <= 1 && rho > R(0.01);
-    HOLDS(!all_tame || is_finite(vm_jeffcott_momentum(&r, m.mass, z, v)));
+    all_tame = tame_laval(&r, m, &spring) && rho > R(0.01);
+    HOLDS(!all_tame || is_finite(vm_jeffcott_momentum(&r, m.f0, z, v)));
     if (all_tame) HOLDS(vm_jeffcott_power(rho, &slope, &spring) > 0);
     if (vm_jeffcott_rhs(t, y, dydt, &r) == 0 && all_tame)
         HOLDS(vmi_all_finite(4, dydt) && dydt[0] == y[2] && dydt[1] == y[3]);
-    STAIN(state);
-    if (vm_jeffcott_to_averaged(&r, t, y, y[4], state)) HOLDS(UNTOUCHED(state));
-    else {
-        HOLDS(vmi_all_finite(5, state));
-        status = vm_jeffcott_from_averaged(&r, t, state, motion);
-        HOLDS(status == 0 || (status == VM_NOT_FINITE && !all_tame));
-        if (all_tame && spring.alpha == 1) check_split_back(y, motion, &spring, vm_slow_mass_linear(t, &slope, &m));
-        if (all_tame && spring.alpha == 1) {
-            HOLDS(vm_jeffcott_exact_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
-            HOLDS(vm_jeffcott_averaged_rhs(t, state, dydt, &r) != 0 || vmi_all_finite(5, dydt));
-        }
-    }
+    check_laval_modes(&r, t, y, all_tame);
     A = MOSTLY(draw_in(0.1, 2));
-    W = vm_jeffcott_frequency(&r, A, m.mass, sense);
-    if (all_tame && tame(A) && A > R(0.05) && A < 3) { /* m W^2 - 2 g W = F_e/A */
-        const double w = (double)W, F = (double)spring.k * pow((double)A, (double)spring.alpha - 1),
-                     g = (double)r.gyro, mass = (double)m.mass;
-        HOLDS(sense > 0 ? W > 0 : W < 0);
-        HOLDS(fabs(mass * w * w - 2 * g * w - F) <= 64 * EPS * (mass * w * w + 2 * fabs(g * w) + F));
-        y[0] = A;
-        y[1] = draw_in(-3, 3);
-        if ((sense > 0 ? vm_jeffcott_forward_whirl_rhs(t, y, dydt, &r) : vm_jeffcott_backward_whirl_rhs(t, y, dydt, &r)) == 0)
-            HOLDS(vmi_all_finite(2, dydt));
-        HOLDS(within(vm_jeffcott_amplitude(&r, A, m.mass, m.mass), A, 256 * EPS * (double)A) ||
-              (r.gyro != 0 && r.reactive != 1));
-        if (r.gyro == 0) {
-            const vm_real mass2 = m.mass * R(1.5);
-            HOLDS(within(vm_jeffcott_amplitude(&r, A, m.mass, mass2),
-                         A * vm_osc_amplitude_law(R(1.5), 0, r.reactive, spring.alpha), 1e3 * EPS * (double)A));
-        }
-    }
+    W = vm_jeffcott_frequency(&r, A, m.f0, sense);
+    if (all_tame && tame(A) && A > R(0.05) && A < 3) check_laval_circle(&r, t, A, W, sense);
 }
 
-/* Roundings of amplitude and phase move p by some eps of A, p' by (alpha + 1) times as many of the largest p': A is
-   large where a heavy pair moves fast on a weak spring, whatever p is */
+/* Roundings of amplitude and phase move p by some eps of A, p' by (alpha + 1) times as many of the largest p': A
+   is large where a heavy pair moves fast on a weak spring, whatever p is */
 static void check_pair_back(const vm_pair *p, vm_real mass, const vm_real *y, vm_real A, const vm_real *back)
 {
     const double moves = 32 * EPS * (1 + (double)p->alpha);
     const double v = (double)vm_osc_vmax(A, VM_SQRT(2 * p->k / mass), p->alpha);
     int i;
-    for (i = 0; i < 4; i++)
-        HOLDS(within(back[i], y[i], moves * (6 + (i < 2 ? (double)A : v)))); /* |y| < 3 */
+    for (i = 0; i < 4; i++) HOLDS(within(back[i], y[i], moves * (6 + (i < 2 ? (double)A : v)))); /* |y| < 3 */
 }
 
 static void check_pair(void)
 {
-    vm_linear_mass m = draw_mass();
+    const vm_law m = draw_mass();
     const vm_real t = draw_in(0, 3);
     vm_real y[4], dydt[4], modes[4], back[4];
     vm_pair p;
@@ -171,8 +193,7 @@ static void check_pair(void)
     p.alpha = MOSTLY(draw_in(0, 6));
     p.k = MOSTLY(draw_log(0.1, 10));
     p.reactive = MOSTLY(draw_in(0, 1));
-    p.mass = vm_slow_mass_linear;
-    p.mass_ctx = &m;
+    p.mass = m;
     for (i = 0; i < 4; i++) y[i] = draw_byte() % 64 ? draw_in(-2, 2) : draw_any();
     all_tame = tame_mass(m) && tame(p.alpha) && p.alpha >= 0 && p.alpha < 10 && tame(p.k) && p.k > R(0.01) &&
                tame(p.reactive) && VM_FABS(p.reactive) <= 1;
@@ -183,100 +204,124 @@ static void check_pair(void)
     if (status) HOLDS(status < 0 && UNTOUCHED(modes));
     else {
         HOLDS(vmi_all_finite(4, modes));
-        if (vm_pair_from_averaged(&p, t, modes, back) == 0 && all_tame && m.rate == 0 && VM_FABS(y[0] - y[1]) > R(0.05))
-            check_pair_back(&p, m.mass, y, modes[0], back);
+        if (vm_pair_from_averaged(&p, t, modes, back) == 0 && all_tame && m.f1 == 0 && VM_FABS(y[0] - y[1]) > R(0.05))
+            check_pair_back(&p, m.f0, y, modes[0], back);
         if (vm_pair_averaged_rhs(t, modes, dydt, &p) == 0 && all_tame && modes[0] > R(0.05))
             HOLDS(vmi_all_finite(4, dydt));
     }
     STAIN(back);
-    status = vm_pair_at(&p, t, y, m, back);
+    status = vm_pair_at(&p, t, y, back);
     if (status) HOLDS(status < 0 && UNTOUCHED(back));
     else {
         HOLDS(vmi_all_finite(4, back));
-        if (all_tame && p.reactive == 0 && m.rate == 0)
+        if (all_tame && p.reactive == 0 && m.f1 == 0)
             HOLDS(within(back[2] + back[3], y[2] + y[3], 256 * EPS * 8));
     }
 }
 
-static void drifting(vm_real t, vm_forced_parameters *now, void *ctx)
+static vm_forced draw_forced(vm_real drift)
 {
-    now->nu += *(const vm_real *)ctx * t;
-    now->nu_rate = *(const vm_real *)ctx;
+    vm_forced f;
+    vm_real mass, k, nu, force;
+    memset(&f, 0, sizeof f);
+    f.alpha = MOSTLY(draw_byte() % 4 ? draw_in(0.2, 6) : R(1));
+    f.damping = MOSTLY(draw_in(0, 0.1));
+    f.reactive = MOSTLY(draw_in(0, 1));
+    mass = MOSTLY(draw_log(0.1, 10));
+    k = MOSTLY(draw_log(0.1, 10));
+    nu = MOSTLY(draw_log(0.1, 5));
+    force = MOSTLY(draw_in(0, 0.3));
+    f.mass = vm_law_linear(mass, MOSTLY(draw_byte() & 1 ? draw_in(-0.01, 0.01) : 0));
+    f.stiffness = vm_law_linear(k, 0);
+    f.frequency = vm_law_linear(nu, draw_byte() & 1 ? drift : 0);
+    f.force = vm_law_linear(force, 0);
+    return f;
 }
 
-static void check_forced(void)
+static int lies_in(vm_real x, double low, double high) { return tame(x) && x > R(low) && x < R(high); }
+
+static int tame_forced(const vm_forced *f)
 {
-    vm_real drift = draw_in(-0.01, 0.01), y[3], motion[3], back[3], dydt[3], A, peak;
-    const vm_real t = draw_in(0, 3);
-    vm_forced f, before;
-    vm_steady_state steady[3], curve[2];
-    vm_passage passage;
-    int i, n, status, all_tame;
-    memset(&f, 0, sizeof f);
-    memset(steady, 0, sizeof steady);
-    f.alpha = MOSTLY(draw_byte() % 4 ? draw_in(0.2, 6) : R(1));
-    f.b = MOSTLY(draw_in(0, 0.1));
-    f.reactive = MOSTLY(draw_in(0, 1));
-    f.now.mass = MOSTLY(draw_log(0.1, 10));
-    f.now.k = MOSTLY(draw_log(0.1, 10));
-    f.now.nu = MOSTLY(draw_log(0.1, 5));
-    f.now.force = MOSTLY(draw_in(0, 0.3));
-    f.now.mass_rate = MOSTLY(draw_byte() & 1 ? draw_in(-0.01, 0.01) : 0);
-    if (draw_byte() & 1) {
-        f.drift = drifting;
-        f.drift_ctx = &drift;
-    }
-    before = f;
-    status = vm_forced_init(&f);
-    if (status) {
-        HOLDS(status < 0 && memcmp(&f, &before, sizeof f) == 0);
-        return;
-    }
-    HOLDS(f.alpha >= 0 && f.now.mass > 0 && f.now.k > 0 && is_finite(f.Om1) && f.pi >= 2);
-    all_tame = tame(f.alpha) && f.alpha < 10 && tame(f.b) && VM_FABS(f.b) < 1 && tame(f.now.mass) &&
-               f.now.mass > R(0.05) && tame(f.now.k) && f.now.k > R(0.05) && tame(f.now.nu) && f.now.nu > R(0.05) &&
-               f.now.nu < 10 && tame(f.now.force) && VM_FABS(f.now.force) < 1 && tame(f.now.mass_rate) &&
-               VM_FABS(f.now.mass_rate) < R(0.02) && tame(f.reactive) && VM_FABS(f.reactive) <= 1 &&
-               f.now.mass < 20 && f.now.k < 20;
+    return tame(f->alpha) && f->alpha < 10 && tame(f->damping) && VM_FABS(f->damping) < 1 &&
+           lies_in(f->mass.f0, 0.05, 20) && lies_in(f->stiffness.f0, 0.05, 20) && lies_in(f->frequency.f0, 0.05, 10) &&
+           tame(f->force.f0) && VM_FABS(f->force.f0) < 1 && tame(f->mass.f1) && VM_FABS(f->mass.f1) < R(0.02) &&
+           tame(f->reactive) && VM_FABS(f->reactive) <= 1;
+}
+
+static void check_forced_motion(vm_forced *f, vm_real t, int all_tame)
+{
+    vm_real motion[3], y[3], back[3], dydt[3] = {0};
+    int i, status;
     motion[0] = draw_in(-2, 2);
     motion[1] = draw_in(-2, 2);
     motion[2] = draw_in(-4, 4);
-    if (vm_forced_rhs(t, motion, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt) && dydt[0] == motion[1]);
+    if (vm_forced_rhs(t, motion, dydt, f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt) && dydt[0] == motion[1]);
     STAIN(y);
-    status = vm_forced_to_averaged(&f, t, motion, y);
+    status = vm_forced_to_averaged(f, t, motion, y);
     if (status) HOLDS(status < 0 && UNTOUCHED(y));
-    else if (vm_forced_from_averaged(&f, t, y, back) == 0 && all_tame && f.now.force == 0 && f.b == 0 &&
-             f.now.mass_rate == 0 && VM_FABS(motion[0]) > R(0.1))
+    else if (vm_forced_from_averaged(f, t, y, back) == 0 && all_tame && f->force.f0 == 0 && f->damping == 0 &&
+             f->mass.f1 == 0 && VM_FABS(motion[0]) > R(0.1))
         for (i = 0; i < 2; i++) HOLDS(within(back[i], motion[i], IS_FLOAT ? 1e-2 : 1e-8));
     y[0] = draw_in(0.1, 2);
     y[1] = draw_in(-3, 3);
     y[2] = draw_in(-3, 3);
-    if (vm_forced_exact_rhs(t, y, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
-    if (vm_forced_averaged_rhs(t, y, dydt, &f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
-    n = vm_forced_steady_states(&f, t, steady);
+    if (vm_forced_exact_rhs(t, y, dydt, f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
+    if (vm_forced_averaged_rhs(t, y, dydt, f) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
+}
+
+static void check_forced_steady(vm_forced *f, vm_real t, int all_tame)
+{
+    vm_steady_state steady[3];
+    vm_real y[3], dydt[3] = {0};
+    int i, n;
+    memset(steady, 0, sizeof steady);
+    n = vm_forced_steady_states(f, t, steady);
     HOLDS(n <= 3);
     for (i = 0; i < n; i++) {
-        if (tame(f.now.force) && all_tame)
-            HOLDS(steady[i].A > 0 && is_finite(steady[i].A) && (i == 0 || steady[i].A >= steady[i - 1].A));
-        HOLDS(steady[i].stable == (steady[i].det > 0 && steady[i].trace < 0));
+        const vm_steady_state *s = steady + i;
+        HOLDS(s->stable == (s->det > 0 && s->trace < 0));
         if (!all_tame) continue;
-        y[0] = steady[i].A;
-        y[1] = steady[i].delta;
+        HOLDS(s->A > 0 && is_finite(s->A) && (i == 0 || s->A >= steady[i - 1].A));
+        y[0] = s->A;
+        y[1] = s->delta;
         y[2] = 0;
-        HOLDS(vm_forced_averaged_rhs(t, y, dydt, &f) == 0);
-        if (y[0] > R(1e-3) && y[0] < 1000 && f.alpha > R(0.5))
+        HOLDS(vm_forced_averaged_rhs(t, y, dydt, f) == 0);
+        if (y[0] > R(1e-3) && y[0] < 1000 && f->alpha > R(0.5))
             HOLDS(VM_FABS(dydt[0]) <= R(IS_FLOAT ? 1e-3 : 1e-9) * (1 + y[0]) * (1 + 1 / y[0]));
     }
-    A = MOSTLY(draw_in(0.1, 3));
-    n = vm_forced_curve(&f, t, A, curve);
+}
+
+static void check_forced_curve(const vm_forced *f, vm_real t, int all_tame)
+{
+    const vm_real A = MOSTLY(draw_in(0.1, 3)), peak = vm_forced_peak(f, t);
+    vm_steady_state curve[2];
+    vm_passage passage;
+    const int n = vm_forced_curve(f, t, A, curve);
+    int i, status;
     HOLDS(n <= 2);
     for (i = 0; i < n; i++) HOLDS(curve[i].nu > 0);
-    peak = vm_forced_peak(&f, t);
     HOLDS(is_nan(peak) || peak >= 0);
     STAIN(passage);
-    status = vm_forced_passage(&f, t, A, &passage);
+    status = vm_forced_passage(f, t, A, &passage);
     if (status < 0) HOLDS(UNTOUCHED(passage));
     else HOLDS(passage.A > 0 || !all_tame);
+}
+
+static void check_forced(void)
+{
+    const vm_real drift = draw_in(-0.01, 0.01), t = draw_in(0, 3);
+    vm_forced f = draw_forced(drift), before = f;
+    const int status = vm_forced_init(&f);
+    int all_tame;
+    if (status) {
+        HOLDS(status < 0 && memcmp(&f, &before, sizeof f) == 0);
+        return;
+    }
+    HOLDS(f.alpha >= 0 && f.mass.f0 > 0 && f.stiffness.f0 > 0 && is_finite(f.Om1) && f.pi >= 2);
+    all_tame = tame_forced(&f);
+    check_forced_motion(&f, t, all_tame);
+    check_forced_steady(&f, t, all_tame);
+    check_forced_curve(&f, t, all_tame);
 }
 
 static void cosine_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
@@ -302,15 +347,47 @@ static int circle_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
-static void check_diagnostics(void)
+static void check_points_of_steps(void)
 {
-    vm_real w = draw_in(0.5, 3), t0 = draw_in(-3, 3), span = MOSTLY(draw_in(-20, 20)), buffer[2],
-            work[RK45_WORK(2)];
-    const vm_real y0[2] = {1, 0}, step = MOSTLY(draw_in(-0.3, 0.3));
-    const int kind = draw_byte() % 32 ? draw_below(2) : 5;
+    const vm_real y0[2] = {1, 0};
+    vm_real buffer[2], work[RK45_WORK(2)];
     vm_sample points[8];
     rk45 s;
-    long n, i, found = 0;
+    long found = 0;
+    int steps, k;
+    if (rk45_init(&s, circle_rhs, NULL, 2, 0, y0, NULL, work) < 0) return;
+    steps = 1 + draw_below(30);
+    for (k = 0; k < steps && rk45_step(&s) >= 0; k++) {
+        const long n = vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 8, points);
+        HOLDS(n >= 0 && n <= 3);
+        found += n;
+    }
+    HOLDS(fabs((double)found - (double)s.t / 3.141592653589793) <= 1.001);
+}
+
+static void check_adiabaticity(void)
+{
+    const vm_real A = MOSTLY(draw_in(0.1, 3)), alpha = MOSTLY(draw_in(0, 5)), m_rate = draw_in(-0.1, 0.1);
+    vm_osc_problem o;
+    vm_real q;
+    memset(&o, 0, sizeof o);
+    o.alpha = alpha;
+    o.mass = vm_law_linear(1, m_rate);
+    o.stiffness = vm_law_linear(2, 0);
+    o.damping = draw_in(0, 0.1);
+    o.reactive = 1;
+    q = vm_adiabaticity(&o, 0, A);
+    if (!(A > 0) || !(alpha >= 0) || !is_finite(A) || !is_finite(alpha)) HOLDS(is_nan(q));
+    else if (A > R(0.01) && A < 100 && alpha < 8) HOLDS(VM_FABS(q) <= R(0.3) * 1000000); /* 0.3/A^((alpha-1)/2) */
+}
+
+static void check_diagnostics(void)
+{
+    vm_real w = draw_in(0.5, 3);
+    const vm_real t0 = draw_in(-3, 3), span = MOSTLY(draw_in(-20, 20)), step = MOSTLY(draw_in(-0.3, 0.3));
+    const int kind = draw_byte() % 32 ? draw_below(2) : 5;
+    vm_sample points[8];
+    long n, i;
     STAIN(points);
     if (step != 0 && VM_FABS(span / step) > R(1e6)) return;
     n = vm_find_samples(cosine_motion, &w, kind, t0, t0 + span, step, 8, points);
@@ -322,23 +399,8 @@ static void check_diagnostics(void)
         if (kind == 0 && n > 0)
             HOLDS(vm_envelope_error(kind, n < 8 ? n : 8, points, unit_law, NULL) <= R(1e3) * VM_EPSILON);
     }
-    if (rk45_init(&s, circle_rhs, NULL, 2, 0, y0, NULL, work) >= 0) {
-        const int steps = 1 + draw_below(30);
-        int k;
-        for (k = 0; k < steps && rk45_step(&s) >= 0; k++) {
-            n = vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 8, points);
-            HOLDS(n >= 0 && n <= 3);
-            found += n;
-        }
-        HOLDS(fabs((double)found - (double)s.t / 3.141592653589793) <= 1.001);
-    }
-    {
-        const vm_real A = MOSTLY(draw_in(0.1, 3)), alpha = MOSTLY(draw_in(0, 5)), m_rate = draw_in(-0.1, 0.1);
-        const vm_real q = vm_adiabaticity(A, 1, m_rate, 2, 0, draw_in(0, 0.1), 1, alpha);
-        if (!(A > 0) || !(alpha >= 0) || !is_finite(A) || !is_finite(alpha)) HOLDS(is_nan(q));
-        else if (A > R(0.01) && A < 100 && alpha < 8)
-            HOLDS(VM_FABS(q) <= R(0.3) * 1000000); /* 0.3/A^((alpha-1)/2) */
-    }
+    check_points_of_steps();
+    check_adiabaticity();
 }
 
 static void fuzz_slow(void)

@@ -46,8 +46,8 @@ static void check_inertia_rate(int n, const vm_stream *streams, vm_vec3 centre, 
     for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 16 * EPS * scale);
 }
 
-/* What moves on with the body as it leaves or comes neither turns nor pushes it: moment and torque cancel, whatever
-   inertia it has, and the force is what holds the mass centre that moves in the body */
+/* Mass that leaves or comes with the motion of the body does not turn it: moment and torque cancel, whatever inertia
+   the mass has. The force is M omega x drift, because the mass centre moves in the body. */
 static void check_quiet_streams(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams)
 {
     const vm_vec3 none = {0, 0, 0};
@@ -89,7 +89,7 @@ static void check_loads(void)
     for (i = 0; i < n; i++) {
         all_tame &= tame_stream(streams + i);
         status = vm_reactive_loads(&body, centre, 1, streams + i, &one);
-        HOLDS(status == VM_OK || fuzz.wild); /* what overflows in one may be compensated by another */
+        HOLDS(status == VM_OK || fuzz.wild); /* an overflow in one may be absent in the sum */
         if (status) return;
         total = vmi_add(total, one.force);
         scale += size3(one.force) + fabs((double)streams[i].rate) *
@@ -101,10 +101,78 @@ static void check_loads(void)
     STAIN(a);
     STAIN(b);
     status = vm_accelerations(&body, &sum, force, moment, &a, &b);
-    if (status) HOLDS(UNTOUCHED(a) && UNTOUCHED(b));
-    else if (all_tame && tame3(force))
+    if (status) {
+        HOLDS(UNTOUCHED(a) && UNTOUCHED(b));
+    } else if (all_tame && tame3(force)) {
         HOLDS(finite3(a) && within(a.x, (force.x + sum.force.x) / body.mass,
                                    8 * EPS * (double)((VM_FABS(force.x) + VM_FABS(sum.force.x)) / body.mass)));
+    }
+}
+
+/* A random flow of a body with a store. Returns whether all its numbers are tame. */
+static int draw_flow(vm_flow *flow, vm_stream *streams, vm_store *store)
+{
+    int i, all_tame;
+    memset(flow, 0, sizeof *flow);
+    store->at = draw_vector(1);
+    store->gyration = draw_inertia(1, 0.3);
+    flow->n = draw_below(STREAMS + 1);
+    flow->streams = streams;
+    draw_streams(flow->n, streams, store);
+    flow->force = draw_vector(5);
+    flow->moment = draw_vector(5);
+    flow->centre = draw_vector(0.3);
+    all_tame = tame3(flow->force) && tame3(flow->moment) && tame3(flow->centre) && tame3(store->at);
+    for (i = 0; i < flow->n; i++) all_tame &= tame_stream(streams + i);
+    return all_tame;
+}
+
+/* vm_flow_rhs of a tame state: the rates of mass and inertia are sums over the streams; vm_flow_balanced_rhs gives the same
+   rates, and momentum and what was carried off stay. */
+static void check_rates(const vm_body *body, vm_flow *flow, const vm_real *y, const vm_real *dydt)
+{
+    const vm_inertia inertia_rate = vmi_get_inertia(dydt + VM_Y_INERTIA);
+    const double motion = 200 + 100 * size3(body->omega) + 100 * size3(body->v);
+    vm_real balanced[VM_FLOW_BALANCED_STATES];
+    double rate = 0, rates = 0;
+    int i;
+    HOLDS(vmi_all_finite(VM_FLOW_STATES, dydt));
+    for (i = 0; i < flow->n; i++) {
+        rate += (double)flow->streams[i].rate;
+        rates += fabs((double)flow->streams[i].rate);
+    }
+    HOLDS(fabs((double)dydt[VM_Y_MASS] - rate) <= 4 * EPS * rates);
+    check_inertia_rate(flow->n, flow->streams, vmi_get3(y + VM_Y_CENTRE), &inertia_rate);
+    HOLDS(vm_flow_balanced_rhs(0, y, balanced, flow) == 0);
+    for (i = 0; i < VM_FLOW_STATES; i++) HOLDS(within(balanced[i], dydt[i], 16 * EPS * (1 + fabs((double)dydt[i]))));
+    for (i = 0; i < 3; i++) {
+        const vm_real force = dydt[VM_Y_P + i];
+        HOLDS(within(balanced[VM_Y_BALANCE + i], -force, 64 * EPS * (motion + fabs((double)force))));
+    }
+}
+
+/* The shorter right-hand sides are finite where the numbers are tame; a negative mass gives NaN and a reason. */
+static void check_shorter_flows(const vm_body *body, vm_flow *flow, vm_real *y, int all_tame)
+{
+    vm_real dydt[VM_FLOW_BALANCED_STATES];
+    int i;
+    flow->mass = body->mass;
+    flow->inertia = body->inertia;
+    flow->drift = draw_vector(0.1);
+    flow->status = 0;
+    if (vm_flow_given_rhs(0, y, dydt, flow) == 0 && all_tame && flow->status == 0)
+        HOLDS(vmi_all_finite(VM_FLOW_GIVEN_STATES, dydt));
+    flow->status = 0;
+    if (vm_flow_carried_rhs(0, y, dydt, flow) == 0 && all_tame && tame3(flow->drift) && flow->status == 0)
+        HOLDS(vmi_all_finite(VM_FLOW_GIVEN_STATES, dydt));
+    flow->status = 0;
+    for (i = 0; i < 6; i++) y[i] = draw_in(-2, 2);
+    y[6] = MOSTLY(draw_in(-1, 5));
+    if (vm_translation_rhs(0, y, dydt, flow) == 0 && all_tame && y[6] > R(1e-3) && flow->status == 0)
+        HOLDS(vmi_all_finite(VM_TRANSLATION_STATES, dydt));
+    y[VM_Y_MASS] = -1;
+    flow->status = 0;
+    if (vm_flow_rhs(0, y, dydt, flow) == 0) HOLDS(flow->status < 0 && !vmi_all_finite(VM_FLOW_STATES, dydt));
 }
 
 static void check_flow(void)
@@ -113,18 +181,10 @@ static void check_flow(void)
     vm_store store;
     vm_stream streams[STREAMS];
     vm_flow flow;
-    vm_real y[VM_FLOW_BALANCED_STATES], dydt[VM_FLOW_BALANCED_STATES], other[VM_FLOW_BALANCED_STATES];
+    vm_real y[VM_FLOW_BALANCED_STATES], dydt[VM_FLOW_BALANCED_STATES];
     vm_body back;
-    int i, status, all_tame = tame_body(&body);
-    memset(&flow, 0, sizeof flow);
-    store.at = draw_vector(1);
-    store.gyration = draw_inertia(1, 0.3);
-    flow.n = draw_below(STREAMS + 1);
-    flow.streams = streams;
-    draw_streams(flow.n, streams, &store);
-    flow.force = draw_vector(5);
-    flow.moment = draw_vector(5);
-    flow.centre = draw_vector(0.3);
+    const int all_tame = draw_flow(&flow, streams, &store) && tame_body(&body);
+    int status;
     memset(y, 0, sizeof y);
     fuzz_stain(y, VM_FLOW_STATES * sizeof *y);
     status = vm_flow_start(&flow, &body, y);
@@ -133,52 +193,17 @@ static void check_flow(void)
         return;
     }
     HOLDS(vmi_all_finite(VM_FLOW_STATES, y) && y[VM_Y_MASS] == body.mass);
-    for (i = 0; i < flow.n; i++) all_tame &= tame_stream(streams + i);
-    all_tame = all_tame && tame3(flow.force) && tame3(flow.moment) && tame3(flow.centre) && tame3(store.at);
     STAIN(back);
     status = vm_flow_body(&flow, VM_FLOW_STATES, y, &back);
     if (all_tame) HOLDS(status == VM_OK);
     if (all_tame) HOLDS(within3(back.v, body.v, 8 * EPS * size3(body.v)) && within3(back.r, body.r, 0));
     HOLDS(vm_flow_mass_left(0, y, &flow) == y[VM_Y_MASS] - flow.least_mass);
     HOLDS(!is_nan(vm_flow_inertia_left(0, y, &flow)) || !all_tame);
-    if (vm_flow_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) {
-        double rate = 0, rates = 0;
-        HOLDS(vmi_all_finite(VM_FLOW_STATES, dydt));
-        for (i = 0; i < flow.n; i++) {
-            rate += (double)streams[i].rate;
-            rates += fabs((double)streams[i].rate);
-        }
-        HOLDS(fabs((double)dydt[VM_Y_MASS] - rate) <= 4 * EPS * rates);
-        {
-            const vm_inertia of_streams = vmi_get_inertia(dydt + VM_Y_INERTIA);
-            check_inertia_rate(flow.n, streams, vmi_get3(y + VM_Y_CENTRE), &of_streams);
-        }
-        HOLDS(vm_flow_balanced_rhs(0, y, other, &flow) == 0);
-        for (i = 0; i < VM_FLOW_STATES; i++) HOLDS(within(other[i], dydt[i], 16 * EPS * (1 + fabs((double)dydt[i]))));
-        for (i = 0; i < 3; i++) /* momentum and what was carried off stay */
-            HOLDS(within(
-                other[VM_Y_BALANCE + i], -dydt[VM_Y_P + i],
-                64 * EPS * (200 + fabs((double)dydt[VM_Y_P + i]) + 100 * size3(body.omega) + 100 * size3(body.v))));
-    }
-    flow.mass = body.mass;
-    flow.inertia = body.inertia;
-    flow.drift = draw_vector(0.1);
-    flow.status = 0;
-    if (vm_flow_given_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0)
-        HOLDS(vmi_all_finite(VM_FLOW_GIVEN_STATES, dydt));
-    flow.status = 0;
-    if (vm_flow_carried_rhs(0, y, dydt, &flow) == 0 && all_tame && tame3(flow.drift) && flow.status == 0)
-        HOLDS(vmi_all_finite(VM_FLOW_GIVEN_STATES, dydt));
-    flow.status = 0;
-    for (i = 0; i < 7; i++) y[i] = i < 6 ? draw_in(-2, 2) : MOSTLY(draw_in(-1, 5));
-    if (vm_translation_rhs(0, y, dydt, &flow) == 0 && all_tame && y[6] > R(1e-3) && flow.status == 0)
-        HOLDS(vmi_all_finite(VM_TRANSLATION_STATES, dydt));
-    y[VM_Y_MASS] = -1;
-    flow.status = 0;
-    if (vm_flow_rhs(0, y, dydt, &flow) == 0) HOLDS(flow.status < 0 && !vmi_all_finite(VM_FLOW_STATES, dydt));
+    if (vm_flow_rhs(0, y, dydt, &flow) == 0 && all_tame && flow.status == 0) check_rates(&body, &flow, y, dydt);
+    check_shorter_flows(&body, &flow, y, all_tame);
 }
 
-/* The same in the plane: I' = sum M' (kappa + d^2), and of what moves on with the body H' = I' omega + M_S */
+/* In the plane, I' = sum M' (kappa + d^2); and with streams that move on with the body, H' = I' omega + M_S. */
 static void check_inertia_rate2(vm_flow2 *flow, const vm_real *y, const vm_real *dydt)
 {
     vm_real quiet[VM_FLOW2_STATES];

@@ -45,11 +45,10 @@ static REAL ref_slope(const ref_law *l, int i)
         if (d0 * d1 <= 0) return 0;
         return 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
     } else {
-        const int j = i == 0 ? 1 : last - 1, next = i == 0 ? 1 : last - 1, after = i == 0 ? 2 : last - 2;
+        const int next = i == 0 ? 1 : last - 1, after = i == 0 ? 2 : last - 2;
         const REAL h0 = (REAL)t[next] - t[i], h1 = (REAL)t[after] - t[next];
         const REAL d0 = ((REAL)f[next] - f[i]) / h0, d1 = ((REAL)f[after] - f[next]) / h1;
         REAL s = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
-        (void)j;
         if (s * d0 <= 0) return 0;
         if (d0 * d1 < 0 && REAL_FABS(s) > 3 * REAL_FABS(d0)) s = 3 * d0;
         return s;
@@ -98,7 +97,7 @@ static void ref_choose_piece(ref_law *l, REAL middle)
     for (l->piece = 0; l->piece < l->n - 2 && l->time[l->piece + 1] < middle;) l->piece++;
 }
 
-/* x|x|^(alpha-1), which is (|x|^(1/bottom))^top */
+/* x^n; x|x|^(alpha-1) is (|x|^(1/bottom))^top */
 static REAL ref_whole_power(REAL x, int n)
 {
     REAL y = 1;
@@ -110,8 +109,9 @@ static REAL ref_whole_power(REAL x, int n)
 static void ref_rates(ref_motion *o, REAL t, REAL x, REAL P, REAL elastic, REAL *v, REAL *P_rate)
 {
     const REAL m = ref_law_at(&o->mass, t), k = ref_law_at(&o->stiffness, t);
-    const REAL M = o->r == 0 ? 1 : o->r == 1 ? m : REAL_POW(m, o->r);
-    REAL F = 0;
+    REAL M = m, F = 0;
+    if (o->r == 0) M = 1;
+    else if (o->r != 1) M = REAL_POW(m, o->r);
     o->evals++;
     *v = P / M;
     switch (o->force) {
@@ -133,13 +133,15 @@ static void ref_rhs(ref_motion *o, int over_sigma, REAL s, const REAL *y, REAL *
         const REAL size = REAL_FABS(y[0]);
         const REAL elastic = o->bottom == 1 ? ref_whole_power(size, o->top) : REAL_POW(size, o->alpha);
         ref_rates(o, s, y[0], y[1], y[0] < 0 ? -elastic : elastic, &v, &P_rate);
-        dy[0] = v, dy[1] = P_rate;
+        dy[0] = v;
+        dy[1] = P_rate;
     } else {
         const REAL x = o->sign * o->X * ref_whole_power(s, o->bottom);
         const REAL elastic = o->sign * REAL_POW(o->X, o->alpha) * ref_whole_power(s, o->top);
         const REAL x_rate = o->sign * o->X * (REAL)o->bottom * ref_whole_power(s, o->bottom - 1);
         ref_rates(o, o->t + y[0], x, y[1], elastic, &v, &P_rate);
-        dy[0] = x_rate / v, dy[1] = P_rate * dy[0];
+        dy[0] = x_rate / v;
+        dy[1] = P_rate * dy[0];
     }
 }
 
@@ -154,12 +156,16 @@ static int ref_step(ref_motion *o, int over_sigma, REAL s, REAL h, const REAL *y
         const int n = 2 * (row + 1);
         const REAL d = h / (REAL)n;
         REAL a[2], b[2], f[2], difference = 0;
-        for (i = 0; i < 2; i++) a[i] = y[i], b[i] = y[i] + d * f0[i];
+        for (i = 0; i < 2; i++) {
+            a[i] = y[i];
+            b[i] = y[i] + d * f0[i];
+        }
         for (k = 1; k < n; k++) {
             ref_rhs(o, over_sigma, s + (REAL)k * d, b, f);
             for (i = 0; i < 2; i++) {
                 const REAL next = a[i] + 2 * d * f[i];
-                a[i] = b[i], b[i] = next;
+                a[i] = b[i];
+                b[i] = next;
             }
         }
         for (i = 0; i < 2; i++) { /* table[k] holds column k of the row before, and then of this one */
@@ -168,14 +174,16 @@ static int ref_step(ref_motion *o, int over_sigma, REAL s, REAL h, const REAL *y
             for (k = 1; k <= row; k++) {
                 const REAL ratio = (REAL)(row + 1) / (REAL)(row + 1 - k);
                 const REAL better = now + (now - table[k - 1][i]) / (ratio * ratio - 1);
-                table[k - 1][i] = now, now = better;
+                table[k - 1][i] = now;
+                now = better;
             }
             table[row][i] = now;
             now = REAL_FABS(now - diagonal_before) / (1 + REAL_FABS(now));
             if (!(now <= difference)) difference = now;
         }
         if (row > 2 && difference <= o->tolerance) {
-            out[0] = table[row][0], out[1] = table[row][1];
+            out[0] = table[row][0];
+            out[1] = table[row][1];
             return row + 1;
         }
         if (difference != difference) return 0;
@@ -197,7 +205,8 @@ static void ref_over(ref_motion *o, int over_sigma, REAL s0, REAL s1, int least,
             if (++tries > 200 || REAL_FABS(h) < 1e-14 * REAL_FABS(s1 - s0)) o->failed = 1;
             continue;
         }
-        y[0] = out[0], y[1] = out[1];
+        y[0] = out[0];
+        y[1] = out[1];
         s = last ? s1 : s + h;
         if (row >= 11) h /= (REAL)1.5;
     }
@@ -222,15 +231,18 @@ static void ref_sigma_leg(ref_motion *o, REAL A, REAL v, REAL stop)
     o->X = (REAL)0.55 * A;
     from = REAL_POW(start / o->X, root);
     to = away ? 1 : 0;
-    y[0] = 0, y[1] = o->P;
+    y[0] = 0;
+    y[1] = o->P;
     ref_over(o, 1, from, to, 4, y);
-    least_x = start, most_x = to * o->X;
+    least_x = start;
+    most_x = to * o->X;
     if (y[0] > stop - o->t) {
         REAL goal = start + (most_x - least_x) * (stop - o->t) / y[0];
         for (i = 0; i < 40; i++) {
             REAL slip, M;
             to = REAL_POW(goal / o->X, root);
-            y[0] = 0, y[1] = o->P;
+            y[0] = 0;
+            y[1] = o->P;
             ref_over(o, 1, from, to, 4, y);
             slip = y[0] - (stop - o->t);
             if (REAL_FABS(slip) <= 64 * o->tolerance * (1 + y[0])) break;
@@ -239,10 +251,14 @@ static void ref_sigma_leg(ref_motion *o, REAL A, REAL v, REAL stop)
             if (goal < 0) goal = 0;
         }
         if (i == 40) o->failed = 1;
-        o->t = stop, o->x = o->sign * (to == 0 ? 0 : goal), o->P = y[1];
+        o->t = stop;
+        o->x = o->sign * (to == 0 ? 0 : goal);
+        o->P = y[1];
         return;
     }
-    o->t += y[0], o->x = away ? o->sign * o->X : 0, o->P = y[1];
+    o->t += y[0];
+    o->x = away ? o->sign * o->X : 0;
+    o->P = y[1];
 }
 
 /* A step over t, not so long that x comes near 0 */
@@ -254,13 +270,15 @@ static void ref_t_leg(ref_motion *o, REAL A, REAL stop, REAL *step)
         REAL y[2], out[2];
         const REAL h = *step < stop - o->t ? *step : stop - o->t;
         int row;
-        y[0] = o->x, y[1] = o->P;
+        y[0] = o->x;
+        y[1] = o->P;
         row = ref_step(o, 0, o->t, h, y, out);
         if (!row || out[0] * sign < (REAL)0.15 * A) {
             *step = h / 2;
             continue;
         }
-        o->x = out[0], o->P = out[1];
+        o->x = out[0];
+        o->P = out[1];
         o->t = h == stop - o->t ? stop : o->t + h;
         if (row <= 8) *step *= (REAL)1.4;
         return;
@@ -273,7 +291,8 @@ static void ref_follow(ref_motion *o, REAL t)
     REAL step = 0.05;
     while (o->t < t && !o->failed) {
         REAL stop = ref_next(&o->stiffness, o->t, ref_next(&o->mass, o->t, t)), v, A;
-        ref_choose_piece(&o->mass, (o->t + stop) / 2), ref_choose_piece(&o->stiffness, (o->t + stop) / 2);
+        ref_choose_piece(&o->mass, (o->t + stop) / 2);
+        ref_choose_piece(&o->stiffness, (o->t + stop) / 2);
         while (o->t < stop && !o->failed) {
             A = ref_amplitude(o, &v);
             if (REAL_FABS(o->x) < (REAL)0.5 * A) ref_sigma_leg(o, A, v, stop);

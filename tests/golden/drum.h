@@ -76,7 +76,9 @@ static void try_drum_runs(void)
     drum_run(vm_drum_rhs_angle, 4, 5);
 }
 
-static void golden_drum(void) {
-try_lambert();
-try_drum();
-try_drum_runs(); }
+static void golden_drum(void)
+{
+    try_lambert();
+    try_drum();
+    try_drum_runs();
+}

@@ -143,7 +143,7 @@ static void try_rk45(void)
     fold_int(rk45_interpolate(&s, s.t + 1, y));
     fold_all(2, y); /* refused */
     fold_int(rk87_step(&s));
-    fold_run(&s);                      /* refused: the other method's */
+    fold_run(&s); /* refused: the other method's */
     watch(&w, &o);
     o.rtol = VM_C(1e-5);
     o.h_max = VM_C(0.5);
@@ -183,10 +183,11 @@ static void try_rk87(void)
         fold_run(&s);
     }
     fold_watched(&w);
-    for (i = -6; i < 5; i++) fold_text(ode_strerror(i));
 }
 
-static void golden_integrators(void) {
-try_rk4();
-try_rk45();
-try_rk87(); }
+static void golden_integrators(void)
+{
+    try_rk4();
+    try_rk45();
+    try_rk87();
+}

@@ -1,6 +1,6 @@
 /* varmass.h, chapters 2, 3 and 4.1: momenta, inertia, jumps in space and in the plane by every form, energies */
 
-/* large enough for what some_part() takes from it */
+/* A body that is large enough for the part that some_part() takes from it */
 static vm_body some_body(void)
 {
     vm_body b;
@@ -80,7 +80,6 @@ static void try_bodies(void)
         fold3(moved.v);
         fold3(moved.omega);
     }
-    for (i = -32; i < 5; i++) fold_text(vm_strerror(i));
 }
 
 static void try_jumps(void)
@@ -201,8 +200,10 @@ static void try_jumps_in_the_plane(void)
     }
 }
 
-static void golden_jumps(void) {
-try_bodies();
-try_jumps();
-try_jumps_of_several();
-try_jumps_in_the_plane(); }
+static void golden_jumps(void)
+{
+    try_bodies();
+    try_jumps();
+    try_jumps_of_several();
+    try_jumps_in_the_plane();
+}

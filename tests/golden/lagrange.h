@@ -1,11 +1,16 @@
 /* varmass.h, chapters 4 and 6: Lagrange's equations across a jump, the cut pendulum, mechanisms whose masses vary */
 
-/* dv and domega by the rates of a free body's six coordinates */
+/* The derivatives of v and omega by the rates of the six coordinates of a free body */
 static void free_coordinates(vm_vec3 *dr, vm_vec3 *turn)
 {
     memset(dr, 0, 6 * sizeof *dr);
     memset(turn, 0, 6 * sizeof *turn);
-    dr[0].x = dr[1].y = dr[2].z = turn[3].x = turn[4].y = turn[5].z = 1;
+    dr[0].x = 1;
+    dr[1].y = 1;
+    dr[2].z = 1;
+    turn[3].x = 1;
+    turn[4].y = 1;
+    turn[5].z = 1;
 }
 
 static void try_lagrange_jumps(void)
@@ -15,7 +20,7 @@ static void try_lagrange_jumps(void)
     int i;
     free_coordinates(dr, turn);
     for (i = 0; i < COUNT / 16; i++) {
-        const vm_body body = some_body(), small = some_part(&body);
+        const vm_body body = some_body(), piece = some_part(&body);
         const vm_impulse impulse = some_impulse();
         memset(before, 0, sizeof before);
         memset(part, 0, sizeof part);
@@ -23,8 +28,8 @@ static void try_lagrange_jumps(void)
         vm_lagrange_mass(6, &body, dr, turn, before);
         fold_all(36, before);
         memcpy(after, before, sizeof after);
-        vm_lagrange_mass(6, &small, dr, turn, after);
-        vm_lagrange_momentum(6, &small, dr, turn, part);
+        vm_lagrange_mass(6, &piece, dr, turn, after);
+        vm_lagrange_momentum(6, &piece, dr, turn, part);
         fold_all(6, part);
         vm_lagrange_impulse(6, &impulse, body.r, dr, turn, blow);
         fold_all(6, blow);
@@ -75,7 +80,8 @@ static void try_pendulum(void)
     }
 }
 
-/* A carriage on a spring carries a pendulum that leaks; its bob is at height q1^2/2: no sine of the C library. */
+/* A carriage on a spring carries a pendulum that leaks. The height of its bob is q1^2/2, so that no sine of the C
+   library is needed. */
 static void leaking(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
     (void)q;
@@ -127,7 +133,9 @@ static void try_mechanism(void)
     fold_all(2, back);
 }
 
-static void golden_lagrange(void) {
-try_lagrange_jumps();
-try_pendulum();
-try_mechanism(); }
+static void golden_lagrange(void)
+{
+    try_lagrange_jumps();
+    try_pendulum();
+    try_mechanism();
+}

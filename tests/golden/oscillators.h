@@ -1,5 +1,11 @@
 /* varmass.h, chapters 7.2 to 7.4: exact motions and their approximations, laws of mass, routes to x(t), plans */
 
+static void fold_two(vm_real a, vm_real b)
+{
+    fold(a);
+    fold(b);
+}
+
 static void try_oscillators(void)
 {
     int i;
@@ -10,21 +16,16 @@ static void try_oscillators(void)
         fold(vm_osc_period(x0, omega0, alpha));
         fold(vm_osc_vmax(x0, omega0, alpha));
         vm_osc_exact(t, x0, omega0, alpha, &x, &v);
-        fold(x);
-        fold(v);
+        fold_two(x, v);
         fold(vm_osc_energy(x, v, omega0, alpha));
         vm_osc_amplitude_phase(x0, v0, omega0, alpha, &x, &v);
-        fold(x);
-        fold(v);
+        fold_two(x, v);
         vm_osc_exact_from(t, x0, v0, omega0, alpha, &x, &v);
-        fold(x);
-        fold(v);
+        fold_two(x, v);
         vm_osc_trig(t, x0, omega0, alpha, &x, &v);
-        fold(x);
-        fold(v);
+        fold_two(x, v);
         vm_osc_jacobi(t, x0, omega0, alpha, &x, &v);
-        fold(x);
-        fold(v);
+        fold_two(x, v);
         fold(vm_osc_omega_trig(alpha));
         fold(vm_osc_jacobi_parameter(alpha));
         fold(vm_osc_omega_jacobi(alpha));
@@ -84,13 +85,11 @@ static void try_laws(void)
         const vm_real t = uniform(0, 15);
         vm_real f = 1, rate = 2, integral = 3;
         fold_int(vm_law_at(&law, t, &f, &rate));
-        fold(f);
-        fold(rate);
+        fold_two(f, rate);
         fold_int(vm_law_inverse_integral(&law, t, &integral));
         fold(integral);
-        fold_int(vm_law_at(&law, 20 * t, &f, &rate));
-        fold(f);
-        fold(rate); /* some are refused */
+        fold_int(vm_law_at(&law, 20 * t, &f, &rate)); /* this refuses some */
+        fold_two(f, rate);
     }
 }
 
@@ -175,18 +174,23 @@ static void try_osc_plans(void)
         fold_motion(&m);
         fold_int(vm_osc_plan_within(&plan, 1, VM_C(0.01), &m));
         fold_motion(&m);
-        fold_int(vm_osc_by_route(&p, VM_ROUTE_SECOND, 2, 0, &m));
-        fold_motion(&m); /* refused with a force */
+        fold_int(vm_osc_by_route(&p, VM_ROUTE_SECOND, 2, 0, &m)); /* this refuses a force */
+        fold_motion(&m);
         fold_int(vm_osc_averaged(&plan, i % 3, 1, uniform(1, 2), rates, rates + 1, rates + 2));
         fold_all(3, rates);
     }
 }
 
-static void golden_oscillators(void) {
-try_oscillators();
-try_comparison();
-try_laws(); }
-static void golden_routes(void) {
-try_routes();
-try_integrated_routes();
-try_osc_plans(); }
+static void golden_oscillators(void)
+{
+    try_oscillators();
+    try_comparison();
+    try_laws();
+}
+
+static void golden_routes(void)
+{
+    try_routes();
+    try_integrated_routes();
+    try_osc_plans();
+}

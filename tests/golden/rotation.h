@@ -1,4 +1,4 @@
-/* varmass.h: exact free rotation, also after many turns, and Euler's angles */
+/* varmass.h: torque-free rotation, also after many turns, and Euler's angles */
 
 static void try_rotation(void)
 {
@@ -25,14 +25,11 @@ static void try_rotation(void)
     }
 }
 
-/* triaxial, symmetric, spherical, a rod, and next to the separatrix */
+/* Principal moments and spins: triaxial, symmetric, spherical, a rod, and next to the separatrix */
 static void try_principal_rotation(void)
 {
-    static const vm_real kinds[5][6] = {{3, 2, 1, 1, 1, 1},
-                                    {2, 2, 1, 1, -1, 2},
-                                    {2, 2, 2, -1, 2, 1},
-                                    {2, 2, 0, 1, 1, 0},
-                                    {3, 2, 1, VM_C(0.0001), 2, 0}};
+    static const vm_real kinds[5][6] = {
+        {3, 2, 1, 1, 1, 1}, {2, 2, 1, 1, -1, 2}, {2, 2, 2, -1, 2, 1}, {2, 2, 0, 1, 1, 0}, {3, 2, 1, VM_C(0.0001), 2, 0}};
     int i, k;
     for (i = 0; i < 5; i++) {
         const vm_vec3 moments = {kinds[i][0], kinds[i][1], kinds[i][2]};
@@ -74,7 +71,9 @@ static void try_euler(void)
     }
 }
 
-static void golden_rotation(void) {
-try_rotation();
-try_principal_rotation();
-try_euler(); }
+static void golden_rotation(void)
+{
+    try_rotation();
+    try_principal_rotation();
+    try_euler();
+}

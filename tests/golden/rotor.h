@@ -12,6 +12,21 @@ static vm_broken_rotor some_rotor(vm_real s)
     return r;
 }
 
+static void fold_break(const vm_broken_rotor_break *b)
+{
+    fold_all(6, b->state);
+    fold_all(6, b->piece);
+    fold(b->rest.inertia);
+    fold(b->stop_inertia);
+    fold(b->dragging);
+    fold(b->gamma);
+    fold(b->beta);
+    fold(b->normal);
+    fold(b->tangential);
+    fold(b->spin_piece);
+    fold(b->spin_rest);
+}
+
 static void try_rotor(void)
 {
     int i;
@@ -53,20 +68,10 @@ static void try_rotor(void)
         fold_int(vm_broken_rotor_is_stable(&rest, Omega));
         fold(vm_broken_rotor_resonance_radius(10 * t, &rest, Omega + 7));
         fold_int(vm_broken_rotor_free_motion(t, &rest, y, z));
-        fold_all(6, z); /* refused: s != 0 */
+        fold_all(6, z); /* refused, because s is not 0 */
         CLEAR(broken);
         fold_int(vm_broken_rotor_break_off(&whole, y, &piece, &broken));
-        fold_all(6, broken.state);
-        fold_all(6, broken.piece);
-        fold(broken.rest.inertia);
-        fold(broken.stop_inertia);
-        fold(broken.dragging);
-        fold(broken.gamma);
-        fold(broken.beta);
-        fold(broken.normal);
-        fold(broken.tangential);
-        fold(broken.spin_piece);
-        fold(broken.spin_rest);
+        fold_break(&broken);
     }
 }
 
@@ -79,6 +84,8 @@ static void try_rotor_runs(void)
     integrate(vm_broken_rotor_polar_rhs, &r, 6, 2, polar);
 }
 
-static void golden_rotor(void) {
-try_rotor();
-try_rotor_runs(); }
+static void golden_rotor(void)
+{
+    try_rotor();
+    try_rotor_runs();
+}

@@ -7,20 +7,20 @@ static void try_forces(void)
     for (i = 0; i < COUNT / 4; i++) {
         const vm_real k = uniform(0, 3), alpha = uniform(0, 5), x = uniform(-2, 2), v = uniform(-2, 2);
         vm_real fx, fy;
-        fold(vm_force_spring(k, alpha, x));
-        fold(vm_force_damper(k, v));
-        fold(vm_force_van_der_pol(k, alpha, x, v));
-        fold(vm_force_motor(k, alpha, v));
-        fold(vm_force_harmonic(k, alpha, x, v));
+        fold(vm_force_spring(x, k, alpha));
+        fold(vm_force_damper(v, k));
+        fold(vm_force_van_der_pol(x, v, k, alpha));
+        fold(vm_force_motor(v, k, alpha));
+        fold(vm_force_harmonic(v, k, alpha, x));
         fold(vm_force_gravity(k, alpha));
-        fold(vm_force_stream(k, alpha, x, v));
-        vm_force_shaft(k, alpha, x, v, &fx, &fy);
+        fold(vm_force_stream(v, k, alpha, 1 - x));
+        vm_force_shaft(x, v, k, alpha, &fx, &fy);
         fold(fx);
         fold(fy);
-        vm_force_unbalance(k, alpha, x, v, &fx, &fy);
+        vm_force_unbalance(v, k, alpha, x, &fx, &fy);
         fold(fx);
         fold(fy);
-        vm_force_gyroscopic(k, x, v, &fx, &fy);
+        vm_force_gyroscopic(x, v, k / 2, &fx, &fy);
         fold(fx);
         fold(fy);
     }
@@ -101,7 +101,7 @@ static void run_scene(vm_real t_end)
         fold_int(g.events[i].count);
         fold(g.events[i].time);
     }
-    if (!scene->book) return;
+    if (!scene->budget) return;
     fold_int(vm_scene_budget_at(scene, t, g.y, &book));
     fold_book(&book);
 }
@@ -147,10 +147,10 @@ static void try_scene_on_a_line(void)
     add_body(vm_scene_body_line(2, 1, 0));
     add_body(vm_scene_body_with_mass_state(vm_scene_body_line(1, 0, 1)));
     add_body(vm_scene_body_line(3, -1, 0));
-    add_effect(vm_effect_mass(0, VM_MASS_OF_T, VM_C(-0.125), 0, 1));
+    add_effect(vm_effect_mass(0, VM_MASS_OF_T, VM_C(-0.125), 0, 0));
     add_effect(vm_effect_spring(0, 0, VM_GROUND, 0, 3, VM_C(1.5), 0));
     add_effect(vm_effect_force(0, 0, bristles, &friction));
-    add_effect(vm_effect_stream(1, VM_C(0.25), vmi_vec3(VM_C(0.5), 0, 0), 0));
+    add_effect(vm_effect_stream(1, VM_C(0.25), vmi_vec3(VM_C(0.5), 0, 0), 1));
     add_effect(vm_effect_harmonic(1, 0, 1, 2, VM_C(0.5)));
     add_effect(vm_effect_force_between(1, 0, 2, 0, bristles, &friction));
     add_effect(vm_effect_gravity(2, 0, -1));
@@ -176,7 +176,7 @@ static void try_scene_of_parts_on_a_line(void)
     part.v.x = 1;
     add_body(vm_scene_body_line(2, 1, 0));
     add_body(vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
-    add_effect(vm_effect_mass(0, VM_MASS_OF_X, VM_C(0.125), 1, 0));
+    add_effect(vm_effect_mass(0, VM_MASS_OF_X, VM_C(0.125), 1, 1));
     add_effect(vm_effect_van_der_pol(0, 0, 1, 1));
     add_effect(vm_effect_spring(0, 0, VM_GROUND, 0, 2, 3, 0));
     add_effect(vm_effect_damper(1, 0, 0, 0, 1));
@@ -199,10 +199,11 @@ static vm_mass_now swelling(vm_real t, vm_real x, vm_real v, void *ctx)
     return now;
 }
 
+/* A band is wound up, an inertia follows a law of the user's, another one the speed. */
 static void try_scene_of_axles(void)
 {
-    static const vm_band band = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, VM_C(0.25), 0};
-    static const vm_band layers = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, 1, 1};
+    static const vm_band band = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, VM_C(0.75), 0};
+    static const vm_band layers = {VM_C(0.25), VM_C(0.015625), VM_C(0.5), 64, 1, 0, 1};
     const vm_vec3 u = {VM_C(0.5), 0, 0};
     vm_budget book;
     int i;
@@ -221,7 +222,7 @@ static void try_scene_of_axles(void)
     add_effect(vm_effect_motor(0, 0, 2, VM_C(0.25)));
     add_effect(vm_effect_mass_law(1, swelling, NULL, u, VM_C(0.5)));
     add_effect(vm_effect_rotational_damper(1, VM_C(0.125)));
-    add_effect(vm_effect_mass(2, VM_MASS_OF_V2, VM_C(0.0625), 1, VM_C(0.25)));
+    add_effect(vm_effect_mass(2, VM_MASS_OF_V2, VM_C(0.0625), 1, VM_C(0.75)));
     add_effect(vm_effect_linear_spring(2, 0, 1, 0, 2, 0));
     vm_scene_keep_budget(&g.scene, &book);
     run_scene(2);
@@ -229,7 +230,7 @@ static void try_scene_of_axles(void)
 
 /* ---- in the plane ---- */
 
-/* the crossing point moves and the stream swells */
+/* The crossing point moves and the stream swells. */
 static void varying(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
     (void)ctx;
@@ -238,6 +239,7 @@ static void varying(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
     stream->velocity.y = y[3];
 }
 
+/* A plate grows by a stream whose crossing point moves; another one turns on a shaft with an unbalance. */
 static void try_scene_in_the_plane(void)
 {
     const vm_vec3 at = {1, VM_C(0.25), 0}, still = {0, 0, 0};
@@ -256,7 +258,7 @@ static void try_scene_in_the_plane(void)
     add_effect(vm_effect_varying(vm_effect_stream_torque(0, &stream), varying, NULL));
     add_effect(vm_effect_shaft(1, 3, VM_C(2.5)));
     add_effect(vm_effect_unbalance(1, VM_C(0.25), 3, VM_C(0.5)));
-    add_effect(vm_effect_gyroscopic(1, VM_C(0.25)));
+    add_effect(vm_effect_gyroscopic(1, VM_C(0.125)));
     vm_scene_keep_budget(&g.scene, &book);
     run_scene(2);
 }
@@ -304,6 +306,7 @@ static vm_body some_free_body(void)
     return b;
 }
 
+/* A free body loses or gains mass by a stream at a point, and its rotation is damped. */
 static void try_scene_in_space(void)
 {
     const vm_body body = some_free_body();
@@ -363,7 +366,7 @@ static void try_refused_scenes(void)
         fold_int(culprit.index);
         fold(g.y[0]);
     }
-    g.effects[0] = vm_effect_stream(0, 1, vmi_vec3(0, 0, 0), 0);
+    g.effects[0] = vm_effect_stream(0, 1, vmi_vec3(0, 0, 0), 1);
     fold_int(vm_scene_check(&g.scene, NULL));
     g.effects[0] = vm_effect_motor(0, 0, 1, 1);
     add_event(vm_then_switch(vm_event_at(1), 7, 1));
@@ -378,9 +381,14 @@ static void golden_scenes_on_a_line(void)
     try_scene_of_axles();
     try_refused_scenes();
 }
-static void golden_scenes_in_the_plane(void) {
-try_scene_in_the_plane();
-try_scene_of_parts_in_the_plane(); }
-static void golden_scenes_in_space(void) {
-try_scene_in_space();
-try_scene_of_parts_in_space(); }
+static void golden_scenes_in_the_plane(void)
+{
+    try_scene_in_the_plane();
+    try_scene_of_parts_in_the_plane();
+}
+
+static void golden_scenes_in_space(void)
+{
+    try_scene_in_space();
+    try_scene_of_parts_in_space();
+}

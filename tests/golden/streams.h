@@ -55,7 +55,7 @@ static void try_loads(void)
     }
 }
 
-/* The weight acts; mass, mass centre and inertia are given for the right-hand sides that want them so. */
+/* The weight acts. Mass, mass centre and inertia are set for the right-hand sides that take them from here. */
 static int weight(vm_real t, const vm_real *y, vm_flow *flow)
 {
     (void)y;
@@ -69,7 +69,7 @@ static int weight(vm_real t, const vm_real *y, vm_flow *flow)
     return 0;
 }
 
-/* A body with three streams, one of them from a store, in all the ways that states can be chosen */
+/* A run of a body with up to four streams, the last of them from a store, by one of the right-hand sides */
 static void flow_of(ode_rhs rhs, int n, int streams_used, vm_real t)
 {
     const vm_body body = some_body();
@@ -94,7 +94,7 @@ static void flow_of(ode_rhs rhs, int n, int streams_used, vm_real t)
     fold_int(flow.status);
     fold(vm_flow_mass_left(t, y, &flow));
     fold(vm_flow_inertia_left(t, y, &flow));
-    if (rhs == vm_flow_carried_rhs) return; /* whose states are not those of a flow's body */
+    if (rhs == vm_flow_carried_rhs) return; /* vm_flow_body does not take its states */
     fold_int(vm_flow_body(&flow, n < VM_FLOW_STATES ? VM_FLOW_GIVEN_STATES : VM_FLOW_STATES, y, &now));
     fold_body(&now);
 }

@@ -17,7 +17,7 @@ static vm_real sa_path_naive(const vm_real *x)
 }
 
 /* Force of a spring, alpha = x1, at x0 */
-static vm_real spring_ours(const vm_real *x) { return vm_force_spring(2, x[1], x[0]); }
+static vm_real spring_ours(const vm_real *x) { return vm_force_spring(x[0], 2, x[1]); }
 static vm_real spring_naive(const vm_real *x) { return -2 * x[0] * POW(FABS(x[0]), x[1] - 1); }
 
 /* Period by the integral of dx/sqrt(1 - x^(alpha+1)), midpoint rule, alpha = x0 */
@@ -156,7 +156,8 @@ static vm_real arcs_ours(const vm_real *x)
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
-    f.now.mass = f.now.k = f.now.nu = 1;
+    f.mass = f.stiffness = f.frequency = vm_law_linear(1, 0);
+    f.force = vm_law_linear(0, 0);
     return vm_forced_init(&f) == VM_OK ? f.c[0] + x[0] * f.c[1] : VM_NAN;
 }
 static vm_real arcs_naive(const vm_real *x)

@@ -117,13 +117,17 @@ static vm_real drum_angle_naive(const vm_real *x) /* (198)-(206) */
     return (-k1 * (k1 > 0 && k1 < 1 ? vm_lambert_wm1(z) : vm_lambert_w0(z)) - 1) * 2 / e;
 }
 
-/* Van der Pol, alpha = 3: b = x0, mass 1 + x1 t, t = x2 */
+/* Van der Pol, alpha = 3: feed = x0, mass 1 + x1 t, t = x2 */
 static vm_real vdp_ours(const vm_real *x)
 {
-    vm_vdp v = {3, 1, 0, 1, 1, VM_VDP_ATEB, NULL, NULL, 0, 0, 0};
-    vm_linear_mass mass = {1, 0};
-    v.b = x[0], mass.rate = x[1];
-    return vm_vdp_init(&v) == VM_OK ? vm_vdp_amplitude(&v, x[2], VM_C(0.5), mass) : VM_NAN;
+    vm_vdp v;
+    memset(&v, 0, sizeof v);
+    v.alpha = 3;
+    v.k = v.c = v.reactive = 1;
+    v.feed = x[0];
+    v.mass = vm_law_linear(1, x[1]);
+    if (vm_vdp_init(&v)) return VM_NAN;
+    return vm_vdp_amplitude(&v, x[2], VM_C(0.5));
 }
 static vm_real vdp_naive(const vm_real *x) /* (422) corrected */
 {

@@ -112,7 +112,11 @@ static vm_forced hard_spring(vm_real force, vm_real nu)
 {
     vm_forced f;
     memset(&f, 0, sizeof f);
-    f.alpha = 3, f.b = VM_C(0.015625), f.now.mass = f.now.k = 1, f.now.force = force, f.now.nu = nu;
+    f.alpha = 3;
+    f.damping = VM_C(0.015625);
+    f.mass = f.stiffness = vm_law_linear(1, 0);
+    f.force = vm_law_linear(force, 0);
+    f.frequency = vm_law_linear(nu, 0);
     return f;
 }
 static vm_real folded_ours(const vm_real *x)
@@ -125,34 +129,34 @@ static vm_real folded_ours(const vm_real *x)
 static vm_real folded_naive(const vm_real *x)
 {
     vm_forced f = hard_spring(x[0], x[1]);
-    vm_real A = x[2] == 0 ? 0 : x[1] / SQRT(f.now.k), w, off;
+    vm_real A = x[2] == 0 ? 0 : x[1] / SQRT(f.stiffness.f0), w, off;
     int i;
     if (vm_forced_init(&f)) return VM_NAN;
     A /= f.Om1;
     for (i = 0; i < 200; i++) {
         w = f.Om1 * A, off = w - x[1];
-        A = SQRT(x[0] * f.G / (SQRT(off * off + f.b * f.b / 9) * f.Om1));
+        A = SQRT(x[0] * f.G / (SQRT(off * off + f.damping * f.damping / 9) * f.Om1));
     }
     return A;
 }
 
 /* Passage through a resonance: m = k = 1, alpha = x0, damping x1, force x2, frequency 1/2 + x3 t, at rest at t = 0; x
    at t = x4. Naive: rk4, 6 steps a period */
-static void sweep(vm_real t, vm_forced_parameters *now, void *ctx)
-{
-    const vm_real *x = (const vm_real *)ctx;
-    now->mass = now->k = 1, now->mass_rate = now->k_rate = 0;
-    now->nu = VM_C(0.5) + x[3] * t, now->nu_rate = x[3], now->force = x[2];
-}
 static vm_real passage_ours(const vm_real *x)
 {
     const vm_real y[3] = {0, 0, 0};
-    vm_real work[RK87_WORK(3)], copy[5];
+    vm_real work[RK87_WORK(3)];
     vm_forced f;
     rk87_options o;
     rk87 s;
-    memset(&f, 0, sizeof f), memset(&o, 0, sizeof o), memcpy(copy, x, sizeof copy);
-    f.alpha = x[0], f.b = x[1], f.drift = sweep, f.drift_ctx = copy, o.rtol = R(VM_C(1e-13), VM_C(4e-5));
+    memset(&f, 0, sizeof f);
+    memset(&o, 0, sizeof o);
+    f.alpha = x[0];
+    f.damping = x[1];
+    f.mass = f.stiffness = vm_law_linear(1, 0);
+    f.frequency = vm_law_linear(VM_C(0.5), x[3]);
+    f.force = vm_law_linear(x[2], 0);
+    o.rtol = R(VM_C(1e-13), VM_C(4e-5));
     if (vm_forced_init(&f)) return VM_NAN;
     if (rk87_init(&s, vm_forced_rhs, &f, 3, 0, y, &o, work) < 0 || rk87_solve(&s, x[4]) < 0) return VM_NAN;
     return s.y[0];

@@ -1,0 +1,293 @@
+/* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
+
+   The motion at any time, without an integrator: exact before the break (46)-(51), where the shaft passes through the
+   mass centre; of the remainder for short times after the break, |psi| << 1, by the linearised equations (69),
+   complete and in the form (70)-(72) of the dissertation, which leaves out a term. For long times integrate
+   vm_broken_rotor_rhs.
+
+       vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
+       status = vm_broken_rotor_free_motion(5, &whole, y, y); // y at 5 s
+
+   The linearised equations are, with omega, p, k*, M* of vm_broken_rotor:
+     x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
+   Tests: tests/test_broken_rotor.c. */
+#ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
+#define VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
+
+#include <string.h>
+
+#include "../base/arrays.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "broken_rotor.h"
+
+/* The coefficients (67) of the linearised equations */
+typedef struct VM_TAG(vmi_broken_rotor_linear) {
+    vm_real omega, k, torque, s; /* omega, k*, M*, s */
+    vm_real coupling;            /* s p^2 omega^2 of (69), or 0 where this term is left out */
+} vmi_broken_rotor_linear;
+
+/* Where y, psi and their rates stand in z, the coupled part of the state */
+enum {
+    VMI_BROKEN_ROTOR_Y = 0,
+    VMI_BROKEN_ROTOR_PSI = 1,
+    VMI_BROKEN_ROTOR_Y_RATE = 2,
+    VMI_BROKEN_ROTOR_PSI_RATE = 3,
+    VMI_BROKEN_ROTOR_COUPLED = 4 /* how many there are */
+};
+
+VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
+{
+    vmi_broken_rotor_linear a;
+    a.omega = VM_SQRT(r->stiffness / r->mass);
+    a.k = r->damping / r->inertia;
+    a.torque = r->torque / r->inertia;
+    a.s = r->s;
+    a.coupling = 0;
+    if (coupled) a.coupling = r->s * (r->stiffness / r->inertia);
+    return a;
+}
+
+/* A bound of the rates at which solutions change, 1/s */
+VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
+{
+    return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
+}
+
+/* Sets the change of z within the time h by the Taylor series in h, for |h| vmi_broken_rotor_rate <= 1: the n-th
+   terms of y and of s psi are then below 1/n! of the first ones, so that the number of terms is enough. y0, y1, y2
+   are three terms of y in a row, psi0, psi1, psi2 those of psi. */
+VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
+{
+    const int terms = VM_MANT_DIG > 24 ? 20 : 12;
+    const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
+    vm_real y0 = z[VMI_BROKEN_ROTOR_Y], y1 = z[VMI_BROKEN_ROTOR_Y_RATE] * h;
+    vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], psi1 = z[VMI_BROKEN_ROTOR_PSI_RATE] * h;
+    vm_real drive = a->torque * h * h;
+    int n;
+    change[VMI_BROKEN_ROTOR_Y] = y1;
+    change[VMI_BROKEN_ROTOR_PSI] = psi1;
+    change[VMI_BROKEN_ROTOR_Y_RATE] = 0;
+    change[VMI_BROKEN_ROTOR_PSI_RATE] = 0;
+    for (n = 2; n < terms && h != 0; n++) {
+        const vm_real share = 1 / (vm_real)(n * (n - 1)), y2 = -omega_h2 * (y0 + a->s * psi0) * share;
+        const vm_real psi2 = (drive - k_h * (vm_real)(n - 1) * psi1 - coupling_h2 * y0) * share;
+        change[VMI_BROKEN_ROTOR_Y] += y2;
+        change[VMI_BROKEN_ROTOR_PSI] += psi2;
+        change[VMI_BROKEN_ROTOR_Y_RATE] += (vm_real)n * y2 / h;
+        change[VMI_BROKEN_ROTOR_PSI_RATE] += (vm_real)n * psi2 / h;
+        y0 = y1;
+        psi0 = psi1;
+        y1 = y2;
+        psi1 = psi2;
+        drive = 0;
+    }
+}
+
+/* Doubles the time to which m belongs: (m + E)^2 - E = 2 m + m m, computed in this form because E would swallow the
+   digits of m. m[j] is the change from the unit state j, for the last j the change that the torque makes from 0. */
+VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
+{
+    vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
+    int i, j, k;
+    memcpy(old, m, sizeof old);
+    for (j = 0; j <= VMI_BROKEN_ROTOR_COUPLED; j++)
+        for (i = 0; i < VMI_BROKEN_ROTOR_COUPLED; i++) {
+            m[j][i] *= 2;
+            for (k = 0; k < VMI_BROKEN_ROTOR_COUPLED; k++) m[j][i] += old[k][i] * old[j][k];
+        }
+}
+
+/* Moves z on by the time t, for any coefficients: by the series within t/2^n, where it holds, then by n doublings */
+VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
+{
+    enum { n = VMI_BROKEN_ROTOR_COUPLED };
+    vm_real m[n + 1][n], start[n], change[n], h = t;
+    vmi_broken_rotor_linear driven = *a;
+    int doublings = 0, i, j;
+    for (; VM_FABS(h) * vmi_broken_rotor_rate(a) > 1; h /= 2) doublings++;
+    if (doublings == 0) {
+        vmi_broken_rotor_series(a, h, z, change);
+        for (i = 0; i < n; i++) z[i] += change[i];
+        return;
+    }
+    for (j = 0; j <= n; j++) {
+        for (i = 0; i < n; i++) start[i] = i == j;
+        driven.torque = 0;
+        if (j == n) driven.torque = a->torque;
+        vmi_broken_rotor_series(&driven, h, start, m[j]);
+    }
+    for (; doublings > 0; doublings--) vmi_broken_rotor_double(m);
+    memcpy(start, z, sizeof start);
+    for (i = 0; i < n; i++) {
+        vm_real sum = m[n][i];
+        for (j = 0; j < n; j++) sum += m[j][i] * start[j];
+        z[i] += sum;
+    }
+}
+
+/* (e^z - 1)/z and (e^z - 1 - z)/z^2, to a few eps */
+VM_API void vmi_broken_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
+{
+    const int terms = VM_MANT_DIG > 24 ? 20 : 12;
+    int n;
+    if (VM_FABS(z) > 1) {
+        *phi1 = (vmi_exp(z, 0) - 1) / z;
+        *phi2 = (*phi1 - 1) / z;
+        return;
+    }
+    *phi2 = 0;
+    for (n = terms; n >= 2; n--) *phi2 = (1 + z * *phi2) / (vm_real)n;
+    *phi1 = 1 + z * *phi2;
+}
+
+/* w - sin w to a few eps, where sine = sin w is given */
+VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
+{
+    const int terms = VM_MANT_DIG > 24 ? 19 : 11;
+    vm_real sum = 0;
+    int n;
+    if (VM_FABS(w) > 1) return w - sine;
+    for (n = terms; n >= 3; n -= 2) sum = w * w * (1 - sum) / (vm_real)(n * (n - 1));
+    return w * sum;
+}
+
+/* Functions of the free swing w, each to a few eps for w = 0 too */
+typedef struct VM_TAG(vmi_broken_rotor_swing) {
+    vm_real c;    /* cos wt */
+    vm_real c1;   /* 1 - cos wt */
+    vm_real w_s;  /* w sin wt */
+    vm_real s_w;  /* sin wt/w */
+    vm_real late; /* t - sin wt/w */
+} vmi_broken_rotor_swing;
+
+VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
+{
+    vmi_broken_rotor_swing g;
+    vm_real half, sine;
+    vmi_sincos(w * t / 2, &half, &g.c);
+    vmi_sincos(w * t, &sine, &g.c);
+    g.c1 = 2 * half * half;
+    g.w_s = w * sine;
+    g.s_w = t;
+    g.late = 0;
+    if (w > 0) {
+        g.s_w = sine / w;
+        g.late = vmi_broken_rotor_less_sine(w * t, sine) / w;
+    }
+    return g;
+}
+
+/* Moves z on by the time t by (71), (72), without coupling, with M* in the place of k* Omega; for |t| times the rate
+   > 1.
+   psi = psi0 + psi0' E1 + M* E2 with E1 = (1 - e^(-kt))/k, E2 = (t - E1)/k, and y responds to -s psi: g0, g1, g2
+   solve g'' + w^2 g = w^2 E1', w^2 E1, w^2 E2 from rest, so that g2' = g1 and g1' = g0. */
+VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
+                                    vm_real *z)
+{
+    const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
+    const vm_real y0 = z[VMI_BROKEN_ROTOR_Y], v0 = z[VMI_BROKEN_ROTOR_Y_RATE];
+    const vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], rate0 = z[VMI_BROKEN_ROTOR_PSI_RATE];
+    vm_real E0, E1, E2, g0, g1, g2;
+    vmi_broken_rotor_exp_quotients(-a->k * t, &E1, &E2);
+    E0 = vmi_exp(-a->k * t, 0);
+    E1 *= t;
+    E2 *= t * t;
+    g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
+    g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
+    g2 = (w2 * E2 + (a->k * g->late - g->c1)) / sum;
+    z[VMI_BROKEN_ROTOR_Y] = y0 * g->c + v0 * g->s_w - a->s * (psi0 * g->c1 + (rate0 * g1 + a->torque * g2));
+    z[VMI_BROKEN_ROTOR_PSI] = psi0 + (rate0 * E1 + a->torque * E2);
+    z[VMI_BROKEN_ROTOR_Y_RATE] = v0 * g->c - y0 * g->w_s - a->s * (psi0 * g->w_s + (rate0 * g0 + a->torque * g1));
+    z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
+}
+
+/* The three public motions: all of (69) if coupled = 1, without its last term if coupled = 0 */
+VM_API int vmi_broken_rotor_linearised(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, int coupled,
+                                       vm_real *end)
+{
+    vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0;
+    vmi_broken_rotor_linear a;
+    vmi_broken_rotor_swing g;
+    int status;
+    if (!rotor || !start || !end) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
+    status = vmi_check_broken_rotor(rotor);
+    if (status) return status;
+    a = vmi_broken_rotor_reduced(rotor, coupled);
+    g = vmi_broken_rotor_swing_at(t, a.omega);
+    z[VMI_BROKEN_ROTOR_Y] = start[VM_BROKEN_ROTOR_X + 1];
+    z[VMI_BROKEN_ROTOR_PSI] = start[VM_BROKEN_ROTOR_ANGLE];
+    z[VMI_BROKEN_ROTOR_Y_RATE] = start[VM_BROKEN_ROTOR_V + 1];
+    z[VMI_BROKEN_ROTOR_PSI_RATE] = start[VM_BROKEN_ROTOR_OMEGA];
+    if (coupled || VM_FABS(t) * vmi_broken_rotor_rate(&a) <= 1) vmi_broken_rotor_advance(t, &a, z);
+    else vmi_broken_rotor_follow(t, &a, &g, z);
+    x0 = start[VM_BROKEN_ROTOR_X];
+    vx0 = start[VM_BROKEN_ROTOR_V];
+    y[VM_BROKEN_ROTOR_X] = x0 * g.c + (vx0 * g.s_w - a.s * g.c1); /* (70) */
+    y[VM_BROKEN_ROTOR_V] = vx0 * g.c - g.w_s * (x0 + a.s);
+    y[VM_BROKEN_ROTOR_X + 1] = z[VMI_BROKEN_ROTOR_Y];
+    y[VM_BROKEN_ROTOR_ANGLE] = z[VMI_BROKEN_ROTOR_PSI];
+    y[VM_BROKEN_ROTOR_V + 1] = z[VMI_BROKEN_ROTOR_Y_RATE];
+    y[VM_BROKEN_ROTOR_OMEGA] = z[VMI_BROKEN_ROTOR_PSI_RATE];
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, y, end);
+}
+
+/* State of the remainder t seconds after start, by the linearised equations (69), complete.
+   For short times, |psi| << 1; any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may
+   be start. damping, stiffness and s may be 0. Error: no more than twice what rounding every input, t included, would
+   make. All of (69) grows exponentially: VM_NOT_FINITE where it overflows. VM_BAD_ARGUMENT, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (a negative stiffness). */
+VM_API int vm_broken_rotor_linear(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+{
+    return vmi_broken_rotor_linearised(t, rotor, start, 1, end);
+}
+
+/* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
+   The dissertation leaves the term -s p^2 omega^2 y out, although it is of the order of the others: for comparison
+   with vm_broken_rotor_linear. Error: no more than rounding every input would make. Arguments and errors as there. */
+VM_API int vm_broken_rotor_linear_uncoupled(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+{
+    return vmi_broken_rotor_linearised(t, rotor, start, 0, end);
+}
+
+/* State of the unbroken rotor t seconds after start, exact, (46)-(51).
+   Any sign of t. start and end are arrays of VM_BROKEN_ROTOR_STATES numbers, and end may be start. damping and
+   stiffness may be 0. Error: no more than rounding every input, t included, would make. VM_BAD_ARGUMENT,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN (s is not 0, or a negative stiffness). */
+VM_API int vm_broken_rotor_free_motion(vm_real t, const vm_broken_rotor *rotor, const vm_real *start, vm_real *end)
+{
+    if (rotor && !VM_IS_FINITE(rotor->s)) return VM_NOT_FINITE;
+    if (rotor && rotor->s != 0) return VM_DOMAIN;
+    return vmi_broken_rotor_linearised(t, rotor, start, 0, end); /* for s = 0 these equations are (46) itself */
+}
+
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers.
+   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50), w^2 = stiffness/mass, which must not be 0. The
+   half axes of the orbit are | |A0 + i B0| +- |C0 + i D0| |. The speed at t, which [1] prints wrongly after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
+   VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA, VM_DOMAIN where the stiffness is not positive. */
+VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
+{
+    vm_real w, x, y, vx, vy, c[4];
+    int status;
+    if (!rotor || !start || !abcd) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, start)) return VM_NOT_FINITE;
+    status = vmi_check_broken_rotor(rotor);
+    if (!status && rotor->stiffness == 0) status = VM_DOMAIN;
+    if (status) return status;
+    w = VM_SQRT(rotor->stiffness / rotor->mass);
+    x = start[VM_BROKEN_ROTOR_X];
+    y = start[VM_BROKEN_ROTOR_X + 1];
+    vx = start[VM_BROKEN_ROTOR_V] / w;
+    vy = start[VM_BROKEN_ROTOR_V + 1] / w;
+    c[0] = (x + vy) / 2;
+    c[1] = (y - vx) / 2;
+    c[2] = (x - vy) / 2;
+    c[3] = (y + vx) / 2;
+    return vmi_copy_if_finite(4, c, abcd);
+}
+
+#endif

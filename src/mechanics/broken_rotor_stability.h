@@ -1,0 +1,225 @@
+/* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
+
+   After the break the remainder can turn steadily, psi' = Omega, with its mass centre on a circle (76), (77). Here
+   are the radius of this circle, the small motions about it with their characteristic polynomial (81), its roots and
+   Routh's column, and the stability (82): the steady motion is stable below resonance only. Above resonance the orbit
+   of a rotor that starts from rest grows, and vm_broken_rotor_resonance_radius says how. In the formulas omega^2 =
+   stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
+
+       vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
+       int stable = vm_broken_rotor_is_stable(&rest, 2);
+
+   Tests: tests/test_broken_rotor_stability.c. */
+#ifndef VARMASS_MECHANICS_BROKEN_ROTOR_STABILITY_H
+#define VARMASS_MECHANICS_BROKEN_ROTOR_STABILITY_H
+
+#include <string.h>
+
+#include "../base/arrays.h"
+#include "../base/elementary.h"
+#include "../base/polynomial.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "broken_rotor.h"
+
+/* (omega^2 - Omega^2) mass, in two words: its sign is right and its relative error is an eps, however close to
+   resonance the rotor turns */
+VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
+{
+    const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
+    const vm_two left = vmi_two_plus(vmi_two(r->stiffness, 0), load);
+    return left.hi + left.lo;
+}
+
+/* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
+   Omega in rad/s; the motion needs torque = damping Omega (47). The radius is positive as in (77), phi = psi + pi,
+   where Omega^2 < omega^2, and negative as in (76), phi = psi, where Omega^2 > omega^2. Within 2 eps however close to
+   resonance.
+   Infinite at resonance (NaN for s = 0); NaN for a null pointer and for a rotor whose fields have not the signs that
+   vm_broken_rotor states. */
+VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
+{
+    vm_real detuning, share;
+    if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
+    detuning = vmi_broken_rotor_detuning(rotor, Omega);
+    if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
+    share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2 < 1: mass Omega^2 overflows */
+    return -rotor->s * (share / (1 - share));
+}
+
+/* omega^2, Omega^2, k*, D and G of vm_broken_rotor_characteristic */
+typedef struct VM_TAG(vmi_broken_rotor_steady) {
+    vm_real w2, O2, k, D, G;
+} vmi_broken_rotor_steady;
+
+/* Sets *a. VM_BAD_ARGUMENT, VM_NOT_FINITE, the statuses of a bad rotor, VM_DOMAIN at resonance */
+VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
+{
+    int status;
+    vm_real detuning;
+    if (!r) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(Omega)) return VM_NOT_FINITE;
+    status = vmi_check_broken_rotor(r);
+    if (status) return status;
+    detuning = vmi_broken_rotor_detuning(r, Omega);
+    if (detuning == 0) return VM_DOMAIN;
+    a->w2 = r->stiffness / r->mass;
+    a->O2 = Omega * Omega;
+    a->k = r->damping / r->inertia;
+    a->D = detuning / r->mass;
+    a->G = r->s * (r->stiffness / detuning) * (r->s * r->stiffness / r->inertia);
+    return VM_OK;
+}
+
+enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
+
+/* Characteristic polynomial of small motions about the steady motion, (81) corrected.
+   They go with exp(l t) about the motion at psi' = Omega, rad/s. c is an array of VM_BROKEN_ROTOR_ROOTS + 1
+   coefficients, highest power first:
+     l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. (81) is l times this polynomial, and its last term
+   lacks l^2; its root l = 0 is the freedom of the phase. VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA,
+   VM_DOMAIN (resonance, a negative stiffness). */
+VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
+{
+    vmi_broken_rotor_steady a;
+    vm_real p[VM_BROKEN_ROTOR_ROOTS + 1];
+    int status;
+    if (!c) return VM_BAD_ARGUMENT;
+    status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
+    if (status) return status;
+    p[0] = 1;
+    p[1] = a.k;
+    p[2] = 2 * (a.w2 + a.O2) + a.G;
+    p[3] = 2 * a.k * (a.w2 + a.O2);
+    p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2);
+    p[5] = a.k * (a.D * a.D);
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
+}
+
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2.
+   column is an array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all are
+   positive.
+   Errors as for vm_broken_rotor_characteristic. */
+VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
+{
+    vmi_broken_rotor_steady a;
+    vm_real p[VM_BROKEN_ROTOR_ROOTS + 1];
+    int status;
+    if (!column) return VM_BAD_ARGUMENT;
+    status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
+    if (status) return status;
+    p[0] = 1;
+    p[1] = a.k;
+    p[2] = a.G;
+    p[3] = a.k * a.D;
+    p[4] = 4 * a.G * a.O2;
+    p[5] = a.k * (a.D * a.D);
+    return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, column);
+}
+
+/* Whether the steady motion at psi' = Omega is asymptotically stable (82): 1 or 0.
+   It is exactly for Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0. (With damping, s or Omega = 0 some motions
+   neither grow nor fade.) 0 for a null pointer and a bad rotor. */
+VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
+{
+    if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
+    return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_broken_rotor_detuning(rotor, Omega) > 0;
+}
+
+/* Roots re + i im of the characteristic polynomial, 1/s.
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers; the roots stand in the order of rising |imaginary part|, of
+   a pair first the one with im > 0. The error of each root is at most twice what an eps of every coefficient would
+   make, also that of the smallest root, which near resonance is many orders below the largest. Errors as for
+   vm_broken_rotor_characteristic. */
+VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
+{
+    vmi_broken_rotor_steady a;
+    vm_real c[VM_BROKEN_ROTOR_ROOTS + 1], x[VM_BROKEN_ROTOR_ROOTS], y[VM_BROKEN_ROTOR_ROOTS], size, power;
+    int i, status;
+    if (!re || !im) return VM_BAD_ARGUMENT;
+    status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
+    if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
+    if (status) return status;
+    /* roots in units of `size`, so that no coefficient is above 10 */
+    size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
+    power = 1 / size;
+    for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
+        c[i] *= power;
+        power /= size;
+    }
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_ROOTS + 1, c)) return VM_NOT_FINITE;
+    vmi_poly_roots(VM_BROKEN_ROTOR_ROOTS, c, x, y);
+    for (i = 0; i < VM_BROKEN_ROTOR_ROOTS; i++) {
+        x[i] *= size;
+        y[i] *= size;
+    }
+    if (!vmi_all_finite(VM_BROKEN_ROTOR_ROOTS, x)) return VM_NOT_FINITE;
+    status = vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS, y, im);
+    if (!status) memcpy(re, x, sizeof x);
+    return status;
+}
+
+/* ln(1 + x) - x + x^2/2 for x >= 0, to a few eps. For x <= 1 it is x^3/3 - x^4/4 + ... as a series in w = x/(2 + x)
+   <= 1/3, whose terms are all positive: coefficient n - 2 of w^n, and 1/n more for odd n. */
+VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
+{
+    const int terms = VM_MANT_DIG > 24 ? 45 : 21;
+    const vm_real w = x / (2 + x);
+    vm_real sum = 0;
+    int n;
+    if (x > 1) return (vmi_log(1 + x).hi - x) + x * x / 2;
+    for (n = terms; n >= 3; n--) {
+        vm_real coefficient = (vm_real)(n - 2);
+        if (n & 1) coefficient += 1 / (vm_real)n;
+        sum = w * sum + coefficient;
+    }
+    return 2 * w * w * w * sum;
+}
+
+/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex, so that Newton's method falls to the root
+   from (3 tau)^(1/3) + (2 tau)^(1/2), which is above it. */
+VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
+{
+    const int most_steps = 60;
+    vm_real x = vmi_pow_checked(3 * tau, VM_C(1.) / 3) + VM_SQRT(2 * tau), fall;
+    int i;
+    for (i = 0; i < most_steps; i++) {
+        fall = (vmi_broken_rotor_growth_time(x) - tau) * (1 + x) / (x * x);
+        if (!(fall > 0)) break;
+        x -= fall;
+    }
+    return x;
+}
+
+/* Radius of the growing orbit t seconds after a start from rest, where Omega = torque/damping is at or above omega,
+   m.
+   psi' is caught at omega, and the torque that is left goes into the orbit: r = |s|/4 + R, where R(0) = 0 and
+   R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R). Hence
+     R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
+   |s|/4 is the next order of the expansion. Neglected are terms of s^2/r and the time of the capture: in Fig. 18 at
+   t = 400 the radius is 0.001 of 3.473 too small at resonance and 0.093 of 12.437 too large above it. NaN below
+   resonance, for t < 0, damping < 0, omega = 0, a null pointer and a bad rotor.
+   R R' = A + B/R has the solution t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+VM_API vm_real vm_broken_rotor_resonance_radius(vm_real t, const vm_broken_rotor *rotor, vm_real Omega)
+{
+    vm_real over, w, A, B, R, z;
+    if (!rotor || vmi_check_broken_rotor(rotor) || !(t >= 0) || !VM_IS_FINITE(t) || !VM_IS_FINITE(Omega))
+        return VM_NAN;
+    over = -vmi_broken_rotor_detuning(rotor, Omega);
+    w = VM_SQRT(rotor->stiffness / rotor->mass);
+    if (!(over >= 0) || !(w > 0) || !(rotor->damping >= 0)) return VM_NAN;
+    A = rotor->damping * (over / rotor->mass / (VM_FABS(Omega) + w)) / (2 * rotor->mass * w);
+    B = rotor->damping * VM_FABS(rotor->s) / (4 * rotor->mass);
+    R = vmi_pow_checked(3 * B * t, VM_C(1.) / 3);
+    if (A == 0 || t == 0) return VM_FABS(rotor->s) / 4 + R;
+    z = A * R / B; /* below eps the term A is negligible, beyond 1/eps (and for B = 0) the term B/R is */
+    if (!(z < 1 / VM_EPSILON)) R = VM_SQRT(2 * A * t);
+    else if (z > VM_EPSILON) R = vmi_broken_rotor_growth_root(z * z * z / 3) * B / A;
+    return VM_FABS(rotor->s) / 4 + R;
+}
+
+#endif

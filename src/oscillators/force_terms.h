@@ -1,0 +1,19 @@
+/* oscillators/force_terms.h - terms of forces that stand in oscillators and in scenes
+
+   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+       vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), x); // N s/m; the force is feed times the velocity
+   Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c. */
+#ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
+#define VARMASS_OSCILLATORS_FORCE_TERMS_H
+
+#include "../base/real.h"
+
+/* Van der Pol's term (404): the force over the velocity at position x, feed - c x^2, N s/m. feed > 0 (N s/m) feeds the
+   vibration, c > 0 (N s/m^3) limits it. */
+VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
+
+/* The gyroscopic force over the velocity, 2 gyro, kg/s: the force is this times the velocity, turned by +90 degrees.
+   gyro is g of the remark after (516), kg/s. */
+VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
+
+#endif

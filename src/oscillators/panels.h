@@ -1,0 +1,199 @@
+/* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
+
+   Integrals along a law f(t) from 0 to t are sums over panels of time, so short that on each of them the law (and
+   whatever follows from it) is a series of 20 Legendre polynomials. The panels find their lengths: one that is too
+   long for its series is halved, and the next is twice as long again. The points of a table end a panel.
+       vm_law mass = vm_law_linear(10, VM_C(-0.1));
+       vm_real integral;
+       int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
+   Tests: tests/test_laws.c. */
+#ifndef VARMASS_OSCILLATORS_PANELS_H
+#define VARMASS_OSCILLATORS_PANELS_H
+
+#include "../base/real.h"
+#include "../base/status.h"
+#include "laws.h"
+#include "legendre.h"
+
+/* -- The lengths of panels -- */
+
+/* The panels from t to end, one after the other. The loop over them is
+     while (vmi_panels_next(&p)) {
+         ... from p.t over p.side * p.step ...
+         if (too long && vmi_panels_halve(&p)) continue;
+         ... use the panel ...
+         vmi_panels_advance(&p);
+     } */
+typedef struct VM_TAG(vmi_panels) {
+    vm_real t, end;         /* start of the present panel and end of the last one, s */
+    vm_real side;           /* 1 forward, -1 backward in time */
+    vm_real longest, least; /* bounds of a panel's length, s */
+    vm_real size;           /* length, s, of the present panel where so much is left */
+    vm_real left, step;     /* time left to the end and length of the present panel, s */
+    int halved;             /* how often a panel was halved */
+} vmi_panels;
+
+/* Panels from start to end, at most `longest` long; whole: length of the whole integral, s */
+VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, vm_real whole)
+{
+    vmi_panels p;
+    p.t = start;
+    p.end = end;
+    p.side = VM_COPYSIGN(1, end - start);
+    p.longest = vmi_smaller(longest, VM_FABS(end - start));
+    p.least = whole / VM_C(1099511627776.); /* 2^40 */
+    p.size = p.longest;
+    p.left = 0;
+    p.step = 0;
+    p.halved = 0;
+    return p;
+}
+
+/* Whether there is a panel at p->t; its length is p->step. A rest that is hardly longer than a panel is one panel. */
+VM_API int vmi_panels_next(vmi_panels *p)
+{
+    if (p->t == p->end) return 0;
+    p->left = VM_FABS(p->end - p->t);
+    p->step = p->size;
+    if (p->left <= p->size * VM_C(1.0001)) p->step = p->left;
+    return 1;
+}
+
+/* Makes the present panel half as long, and returns whether that was possible */
+VM_API int vmi_panels_halve(vmi_panels *p)
+{
+    const int most = 4096; /* laws with noise, which no length suits, need a bound */
+    if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
+    p->size = p->step / 2;
+    p->halved++;
+    return 1;
+}
+
+/* On to the next panel, which is to be twice as long */
+VM_API void vmi_panels_advance(vmi_panels *p)
+{
+    if (p->step == p->left) p->t = p->end;
+    else p->t += p->side * p->step;
+    p->size = vmi_smaller(2 * p->step, p->longest);
+}
+
+/* -- Whether a series is good enough -- */
+
+/* The relative size at which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
+   exactly, so that the error of an integral is about the square of the last terms. A panel that is a small part of
+   the whole may be less accurate. */
+VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
+    const vm_real matters = VM_EPSILON / 4 * whole / VM_FABS(length);
+    return vmi_larger(enough, matters);
+}
+
+/* Whether the last terms of a series are below limit, relative to its mean */
+VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
+{
+    return vmi_legendre_tail(series) <= limit * series[0];
+}
+
+/* Bound for what the ends of a panel show, where all coefficients that are left out add up */
+VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
+
+/* Raises *edge to the relative difference between f and its series, or for `reciprocal` between 1/f and its series */
+VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
+{
+    const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
+    if (!(miss <= *edge)) *edge = miss;
+}
+
+/* Raises *edge to the relative difference between a law and its series at the ends of the panel. reciprocal: the
+   series is that of 1/f. Nothing else shows a kink between an end and the next point of Gauss' rule. */
+VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
+                          const vm_real *series, vm_real *edge)
+{
+    const int side = vmi_time_side(length);
+    vm_real at_start = 0, at_end = 0, f[VMI_LAW_ORDERS];
+    int k, status;
+    for (k = 0; k < VMI_GAUSS; k += 2) { /* P_k(1) = 1, P_k(-1) = (-1)^k */
+        at_start = at_start + series[k] - series[k + 1];
+        at_end = at_end + series[k] + series[k + 1];
+    }
+    status = vmi_law_derivatives(law, if_not_positive, start, side, 0, f);
+    if (status) return status;
+    vmi_panel_raise_edge(reciprocal, f[0], at_start, edge);
+    status = vmi_law_derivatives(law, if_not_positive, start + length, -side, 0, f);
+    if (status) return status;
+    vmi_panel_raise_edge(reciprocal, f[0], at_end, edge);
+    return VM_OK;
+}
+
+/* -- The integral of 1/f -- */
+
+/* The series of 1/f on a panel, and in *edge by how much it misses the law at the panel's ends, relative */
+VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
+{
+    const int side = vmi_time_side(length);
+    vm_real values[VMI_GAUSS], same[VMI_GAUSS], f[VMI_LAW_ORDERS];
+    int i, status;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real t = start + length * ((1 + vmi_gauss_node(i)) / 2);
+        status = vmi_law_derivatives(law, VM_BAD_MASS, t, side, 0, f);
+        if (status) return status;
+        values[i] = 1 / f[0];
+    }
+    vmi_legendre_fit(values, values, series, same);
+    *edge = 0;
+    return vmi_panel_edge(law, VM_BAD_MASS, 1, start, length, series, edge);
+}
+
+/* Adds the integral of dt/f from start to end, between which no table has a point */
+VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_real end, vm_real whole, vm_real *sum)
+{
+    vmi_panels p = vmi_panels_from(start, end, vmi_law_longest_panel(law, whole), whole);
+    while (vmi_panels_next(&p)) {
+        const vm_real length = p.side * p.step, limit = vmi_panel_limit(length, whole);
+        vm_real series[VMI_GAUSS], edge;
+        int status = vmi_law_inverse_series(law, p.t, length, series, &edge);
+        if (status) return status;
+        if (!(edge <= vmi_panel_edge_limit(limit)) || !vmi_panel_is_resolved(series, limit))
+            if (vmi_panels_halve(&p)) continue;
+        *sum += length * series[0];
+        vmi_panels_advance(&p);
+    }
+    return VM_OK;
+}
+
+/* The integral of dt/f from 0 to t by panels, from one point of a table to the next */
+VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_real *integral)
+{
+    vm_real at = 0;
+    int status = VM_OK;
+    *integral = 0;
+    while (!status && at != t) {
+        const vm_real next = vmi_law_next_knot(law, at, t);
+        status = vmi_law_add_inverse_integral(law, at, next, VM_FABS(t), integral);
+        at = next;
+    }
+    return status;
+}
+
+/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign.
+   Closed forms, within some 8 ulp, also where they tend to 0/0; for tables and functions Gauss' rule, to 1e-13 (float
+   1e-5) if f changes no faster than vm_law_user says. VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0 anywhere between 0
+   and t, VM_DOMAIN for t outside a table, a table out of order, where the function fails, or where change_time is
+   negative or less than |t|/2^20. Then *integral is untouched. */
+VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
+{
+    vm_real sum;
+    int status;
+    if (!law || !integral) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_law_check(law, VM_BAD_MASS, t);
+    if (status) return status;
+    if (law->inverse_integral) sum = law->inverse_integral(law, t);
+    else status = vmi_law_inverse_integral_by_panels(law, t, &sum);
+    if (status) return status;
+    return vmi_copy_if_finite(1, &sum, integral);
+}
+
+#endif

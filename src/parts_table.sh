@@ -1,0 +1,60 @@
+#!/bin/sh
+# docs/parts.md: what each chapter costs who takes it alone. Lines: of the header that src/part.sh writes. Flash: code and
+# tables of all public functions of the chapter and of everything that they call, on a Cortex-M4F, in float, gcc -Os.
+# usage: sh src/parts_table.sh BUILD_FOLDER, from the top of the project
+build=$1/parts_table
+mkdir -p "$build"
+
+lines() { awk 'END {print NR}' "$1"; }
+
+# the public functions that a file of src/ defines
+public_functions() {
+    sed -nE 's/^VM_(API|INLINE) [^(]*[ *]((vm|jacobi|ateb|ode|rk4|rk45|rk87)_[A-Za-z0-9_]*)\(.*/\2/p' "$1"
+}
+
+flash() { # flash CHAPTER : bytes, where its part is $build/part.h
+    {
+        echo '#include "part.h"'
+        echo 'typedef void (*function)(void);'
+        echo 'extern const function all[];'
+        echo 'const function all[] = {'
+        public_functions "src/$1.h" | sed 's/.*/    (function)&,/'
+        echo '    0};'
+    } >"$build/part.c"
+    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -Os -DVM_USE_FLOAT \
+        -fno-math-errno -ffp-contract=off -I"$build" -c "$build/part.c" -o "$build/part.o" || exit 1
+    pointers=$(($(public_functions "src/$1.h" | wc -l) * 4 + 4))
+    arm-none-eabi-size "$build/part.o" | awk -v pointers=$pointers 'NR == 2 {print $1 + $2 - pointers}'
+}
+
+needs() { # needs CHAPTER : the chapters that it includes itself
+    sed -n 's/^#include "\(.*\)\.h"/\1/p' "src/$1.h" | sed "s|^\.\./||; t; s|^|$(dirname "$1")/|" | grep -v '^base/' | sort
+}
+
+cat <<END
+# Parts
+
+Written by \`make parts-table\`.
+
+Each chapter of src/ can be taken alone: \`make part PARTS="mechanics/jumps"\` writes one header, \`build/parts/jumps.h\`, that
+holds the chapter and everything it needs, and nothing else. Several chapters go into one header:
+\`make part PARTS="mechanics/jumps oscillators/routes"\`.
+
+"Lines" counts the lines of this header, comments included. "Flash" is the size in bytes of all public functions of the
+chapter with the code and the tables that they use, on a Cortex-M4F in float, by gcc -Os; who calls fewer functions
+needs less. "Needs" names the chapters that the chapter includes itself; those of base/ are left out.
+
+| chapter | what it is about | lines | flash | needs |
+|---|---|---|---|---|
+END
+for folder in mechanics oscillators scenes integrators ateb jacobi base; do
+    for file in src/$folder/*.h; do
+        chapter=${file#src/}
+        chapter=${chapter%.h}
+        [ -n "$(public_functions "$file")" ] || continue
+        sh src/part.sh "$build/part.h" "$chapter" || exit 1
+        title=$(sed -n '1s|^/\* [^ ]* - \(.*\)|\1|; 1s| *\*/$||; 1p' "$file")
+        needed=$(needs "$chapter" | tr '\n' ' ' | sed 's/ $//; s/ /, /g')
+        echo "| \`$chapter\` | $title | $(lines "$build/part.h") | $(flash "$chapter") | $needed |"
+    done
+done

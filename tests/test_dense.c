@@ -1,0 +1,163 @@
+/* integrators.h: dense output. rk45_interpolate and rk87_interpolate within the last step, forward and backward,
+   after a restart and where they are refused: the measured order and the error, against closed forms. */
+#include "integrator_check.h"
+
+/* ---- Order ---- */
+
+/* The error in the middle of the last step to t_end, with steps of size h: the tolerance is so large that none is
+   rejected. The seven evaluations that rk87 needs for it are made once for a step. */
+static double error_inside(const method *m, double h, double t_end)
+{
+    vm_real y0[3] = {1, 0, 1}, y[3], work[RK87_WORK(3)];
+    rk45_options o = {0};
+    const long extra = m->order == 8 ? 7 : 0;
+    rk45 s;
+    double t;
+    o.atol = 1000;
+    o.h0 = o.h_max = R(h);
+    CHECK(m->init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) == ODE_OK);
+    CHECK(m->solve(&s, R(t_end)) == ODE_OK && s.rejected == 0);
+    t = ((double)s.t_old + (double)s.t) / 2;
+    CHECK(m->interpolate(&s, R(t), y) == ODE_OK && s.evals == m->stages * s.steps + 1 + extra);
+    CHECK(m->interpolate(&s, s.t_old, y0) == ODE_OK && s.evals == m->stages * s.steps + 1 + extra);
+    return linear_error(y, t);
+}
+
+static void test_orders(void)
+{
+    if (is_float) return; /* in float rounding hides them */
+    check_order("rk45_interpolate (local error)",
+                log2(error_inside(methods, 0.125, 2) / error_inside(methods, 0.0625, 2)), 5, 0.5);
+    check_order("rk87_interpolate (local error)",
+                log2(error_inside(methods + 1, 1, 4) / error_inside(methods + 1, 0.5, 4)), 9, 0.7);
+}
+
+/* ---- Errors ---- */
+
+/* In float rk87 cannot have less than 256 eps. */
+static double tolerance_of(const method *m)
+{
+    if (!is_float) return 1e-9;
+    return m->order == 5 ? 1e-5 : 1e-4;
+}
+
+/* Of a solution of y' = 2 t y that is 1 at the time start */
+static double relative_error(vm_real y, double t, double start)
+{
+    return fabs((double)y / exp(t * t - start * start) - 1);
+}
+
+/* Nine points of each step of y' = 2 t y from t = -2, forward */
+static void test_every_step(void)
+{
+    int k;
+    for (k = 0; k < METHODS; k++) {
+        const method *m = methods + k;
+        vm_real y0[1] = {1}, work[RK87_WORK(1)], y;
+        const double tol = tolerance_of(m);
+        rk45_options o = {0};
+        rk45 s;
+        o.rtol = R(tol);
+        o.atol = -1;
+        CHECK(m->init(&s, time_rhs, NULL, 1, -2, y0, &o, work) == ODE_OK);
+        while (s.t < 1) {
+            double x;
+            CHECK(m->step(&s) == ODE_OK);
+            for (x = 0; x <= 1; x += 0.125) {
+                const double t = (double)R((double)s.t_old + x * (double)(s.t - s.t_old));
+                CHECK(m->interpolate(&s, R(t), &y) == ODE_OK);
+                check_error(m->name, "y = exp(t^2)", "tol", relative_error(y, t, 2) / tol, 30, t, tol);
+            }
+        }
+        CHECK(m->interpolate(&s, s.t, &y) == ODE_OK && y == s.y[0]);
+    }
+}
+
+/* The middle of the last step of a run backward, relative to its end */
+static void test_backward(void)
+{
+    int k;
+    for (k = 0; k < METHODS; k++) {
+        const method *m = methods + k;
+        vm_real y0[1] = {3}, work[RK87_WORK(1)], y, middle;
+        const double tol = tolerance_of(m);
+        rk45_options o = {0};
+        rk45 s;
+        o.rtol = R(tol);
+        o.atol = -1;
+        CHECK(m->init(&s, time_rhs, NULL, 1, R(0.75), y0, &o, work) == ODE_OK);
+        CHECK(m->solve(&s, R(-0.5)) == ODE_OK && s.t_old > s.t);
+        middle = s.t + (s.t_old - s.t) / 2;
+        CHECK(m->interpolate(&s, middle, &y) == ODE_OK && m->interpolate(&s, s.t - 1, y0) == ODE_BAD_ARGUMENT);
+        check_error(m->name, "backward", "tol",
+                    relative_error(y / s.y[0], (double)middle, (double)s.t) / tol, 30, (double)middle, tol);
+    }
+}
+
+/* ---- Refusals and restarts ---- */
+
+/* Times outside the last step are refused, and the result is left as it is. */
+static void test_refusals(void)
+{
+    int k;
+    for (k = 0; k < METHODS; k++) {
+        const method *m = methods + k;
+        vm_real y0[1] = {1}, work[RK87_WORK(1)], y = 5;
+        rk45 s;
+        CHECK(m->init(&s, time_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK);
+        CHECK(m->interpolate(&s, VM_EPSILON * VM_EPSILON, &y) == ODE_BAD_ARGUMENT); /* no step has been made */
+        CHECK(y == 5 && m->interpolate(&s, 0, &y) == ODE_OK && y == 1);
+        CHECK(m->solve(&s, 1) == ODE_OK);
+        CHECK(m->interpolate(&s, s.t + 1, &y) == ODE_BAD_ARGUMENT && y == 1);
+        CHECK(m->interpolate(&s, s.t_old - 1, &y) == ODE_BAD_ARGUMENT && y == 1);
+        CHECK(m->interpolate(&s, VM_NAN, &y) == ODE_BAD_ARGUMENT && y == 1);
+        CHECK(methods[1 - k].interpolate(&s, s.t, &y) == ODE_BAD_ARGUMENT && y == 1); /* the other method's */
+    }
+}
+
+static void test_restart(void)
+{
+    int k;
+    for (k = 0; k < METHODS; k++) {
+        const method *m = methods + k;
+        vm_real y0[1] = {1}, work[RK87_WORK(1)], y, end;
+        rk45 s;
+        CHECK(m->init(&s, time_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK && m->solve(&s, 1) == ODE_OK);
+        end = s.y[0];
+        y = VM_NAN;
+        CHECK(m->restart(&s, 0, &y) == ODE_BAD_ARGUMENT && m->restart(NULL, 0, &y) == ODE_BAD_ARGUMENT);
+        CHECK(m->restart(&s, VM_NAN, &end) == ODE_BAD_ARGUMENT && m->restart(&s, 0, NULL) == ODE_BAD_ARGUMENT);
+        CHECK(s.t == 1 && s.y[0] == end);
+        y = 2;
+        CHECK(m->restart(&s, s.t, &y) == ODE_OK && s.y[0] == 2 && s.t_old == s.t);
+        CHECK(m->step(&s) == ODE_OK && s.y[0] > 2 && m->interpolate(&s, s.t_old, &y) == ODE_OK && y == 2);
+    }
+}
+
+/* The first step after a restart is that of a run that starts there with the same step size. */
+static void test_restart_is_a_start(void)
+{
+    int k;
+    for (k = 0; k < METHODS; k++) {
+        const method *m = methods + k;
+        vm_real y0[1] = {1}, start = 3, work[RK87_WORK(1)], other_work[RK87_WORK(1)];
+        rk45_options o = {0};
+        rk45 s, fresh;
+        CHECK(m->init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK && m->solve(&s, 1) == ODE_OK);
+        CHECK(m->restart(&s, R(0.5), &start) == ODE_OK);
+        o.h0 = s.h;
+        CHECK(m->init(&fresh, time_rhs, NULL, 1, R(0.5), &start, &o, other_work) == ODE_OK);
+        CHECK(m->step(&s) == ODE_OK && m->step(&fresh) == ODE_OK && s.t == fresh.t && s.y[0] == fresh.y[0]);
+    }
+}
+
+int main(void)
+{
+    test_orders();
+    test_every_step();
+    test_backward();
+    test_refusals();
+    test_restart();
+    test_restart_is_a_start();
+    return check_finish("dense output");
+}

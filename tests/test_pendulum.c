@@ -1,0 +1,350 @@
+/* Chapter 4 of varmass.h: the pendulum that loses its outer part, (119)-(132), vm_pendulum_separate.
+   Oracles: the reference case D2 in 22 digits, the equations of the dissertation written out by hand, the vector form
+   by vm_separate with the impulse of the pivot, and Lagrange's equations across a jump. The equations that the
+   dissertation prints wrongly are evaluated as printed and must miss by a known amount. */
+#include "rods.h"
+
+/* ---- Case D2 ---- */
+
+/* Mass and length of the pendulum, length of the part, phi', Omega, u, mass of the part, distance and place of its
+   mass centre S2, and the sense of phi: 1 if it turns from x to y */
+typedef struct pendulum_numbers {
+    double M, L, l, phi_rate, Omega, ux, uy, m, rho, x, y, sense;
+} pendulum_numbers;
+
+static pendulum_numbers numbers_D2(int axes)
+{
+    pendulum_numbers n = {3, 2, 0.5, 1.3, 0.6, 0.4, -0.25, 0.75, 1.75, 0, 0, 1};
+    n.x = n.rho * cos(0.7);
+    n.y = n.rho * sin(0.7);
+    if (axes == VM_AXES_SIN_COS) {
+        n.x = n.rho * sin(0.7);
+        n.y = n.rho * cos(0.7);
+        n.sense = -1;
+    }
+    return n;
+}
+
+/* The printed equations differ in two places: they take the angular velocity of the part, phi' + Omega, for the
+   dragging velocity of S2, and they know one sense of phi. */
+static double dragging_rate(const pendulum_numbers *n, int printed)
+{
+    return printed ? n->phi_rate + n->Omega : n->phi_rate;
+}
+
+/* The moment x u_y - y u_x in the sense of phi */
+static double moment_of_u(const pendulum_numbers *n, int printed)
+{
+    const double moment = n->x * n->uy - n->y * n->ux;
+    return printed ? moment : n->sense * moment;
+}
+
+/* phi1' by (125), corrected and as printed */
+static double rate_125(const pendulum_numbers *n, int printed)
+{
+    const double before = n->M * n->L * n->L * n->phi_rate;
+    const double spin = n->m * n->l * n->l / 4 * (n->phi_rate + n->Omega);
+    const double motion = dragging_rate(n, printed) * n->rho * n->rho + moment_of_u(n, printed);
+    return (before - spin - 3 * n->m * motion) / ((n->M - n->m) * (n->L - n->l) * (n->L - n->l));
+}
+
+/* T_S2 by (122) */
+static double energy_122(const pendulum_numbers *n, int printed)
+{
+    const double with = n->phi_rate + n->Omega, drag = dragging_rate(n, printed);
+    const double speed2 = n->ux * n->ux + n->uy * n->uy + drag * drag * n->rho * n->rho +
+                          2 * drag * moment_of_u(n, printed);
+    return n->m / 2 * speed2 + n->m * n->l * n->l / 24 * with * with;
+}
+
+/* L_2 by (128), which is printed with rho instead of its square */
+static double momentum_128(const pendulum_numbers *n, int printed)
+{
+    const double with = n->phi_rate + n->Omega;
+    const double dragging = printed ? n->rho * with : n->rho * n->rho * n->phi_rate;
+    return n->m * (n->l * n->l / 12 * with + dragging + moment_of_u(n, printed));
+}
+
+/* All that vm_pendulum_separate gives, against the corrected equations */
+static void check_D2(const char *region, const pendulum_numbers *n, const vm_pendulum_cut *c)
+{
+    const double part_spin = n->m * n->l * n->l / 12, rest_mass = 2.25, rest_length = 1.5;
+    const double rest_inertia = rest_mass * rest_length * rest_length, rest_rate = (double)c->rest.rate;
+    const double part_v2 = (double)(c->vx * c->vx + c->vy * c->vy), part_rate = (double)c->rate;
+    check_case("phi1' (125)", region, c->rest.rate, rate_125(n, 0), 1, 3);
+    check_case("T_S2 (122)", region, c->T_S2, energy_122(n, 0), 2, 3);
+    check_case("T_S2 (120)", region, c->T_S2, n->m / 2 * part_v2 + part_spin / 2 * part_rate * part_rate, 2, 3);
+    check_case("L_2 (128)", region, c->L2, momentum_128(n, 0), 2, 3);
+    check_case("L_2 (129)", region, c->L2, part_spin * 1.9 + n->m * n->rho * n->rho * 1.3 + n->m * moment_of_u(n, 0),
+               2, 3);
+    check_case("T1 (119)", region, c->T1, 3 * 4 * 1.69 / 6, 3, 3);
+    check_case("T_S1 (124)", region, c->T_S1, rest_inertia * rest_rate * rest_rate / 6, 2, 3);
+    check_case("L_1 (130)", region, c->L1, rest_inertia * rest_rate / 3, 2, 3);
+    check_case("L_1 (131)", region, c->L1, rest_inertia * rest_rate * (1. / 12 + 1. / 4), 2, 3);
+    check_case("L (126), (132)", region, c->L1 + c->L2, 3 * 4 * 1.3 / 3, 5, 3);
+    check_case("L (127)", region, R(3 * 4 * 1.3 / 12 + 3 * 1 * 1.3), 3 * 4 * 1.3 / 3, 5, 2); /* I_S + M L^2/4 */
+    check_case("v_S2 (121)", region, c->vx, 0.4 - n->sense * 1.3 * n->y, 3, 3);
+    check_case("v_S2 (121)", region, c->vy, -0.25 + n->sense * 1.3 * n->x, 3, 3);
+    check_case("S2 (123)", region, c->x, n->x, 2, 2);
+    check_case("S2 (123)", region, c->y, n->y, 2, 2);
+    check_case("rate of part (121)", region, c->rate, 1.9, 2, 1);
+    CHECK(c->mass == R(0.75) && c->rest.mass == R(rest_mass) && c->rest.length == R(rest_length));
+}
+
+static vm_pendulum_cut cut_D2(int axes)
+{
+    const vm_pendulum p = {3, 2, R(0.7), R(1.3), axes};
+    vm_pendulum_cut c;
+    memset(&c, 0, sizeof c);
+    CHECK(vm_pendulum_separate(&p, R(0.5), R(0.6), R(0.4), R(-0.25), &c) == VM_OK);
+    return c;
+}
+
+/* S2 at (cos phi, sin phi) */
+static void test_D2_cos_sin(void)
+{
+    const char *region = "D2, (cos, sin)";
+    const pendulum_numbers n = numbers_D2(VM_AXES_COS_SIN);
+    const vm_pendulum_cut c = cut_D2(VM_AXES_COS_SIN);
+    check_case("phi1' (125)", region, c.rest.rate, 1.643587039112598855137, 1, 3);
+    check_case("T_S2 (122)", region, c.T_S2, 1.286568432946736261544, 2, 3);
+    check_case("L_2 (128)", region, c.L2, 2.426446871497489431957, 2, 3);
+    check_D2(region, &n, &c);
+    ERRATUM("(125),(132)", fabs(rate_125(&n, 1) - 0.826920) < 1e-6,
+            check_holds("phi1' (125)") && check_holds("L (126), (132)"));
+}
+
+/* S2 at (sin phi, cos phi), as (123) has it, while the sign of (125) is that of (cos, sin) */
+static void test_D2_sin_cos(void)
+{
+    const pendulum_numbers n = numbers_D2(VM_AXES_SIN_COS);
+    const vm_pendulum_cut c = cut_D2(VM_AXES_SIN_COS);
+    pendulum_numbers other_sense = n;
+    CHECK(fabs((double)c.rest.rate - 0.931229) < 1e-6 && fabs((double)c.T_S2 - 2.84930) < 1e-5);
+    CHECK(fabs((double)c.L2 - 3.628551) < 1e-6);
+    check_D2("D2, (sin, cos)", &n, &c);
+    ERRATUM("(125),(132)", fabs(rate_125(&n, 1) - 0.840993) < 1e-6,
+            check_holds("phi1' (125)") && check_holds("L (126), (132)"));
+    ERRATUM("(122)", fabs(energy_122(&n, 1) - 3.09294) < 1e-5, check_holds("T_S2 (122)"));
+    ERRATUM("(128),(129)", fabs(momentum_128(&n, 1) - 1.910511) < 1e-6,
+            check_holds("L_2 (128)") && check_holds("L_2 (129)"));
+    other_sense.sense = -n.sense;
+    ERRATUM("(123)", fabs(rate_125(&other_sense, 0) - (double)c.rest.rate) > 0.1, check_holds("S2 (123)"));
+}
+
+/* The mass m of the part is not free: the moments of inertia about O add up for m = M l/L = 0.75 only. */
+static void test_mass_of_part(void)
+{
+    const double l = 0.5, rho = 1.75, masses[] = {0.4, 0.75}, expected[] = {0.8167, 0};
+    int i;
+    for (i = 0; i < 2; i++) {
+        const double m = masses[i], missing = 4 - (3 - m) * 2.25 / 3 - m * l * l / 12 - m * rho * rho;
+        CHECK(fabs(missing - expected[i]) < 1e-4);
+    }
+}
+
+/* ---- The vector form ---- */
+
+/* A random cut, as vm_pendulum_separate takes it and as bodies */
+typedef struct random_cut {
+    vm_pendulum pendulum;
+    vm_pendulum_cut cut;
+    double l, Omega, ux, uy, sense;
+    vm_vec3 across; /* unit vector, across the rod */
+    vm_body whole, part;
+} random_cut;
+
+static void random_cut_init(random_cut *r, int axes)
+{
+    const vm_pendulum start = {3, 2, 0, 0, 0};
+    double angle;
+    vm_vec3 along;
+    memset(r, 0, sizeof *r);
+    r->pendulum = start;
+    r->l = (double)R(uniform(0.1, 1.6));
+    r->Omega = uniform(-2, 2);
+    r->ux = uniform(-1, 1);
+    r->uy = uniform(-1, 1);
+    r->pendulum.angle = R(uniform(-3, 3));
+    r->pendulum.rate = R(uniform(-2, 2));
+    r->pendulum.axes = axes;
+    r->sense = axes == VM_AXES_COS_SIN ? 1 : -1;
+    CHECK(vm_pendulum_separate(&r->pendulum, R(r->l), R(r->Omega), R(r->ux), R(r->uy), &r->cut) == VM_OK);
+    angle = (double)r->pendulum.angle;
+    if (axes == VM_AXES_SIN_COS) angle = 2 * atan(1.) - angle;
+    along = vector(cos(angle), sin(angle), 0);
+    r->across = vector(-sin(angle), cos(angle), 0);
+    r->whole = rod_at(3, 2, angle, along);
+    r->whole.omega.z = R(r->sense) * r->pendulum.rate;
+    r->whole.v = vmi_scale(r->whole.omega.z, r->across);
+    r->part = rod_at(3 * r->l / 2, r->l, angle, vmi_scale(R(2 - r->l / 2), along));
+    r->part.omega.z = R(r->sense) * (r->pendulum.rate + R(r->Omega));
+    r->part.v = vmi_add(vmi_scale(r->whole.omega.z * R(2 - r->l / 2), r->across), vector(r->ux, r->uy, 0));
+}
+
+/* The velocity of the pivot's point of the rest after the cut with this impulse at the pivot */
+static vm_vec3 velocity_at_pivot(const random_cut *r, vm_vec3 impulse, vm_body *rest)
+{
+    vm_impulse j;
+    memset(&j, 0, sizeof j);
+    j.linear = impulse;
+    CHECK(vm_separate(&r->whole, &r->part, &j, rest) >= 0);
+    return vmi_add(rest->v, vmi_cross(rest->omega, vmi_scale(-1, rest->r)));
+}
+
+/* The impulse with which the pivot's point stays in place. The velocity depends linearly on it, so that the velocities
+   without an impulse and with the two unit ones give two linear equations. */
+static vm_vec3 impulse_of_pivot(const random_cut *r)
+{
+    vm_body rest;
+    const vm_vec3 v0 = velocity_at_pivot(r, vector(0, 0, 0), &rest);
+    const vm_vec3 by_x = vmi_sub(velocity_at_pivot(r, vector(1, 0, 0), &rest), v0);
+    const vm_vec3 by_y = vmi_sub(velocity_at_pivot(r, vector(0, 1, 0), &rest), v0);
+    const double xx = (double)by_x.x, xy = (double)by_x.y, yx = (double)by_y.x, yy = (double)by_y.y;
+    const double x = (double)v0.x, y = (double)v0.y, determinant = xx * yy - yx * xy;
+    return vector((-x * yy + y * yx) / determinant, (-y * xx + x * xy) / determinant, 0);
+}
+
+static void test_vector_form(void)
+{
+    int i;
+    for (i = 0; i < 300; i++) {
+        random_cut r;
+        vm_body rest;
+        vm_vec3 impulse;
+        double size;
+        memset(&rest, 0, sizeof rest);
+        random_cut_init(&r, i % 2);
+        impulse = impulse_of_pivot(&r);
+        velocity_at_pivot(&r, impulse, &rest);
+        size = (1 + fabs((double)r.cut.rest.rate)) * pow(2 / (2 - r.l), 3);
+        check_case("phi1'", "vm_separate", R(r.sense) * rest.omega.z, (double)r.cut.rest.rate, size, 10);
+        check_case("impulse of the pivot", "vm_separate", impulse.x, (double)r.cut.pivot_x, size * 3, 3);
+        check_case("impulse of the pivot", "vm_separate", impulse.y, (double)r.cut.pivot_y, size * 3, 3);
+    }
+}
+
+/* Lagrange's equation (96) with the one coordinate phi, and the gain of energy (118) */
+static void test_lagrange_form(void)
+{
+    int i;
+    for (i = 0; i < 300; i++) {
+        random_cut r;
+        vm_vec3 dr, turn;
+        vm_real before = 4, after, momentum = 0, rate, work[VM_LAGRANGE_WORK(1)];
+        double size, change, part_energy;
+        random_cut_init(&r, i % 2);
+        after = r.cut.rest.mass * r.cut.rest.length * r.cut.rest.length / 3;
+        dr = vmi_scale(R(r.sense * (2 - r.l / 2)), r.across);
+        turn = vector(0, 0, r.sense);
+        vm_lagrange_momentum(1, &r.part, &dr, &turn, &momentum);
+        CHECK(vm_lagrange_separate(1, &before, &after, &r.pendulum.rate, &momentum, NULL, &rate, work) == VM_OK);
+        size = (1 + fabs((double)r.cut.rest.rate)) * pow(2 / (2 - r.l), 3);
+        check_case("L_2 = dT_S2/dphi'", "(96)", momentum, (double)r.cut.L2, 10, 4);
+        check_case("phi1'", "(96)", rate, (double)r.cut.rest.rate, size, 5);
+        change = (double)(r.cut.rest.rate - r.pendulum.rate);
+        part_energy = 3 * r.l / 2 * ((r.ux * r.ux + r.uy * r.uy) / 2 + r.l * r.l * r.Omega * r.Omega / 24);
+        check_case("gain (118)", "pendulum", r.cut.T_S1 + r.cut.T_S2 - r.cut.T1,
+                   (double)after / 2 * change * change + part_energy, 10 + (double)r.cut.T_S1, 6);
+    }
+}
+
+/* ---- Limits ---- */
+
+/* phi1' by (125) as it stands, without a relative velocity: it must come out as phi', but cancellation destroys it
+   where the rest, of the length 2 - l, is short. */
+static double direct_125(const vm_pendulum *p, double l)
+{
+    const double left = 2 - l;
+    const vm_real m = R(1.5 * l), rho = R(2 - l / 2), rest = R(1.5 * left * left * left);
+    return (double)((12 * p->rate - m * R(l * l) / 4 * p->rate - 3 * m * rho * rho * p->rate) / rest);
+}
+
+/* l -> L: vm_pendulum_separate keeps the digits that (125) loses. */
+static void test_short_rest(void)
+{
+    const vm_pendulum p = {3, 2, R(0.7), R(1.3), 0};
+    double left, worst = 0;
+    vm_pendulum_cut c;
+    memset(&c, 0, sizeof c);
+    for (left = 1; left > (is_float ? 1e-5 : 1e-13); left /= 2) {
+        const double l = 2 - left;
+        double expected;
+        CHECK(vm_pendulum_separate(&p, R(l), 0, 0, 0, &c) == VM_OK && c.rest.rate == p.rate);
+        worst = fmax(worst, fabs(direct_125(&p, l) / (double)p.rate - 1));
+        CHECK(vm_pendulum_separate(&p, R(l), R(0.5), 0, 0, &c) == VM_OK);
+        expected = (double)p.rate - l * l * l / 8 / (left * left * left);
+        check_error("phi1'", "l -> L", "eps", fabs((double)c.rest.rate / expected - 1) / eps, 4, left, 0);
+    }
+    CHECK(worst > 1);
+}
+
+/* l -> 0: the change of phi' is as accurate as phi'. */
+static void test_short_part(void)
+{
+    const vm_pendulum p = {3, 2, R(0.7), R(1.3), 0};
+    double l;
+    vm_pendulum_cut c;
+    memset(&c, 0, sizeof c);
+    for (l = 0.1; l > (is_float ? 1e-12 : 1e-100); l /= 10) {
+        const double change = 3 * l * (1 - l / 4) * 2e3 * sin(0.7) / pow(2 - l, 3);
+        CHECK(vm_pendulum_separate(&p, R(l), 0, R(1e3), 0, &c) == VM_OK);
+        check_error("phi1' - phi'", "l -> 0", "eps",
+                    fabs((double)c.rest.rate - 1.3 - change) / eps / (1 + 1e3 * l), 8, l, 0);
+    }
+}
+
+/* ---- Refusals ---- */
+
+static void test_bad_pendulums(void)
+{
+    const vm_pendulum good = {3, 2, R(0.7), R(1.3), 0};
+    const int expected[] = {VM_NOT_FINITE, VM_NOT_FINITE, VM_NOT_FINITE, VM_NOT_FINITE,
+                            VM_BAD_MASS,   VM_DOMAIN,     VM_DOMAIN};
+    vm_pendulum bad[7];
+    vm_pendulum_cut c, kept;
+    int i;
+    memset(&c, 1, sizeof c);
+    memset(&kept, 1, sizeof kept);
+    for (i = 0; i < 7; i++) bad[i] = good;
+    bad[0].mass = VM_NAN;
+    bad[1].length = VM_INFINITY;
+    bad[2].angle = VM_INFINITY;
+    bad[3].rate = VM_NAN;
+    bad[4].mass = 0;
+    bad[5].length = R(0.5); /* that of the part */
+    bad[6].axes = 2;
+    for (i = 0; i < 7; i++) CHECK(vm_pendulum_separate(&bad[i], R(0.5), 0, 0, 0, &c) == expected[i]);
+    CHECK(memcmp(&c, &kept, sizeof c) == 0);
+}
+
+static void test_bad_parts(void)
+{
+    const vm_pendulum good = {3, 2, R(0.7), R(1.3), 0};
+    vm_pendulum_cut c, kept;
+    memset(&c, 1, sizeof c);
+    memset(&kept, 1, sizeof kept);
+    CHECK(vm_pendulum_separate(NULL, 1, 0, 0, 0, &c) == VM_BAD_ARGUMENT);
+    CHECK(vm_pendulum_separate(&good, 1, 0, 0, 0, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_pendulum_separate(&good, 0, 0, 0, 0, &c) == VM_DOMAIN);
+    CHECK(vm_pendulum_separate(&good, 2, 0, 0, 0, &c) == VM_DOMAIN);
+    CHECK(vm_pendulum_separate(&good, VM_NAN, 0, 0, 0, &c) == VM_NOT_FINITE);
+    CHECK(vm_pendulum_separate(&good, 1, VM_NAN, 0, 0, &c) == VM_NOT_FINITE);
+    CHECK(vm_pendulum_separate(&good, 1, 0, VM_INFINITY, 0, &c) == VM_NOT_FINITE);
+    CHECK(vm_pendulum_separate(&good, 1, 0, 0, VM_NAN, &c) == VM_NOT_FINITE);
+    CHECK(memcmp(&c, &kept, sizeof c) == 0);
+}
+
+int main(void)
+{
+    test_D2_cos_sin();
+    test_D2_sin_cos();
+    test_mass_of_part();
+    test_vector_form();
+    test_lagrange_form();
+    test_short_rest();
+    test_short_part();
+    test_bad_pendulums();
+    test_bad_parts();
+    return check_finish("pendulum");
+}

@@ -1,0 +1,561 @@
+/* What the functions of oscillators refuse: those of constant and of varying parameters, their laws and routes (7.2
+   to 7.4). Numbers and pointers that are none, laws that fail, tables that are none, motions at the ends of the
+   numbers. The outputs must stay as they were. */
+#include "refusals.h"
+#include "valid_objects.h"
+
+static const int is_float = PRECISION[0] == 'f';
+
+/* ---- Constant and slowly varying parameters: each number and each pointer spoiled ---- */
+
+static int osc_energy(trial *a)
+{
+    const vm_real x = next(a), v = next(a), omega0 = next(a);
+    return value(a, vm_osc_energy(x, v, omega0, next(a)));
+}
+
+static int osc_amplitude(trial *a)
+{
+    const vm_real x = next(a), v = next(a), omega0 = next(a);
+    vm_real A, psi;
+    vm_osc_amplitude_phase(x, v, omega0, next(a), &A, &psi);
+    return psi == psi ? value(a, A) : -1;
+}
+
+static int osc_period(trial *a)
+{
+    const vm_real x0 = next(a), omega0 = next(a);
+    return value(a, vm_osc_period(x0, omega0, next(a)));
+}
+
+static int law_quadratic(trial *a)
+{
+    const vm_real t = next(a), f0 = next(a), f1 = next(a);
+    const vm_law law = vm_law_quadratic(f0, f1, next(a));
+    return vm_law_at(POINTER(0, &law), t, OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+
+static int law_power(trial *a)
+{
+    const vm_real t = next(a), f0 = next(a), f1 = next(a);
+    const vm_law law = vm_law_power(f0, f1, next(a));
+    return vm_law_at(POINTER(0, &law), t, OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+
+static int law_exponential(trial *a)
+{
+    const vm_real t = next(a), f0 = next(a);
+    const vm_law law = vm_law_exponential(f0, next(a));
+    return vm_law_at(POINTER(0, &law), t, OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+
+static int law_integral(trial *a)
+{
+    const vm_real t = next(a), f0 = next(a), f1 = next(a);
+    const vm_law law = vm_law_quadratic(f0, f1, next(a));
+    return vm_law_inverse_integral(POINTER(0, &law), t, OUT(1, vm_real, 0));
+}
+
+/* From the trial: x, v, reactive, damping, alpha and both laws */
+static vm_osc_problem osc_problem(trial *a)
+{
+    vm_osc_problem o;
+    vm_real f0;
+    memset(&o, 0, sizeof o);
+    o.x = next(a);
+    o.v = next(a);
+    o.reactive = next(a);
+    o.damping = next(a);
+    o.alpha = next(a);
+    f0 = next(a);
+    o.mass = vm_law_linear(f0, next(a));
+    f0 = next(a);
+    o.stiffness = vm_law_linear(f0, next(a));
+    return o;
+}
+#define PROBLEM R(0.1), R(0.2), 1, R(0.01), 3, 2, R(0.01), 3, R(0.02)
+
+static int osc_plan(trial *a)
+{
+    const vm_osc_problem o = osc_problem(a);
+    a->is_value = 1; /* a plan may hold infinite numbers */
+    return vm_osc_plan_init(OUT(0, vm_osc_plan, 0), POINTER(1, &o));
+}
+
+static int osc_by(trial *a)
+{
+    const vm_osc_problem o = osc_problem(a);
+    const vm_real t = next(a);
+    return vm_osc_by_route(POINTER(0, &o), VM_ROUTE_SECOND, t, next(a), OUT(1, vm_osc_motion, 0));
+}
+
+static int osc_at(trial *a)
+{
+    const vm_osc_problem o = osc_problem(a);
+    const vm_real t = next(a);
+    return vm_osc_within(POINTER(0, &o), t, next(a), OUT(1, vm_osc_motion, 0));
+}
+
+static vm_osc_problem a_problem(void)
+{
+    const vm_real numbers[9] = {PROBLEM};
+    trial a;
+    start_trial(&a, numbers, 9);
+    return osc_problem(&a);
+}
+
+static int osc_averaged(trial *a)
+{
+    const vm_osc_problem o = a_problem();
+    const vm_real t = next(a), A = next(a);
+    vm_osc_plan p;
+    if (vm_osc_plan_init(&p, &o)) return -1;
+    return vm_osc_averaged(POINTER(0, &p), VM_ROUTE_TRIG, t, A, OUT(1, vm_real, 0), OUT(2, vm_real, 1),
+                           OUT(3, vm_real, 2));
+}
+
+static void test_oscillators(void)
+{
+    REFUSES(osc_energy, 0, R(0.1), R(0.2), 2, 3);
+    REFUSES(osc_amplitude, 0, R(0.1), R(0.2), 2, 3);
+    REFUSES(osc_period, 0, R(0.1), 2, 3);
+    REFUSES(law_quadratic, 3, R(0.5), 3, R(0.1), R(0.01));
+    REFUSES(law_power, 3, R(0.5), 3, R(0.1), 2);
+    REFUSES(law_exponential, 3, R(0.5), 3, R(0.1));
+    REFUSES(law_integral, 2, R(0.5), 3, R(0.1), R(0.01));
+    REFUSES(osc_plan, 2, PROBLEM);
+    REFUSES_SPOILED(osc_by, 2, PROBLEM, R(0.3), R(0.01));
+    REFUSES_SPOILED(osc_at, 2, PROBLEM, R(0.3), R(0.1));
+    REFUSES(osc_averaged, 4, R(0.3), R(0.1));
+}
+
+static void test_averaged(void)
+{
+    const vm_osc_problem o = a_problem();
+    vm_real A_rate, theta_rate, psi_rate;
+    vm_osc_plan p;
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    CHECK(vm_osc_averaged(&p, -1, 0, 1, &A_rate, &theta_rate, &psi_rate) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_SECOND, 0, 1, &A_rate, &theta_rate, &psi_rate) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_TRIG, 0, -1, &A_rate, &theta_rate, &psi_rate) == VM_DOMAIN);
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_TRIG, -1000, 1, &A_rate, &theta_rate, &psi_rate) == VM_BAD_MASS);
+    p.has_ateb = 0; /* the wave is then computed without a plan */
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, 1, &A_rate, &theta_rate, &psi_rate) == VM_OK);
+}
+
+/* ---- Laws of mass and stiffness ---- */
+
+/* A law that no constructor made; masses that are used up by then, or for a while on the way */
+static void test_laws(void)
+{
+    vm_law law = vm_law_linear(1, 0);
+    vm_real f, rate;
+    law.derivatives = NULL;
+    CHECK(vm_law_at(&law, 0, &f, &rate) == VM_BAD_ARGUMENT);
+    CHECK(vm_law_inverse_integral(&law, 1, &f) == VM_BAD_ARGUMENT);
+    law = vm_law_linear(1, -1);
+    CHECK(vm_law_at(&law, 2, &f, &rate) == VM_BAD_MASS);
+    CHECK(vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS);
+    law = vm_law_quadratic(1, -3, 2);
+    CHECK(vm_law_inverse_integral(&law, 2, &f) == VM_BAD_MASS);
+    CHECK(vm_law_inverse_integral(&law, R(0.25), &f) == VM_OK);
+    law = vm_law_quadratic(1, 0, VM_MAX);
+    f = rate = 7;
+    CHECK(vm_law_at(&law, 0, &f, &rate) == VM_NOT_FINITE && f == 7 && rate == 7);
+}
+
+/* Tables that are none: too short, null, out of order, with bad values; and times beyond their ends */
+static void test_bad_tables(void)
+{
+    static const vm_real times[4] = {0, 1, 2, 3}, values[4] = {1, 2, 3, 4};
+    static const vm_real falling[4] = {0, 2, 1, 3}, unknown[4] = {0, 2, VM_NAN, 3};
+    static const vm_real negative[4] = {1, 2, -1, 4}, no_number[4] = {1, 2, VM_NAN, 4};
+    static const struct {
+        int n;
+        const vm_real *times, *values;
+        vm_real t_integral, t; /* to which the integral goes; at which the law is asked for */
+        int status_at;         /* of the law there; VM_OK: only the integral is refused */
+        int status_integral;
+    } tables[] = {{1, times, values, 1, 1, VM_BAD_ARGUMENT, VM_BAD_ARGUMENT},
+                  {4, NULL, values, 1, 1, VM_BAD_ARGUMENT, VM_BAD_ARGUMENT},
+                  {4, times, NULL, 1, 1, VM_BAD_ARGUMENT, VM_BAD_ARGUMENT},
+                  {4, falling, values, 1, 1, VM_OK, VM_DOMAIN},
+                  {4, times, negative, 1, 1, VM_OK, VM_BAD_MASS},
+                  {4, times, no_number, 1, 1, VM_OK, VM_NOT_FINITE},
+                  {4, times, values, 4, -1, VM_DOMAIN, VM_DOMAIN},
+                  {4, unknown, values, 1, 1, VM_OK, VM_NOT_FINITE}};
+    size_t i;
+    for (i = 0; i < sizeof tables / sizeof *tables; i++) {
+        const vm_law law = vm_law_table(tables[i].n, tables[i].times, tables[i].values);
+        vm_real f, rate;
+        CHECK(vm_law_inverse_integral(&law, tables[i].t_integral, &f) == tables[i].status_integral);
+        if (tables[i].status_at != VM_OK) CHECK(vm_law_at(&law, tables[i].t, &f, &rate) == tables[i].status_at);
+    }
+}
+
+/* A law that is even in t */
+static int even_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    *f = 2 + t * t / 8;
+    *rate = t / 4;
+    return 0;
+}
+
+/* even_law() at -4, -3 ... 4 */
+typedef struct even_table {
+    vm_real times[9], values[9];
+} even_table;
+
+static vm_law even_points(even_table *e)
+{
+    vm_real rate;
+    int i;
+    for (i = 0; i < 9; i++) {
+        e->times[i] = (vm_real)(i - 4);
+        even_law(e->times[i], e->values + i, &rate, NULL);
+    }
+    return vm_law_table(9, e->times, e->values);
+}
+
+/* Two points are a straight line. Times and values that are no numbers are found at the end that nothing asks for,
+ * too. */
+static void test_tables(void)
+{
+    const vm_real steps[2] = {1, 3}, two[2] = {2, 6};
+    vm_real f = 7, rate = 7;
+    vm_law law = vm_law_table(2, steps, two);
+    even_table e;
+    CHECK(vm_law_at(&law, R(1.5), &f, &rate) == VM_OK && f == 3 && rate == 2);
+    law = even_points(&e);
+    e.times[8] = VM_INFINITY;
+    f = 7;
+    CHECK(vm_law_inverse_integral(&law, R(0.5), &f) == VM_NOT_FINITE && f == 7);
+    law = even_points(&e);
+    e.values[8] = VM_NAN;
+    CHECK(vm_law_inverse_integral(&law, R(0.5), &f) == VM_NOT_FINITE && f == 7);
+}
+
+/* With an even law, time backward with v is time forward with -v. */
+static void test_backward(void)
+{
+    vm_osc_motion forward, back;
+    vm_osc_problem o;
+    even_table e;
+    int i;
+    memset(&o, 0, sizeof o);
+    o.alpha = 3;
+    o.reactive = 1;
+    o.x = R(0.5);
+    o.mass = even_points(&e);
+    o.stiffness = vm_law_linear(30, 0);
+    for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) {
+        o.v = R(0.25);
+        CHECK(vm_osc_by_route(&o, i, R(-3.5), 0, &back) >= 0);
+        o.v = R(-0.25);
+        CHECK(vm_osc_by_route(&o, i, R(3.5), 0, &forward) >= 0);
+        check_error("backward", vm_osc_route_name(i), "eps", ERROR_EPS(back.x, (double)forward.x, 0, 1), 200, i, 0);
+    }
+}
+
+/* A table of a straight line is that line: nothing jumps at its points. */
+static void test_straight_table(void)
+{
+    vm_osc_motion by_line, by_table;
+    vm_osc_problem o;
+    even_table e;
+    int i;
+    memset(&o, 0, sizeof o);
+    o.alpha = 3;
+    o.reactive = 1;
+    o.x = R(0.5);
+    o.v = R(-0.25);
+    o.stiffness = vm_law_linear(30, 0);
+    o.mass = vm_law_linear(3, R(0.25));
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 3, 0, &by_line) == VM_OK);
+    o.mass = even_points(&e);
+    for (i = 0; i < 9; i++) e.values[i] = 3 + e.times[i] / 4;
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_SECOND, 3, 0, &by_table) == VM_OK);
+    check_error("table", "straight line", "", fabs((double)(by_table.x - by_line.x)), is_float ? 1e-4 : 1e-9, 0, 0);
+}
+
+/* ---- Laws that fail at one of their calls ---- */
+
+static int calls, good_calls; /* of failing_law(): so far, and until it fails */
+
+static int failing_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    *f = 2 + t / 10;
+    *rate = R(0.1);
+    calls++;
+    return calls > good_calls;
+}
+
+/* Each function says that the law failed, or did without that call. */
+static void test_failing_law(void)
+{
+    vm_osc_problem o = a_problem();
+    vm_osc_motion m;
+    vm_law law;
+    vm_real integral;
+    int i, status;
+    for (good_calls = 0; good_calls < 40; good_calls++) {
+        law = vm_law_user(failing_law, NULL);
+        calls = 0;
+        CHECK(vm_law_inverse_integral(&law, 1, &integral) < 0 || good_calls >= calls);
+        o.mass = law;
+        for (i = VM_ROUTE_TRIG; i <= VM_ROUTE_RK87; i++) {
+            calls = 0;
+            status = vm_osc_by_route(&o, i, 1, 0, &m);
+            if (calls > good_calls) CHECK(status < 0);
+        }
+        calls = 0;
+        CHECK(vm_osc_within(&o, 1, 0, &m) < 0 || good_calls >= calls);
+    }
+}
+
+static void test_failing_plan(void)
+{
+    vm_osc_problem o = a_problem();
+    vm_osc_plan p;
+    int status;
+    o.mass = vm_law_user(failing_law, NULL);
+    for (good_calls = 0; good_calls < 20; good_calls++) {
+        p.pi = 7;
+        calls = 0;
+        status = vm_osc_plan_init(&p, &o);
+        if (status == VM_OK) CHECK(calls <= good_calls);
+        else CHECK(calls > good_calls && p.pi == 7);
+    }
+}
+
+/* A linear drag; ctx is its coefficient */
+static vm_real drag(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)t;
+    (void)x;
+    return -*(const vm_real *)ctx * v;
+}
+
+/* Mass and stiffness, one of which or both fail: by itself, beside a table, beside a straight line, with a force */
+enum { BY_ITSELF, BESIDE_TABLE, BESIDE_LINE, WITH_FORCE, COMPANIES };
+
+static vm_osc_problem failing_problem(int company, vm_real *coefficient)
+{
+    static const vm_real times[5] = {-1, 0, 1, 2, 3}, values[5] = {2, R(2.2), R(2.1), R(2.4), R(2.5)};
+    vm_osc_problem o;
+    memset(&o, 0, sizeof o);
+    o.alpha = 3;
+    o.reactive = R(0.5);
+    o.x = R(0.5);
+    o.v = R(0.25);
+    o.ctx = coefficient;
+    o.mass = vm_law_user(failing_law, NULL);
+    o.stiffness = vm_law_linear(3, R(0.1));
+    if (company == BESIDE_TABLE) o.mass = vm_law_table(5, times, values);
+    if (company == BESIDE_LINE) o.mass = vm_law_linear(2, R(0.1));
+    if (company == BESIDE_TABLE || company == BESIDE_LINE) o.stiffness = vm_law_user(failing_law, NULL);
+    if (company == WITH_FORCE) o.force = drag;
+    return o;
+}
+
+/* One route: it fails if the law did, and has a motion if the law did not. */
+static void check_failing_route(const vm_osc_problem *o, int route)
+{
+    vm_osc_motion m, untouched;
+    int status;
+    memset(&untouched, STAIN, sizeof untouched);
+    m = untouched;
+    calls = 0;
+    status = vm_osc_by_route(o, route, R(2.5), R(1e-3), &m);
+    CHECK(calls > good_calls ? status < 0 : status >= 0);
+    if (status >= 0) CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
+    else CHECK(memcmp(&m, &untouched, sizeof m) == 0);
+}
+
+/* Laws that fail at one evaluation, late ones too */
+static void test_failing_routes(void)
+{
+    vm_real coefficient = R(0.01);
+    int company, route;
+    for (company = BY_ITSELF; company < COMPANIES; company++) {
+        const vm_osc_problem o = failing_problem(company, &coefficient);
+        good_calls = 0;
+        while (good_calls < 10000) {
+            for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++)
+                if (company != WITH_FORCE || route != VM_ROUTE_SECOND) check_failing_route(&o, route);
+            good_calls += 1 + (good_calls > 40 ? good_calls / 8 : 0);
+        }
+    }
+}
+
+/* ---- Oscillators at their limits ---- */
+
+/* Generating solutions at a time that is no number; and from rest with alpha < 1, where the rate would be infinite */
+static void test_generating_solutions(void)
+{
+    vm_real x, v;
+    CHECK(vmi_exp_ratio(0) == 1 && vmi_exp_ratio(VM_INFINITY) == VM_INFINITY && vmi_exp_ratio(-VM_MAX) == 1 / VM_MAX);
+    vm_osc_exact(1, 0, VM_NAN, 3, &x, &v);
+    CHECK(isnan((double)x) && isnan((double)v));
+    vm_osc_trig(1, 0, VM_NAN, 3, &x, &v);
+    CHECK(isnan((double)x) && isnan((double)v));
+    vm_osc_exact(1, 0, 2, R(0.5), &x, &v);
+    CHECK(x == 0 && v == 0);
+    vm_osc_trig(1, 0, 2, R(0.5), &x, &v);
+    CHECK(x == 0 && v == 0);
+    vm_osc_jacobi(1, 0, 2, R(0.5), &x, &v);
+    CHECK(x == 0 && v == 0);
+}
+
+/* x0 = 0.5, mass 2 and stiffness 3, both constant */
+static vm_osc_problem steady_problem(vm_real alpha)
+{
+    vm_osc_problem o;
+    memset(&o, 0, sizeof o);
+    o.alpha = alpha;
+    o.reactive = 1;
+    o.x = R(0.5);
+    o.mass = vm_law_linear(2, 0);
+    o.stiffness = vm_law_linear(3, 0);
+    return o;
+}
+
+/* No plan, and a force on an oscillator at rest, for which no law has an amplitude */
+static void test_nothing_to_start_from(void)
+{
+    vm_osc_problem o = steady_problem(3);
+    vm_real coefficient = R(0.01);
+    vm_osc_motion m;
+    CHECK(vm_osc_plan_within(NULL, 1, 0, &m) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_plan_by_route(NULL, VM_ROUTE_RK45, 1, 0, &m) == VM_BAD_ARGUMENT);
+    o.x = 0;
+    o.force = drag;
+    o.ctx = &coefficient;
+    CHECK(vm_osc_within(&o, 1, 0, &m) == VM_NO_LAW && vm_osc_by_route(&o, VM_ROUTE_RK87, 1, 0, &m) == VM_NO_LAW);
+}
+
+/* A force that is a damping gives the averages of a damping; the quarter of the period is long for large alpha. */
+static void test_drag_as_damping(void)
+{
+    static const vm_real alphas[2] = {3, 30};
+    vm_real coefficient = R(0.01), by_force[3] = {0}, by_damping[3] = {0};
+    int i, route;
+    for (i = 0; i < 2; i++) {
+        for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_ATEB; route++) {
+            vm_osc_problem o = steady_problem(alphas[i]);
+            vm_osc_plan p;
+            o.force = drag;
+            o.ctx = &coefficient;
+            CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            CHECK(vm_osc_averaged(&p, route, 0, R(0.5), by_force, by_force + 1, by_force + 2) == VM_OK);
+            o.force = NULL;
+            o.damping = coefficient;
+            CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+            CHECK(vm_osc_averaged(&p, route, 0, R(0.5), by_damping, by_damping + 1, by_damping + 2) == VM_OK);
+            check_error("drag", vm_osc_route_name(route), "relative", fabs((double)(by_force[0] / by_damping[0] - 1)),
+                        is_float ? 1e-4 : 1e-9, (double)o.alpha, 0);
+        }
+    }
+}
+
+/* The estimate of a wave's error is not above 1, so that a tolerance of 2 is content with any route. */
+static void test_largest_tolerance(void)
+{
+    vm_osc_problem o = steady_problem(300);
+    vm_osc_motion m;
+    o.x = 1;
+    CHECK(vm_osc_within(&o, 1, 2, &m) == VM_OK && m.route == VM_ROUTE_TRIG && m.error >= 1);
+}
+
+/* Half of the reactive force: two integrators agree within their estimates. */
+static void test_half_reactive(void)
+{
+    vm_osc_problem o = steady_problem(3);
+    vm_osc_motion m, other;
+    o.reactive = R(0.5);
+    o.mass = vm_law_linear(2, R(0.5));
+    o.v = R(0.25);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_RK45, 2, 0, &m) == VM_OK && vm_osc_by_route(&o, VM_ROUTE_RK87, 2, 0, &other) == VM_OK);
+    check_error("reactive 1/2", "rk45, rk87", "", fabs((double)(m.x - other.x)), (double)(m.error + other.error), 0,
+                0);
+}
+
+/* A motion that is finite, or a refusal that leaves the output */
+static void check_finite_or_refused(const vm_osc_problem *o, int route, vm_real t)
+{
+    vm_osc_motion m, untouched;
+    memset(&untouched, STAIN, sizeof untouched);
+    m = untouched;
+    if (vm_osc_by_route(o, route, t, 0, &m) < 0) CHECK(memcmp(&m, &untouched, sizeof m) == 0);
+    else CHECK(VM_IS_FINITE(m.x) && VM_IS_FINITE(m.v));
+}
+
+/* A mass that changes faster than any law of second order holds for */
+static void test_fast_change(void)
+{
+    vm_osc_problem o = steady_problem(3);
+    int i;
+    o.mass = vm_law_linear(2, 500);
+    o.stiffness = vm_law_linear(R(0.001), 0);
+    for (i = 0; i < 64; i++) {
+        o.v = R(0.01) * (vm_real)(i - 32);
+        check_finite_or_refused(&o, VM_ROUTE_SECOND, R(0.01) * (vm_real)i);
+    }
+}
+
+/* An amplitude that overflows, and one that vanishes */
+static void test_extreme_amplitudes(void)
+{
+    const vm_real t = is_float ? 40 : 300;
+    vm_osc_problem o = steady_problem(3);
+    o.v = R(0.25);
+    o.mass = vm_law_exponential(2, -1);
+    o.reactive = 40;
+    check_finite_or_refused(&o, VM_ROUTE_TRIG, t);
+    o.reactive = -40;
+    check_finite_or_refused(&o, VM_ROUTE_TRIG, t);
+}
+
+/* Rates of the largest amplitude, and a frequency that overflows */
+static void test_overflowing_plans(void)
+{
+    vm_osc_problem o = steady_problem(5);
+    vm_real A_rate = 7, theta_rate, psi_rate;
+    vm_osc_plan p;
+    int status;
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    CHECK(vm_osc_averaged(&p, VM_ROUTE_ATEB, 0, VM_MAX, &A_rate, &theta_rate, &psi_rate) == VM_NOT_FINITE);
+    CHECK(A_rate == 7);
+    o.mass = vm_law_linear(VM_MIN, 0);
+    o.stiffness = vm_law_linear(VM_MAX / 4, 0);
+    CHECK(vm_osc_plan_init(&p, &o) == VM_NOT_FINITE);
+    o.mass = vm_law_exponential(2, VM_MAX / 8);
+    o.stiffness = vm_law_linear(3, 0);
+    status = vm_osc_plan_init(&p, &o);
+    CHECK(status == VM_OK || status == VM_NOT_FINITE);
+}
+
+int main(void)
+{
+    test_oscillators();
+    test_averaged();
+    test_laws();
+    test_bad_tables();
+    test_tables();
+    test_backward();
+    test_straight_table();
+    test_failing_law();
+    test_failing_plan();
+    test_failing_routes();
+    test_generating_solutions();
+    test_nothing_to_start_from();
+    test_drag_as_damping();
+    test_largest_tolerance();
+    test_half_reactive();
+    test_fast_change();
+    test_extreme_amplitudes();
+    test_overflowing_plans();
+    return check_finish("refusals oscillators");
+}

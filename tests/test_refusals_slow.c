@@ -1,0 +1,428 @@
+/* What the functions of slow vibrations and of excitation refuse (7.6 to 8): Van der Pol's oscillator, Laval's rotor,
+   the pair of oscillators, harmonic excitation, and the search for points of a motion. Numbers and pointers that are
+   none, masses that are none, shafts without stiffness, motions at the ends of the numbers. The outputs must stay as
+   they were. */
+#include "refusals.h"
+#include "valid_objects.h"
+
+static const double eps = (double)VM_EPSILON;
+
+/* ---- Van der Pol's oscillator, Laval's rotor, pairs, harmonic excitation: each number spoiled ---- */
+
+static int vdp_init(trial *a)
+{
+    vm_vdp v;
+    memset(&v, 0, sizeof v);
+    v.alpha = next(a);
+    v.k = next(a);
+    v.feed = next(a);
+    v.c = next(a);
+    v.reactive = next(a);
+    v.method = VM_VDP_JACOBI;
+    if (a->null_pointer == 0) return vm_vdp_init(NULL);
+    if (vm_vdp_init(&v) < 0) return v.a1 == 0 && v.a2 == 0 && v.a3 == 0 ? -1 : 0;
+    return value(a, v.a1);
+}
+
+/* The linear law that the next two numbers make */
+static vm_law next_law(trial *a)
+{
+    const vm_real f0 = next(a);
+    return vm_law_linear(f0, next(a));
+}
+
+static int vdp_amplitude(trial *a)
+{
+    vm_vdp v = a_vdp();
+    const vm_real t = next(a), A0 = next(a);
+    v.mass = next_law(a);
+    if (vm_vdp_init(&v)) return -1;
+    return value(a, vm_vdp_amplitude(&v, t, A0));
+}
+
+static int laval_frequency(trial *a)
+{
+    const vm_jeffcott r = a_laval();
+    const vm_real A = next(a);
+    return value(a, vm_jeffcott_frequency(&r, A, next(a), 1));
+}
+
+static int laval_amplitude(trial *a)
+{
+    const vm_jeffcott r = a_laval();
+    const vm_real A0 = next(a), mass0 = next(a);
+    return value(a, vm_jeffcott_amplitude(&r, A0, mass0, next(a)));
+}
+
+/* A pair and its state, of the next numbers */
+static vm_pair next_pair(trial *a, vm_real *y)
+{
+    vm_pair p = a_pair();
+    p.alpha = next(a);
+    p.k = next(a);
+    p.reactive = next(a);
+    take(a, y, 4 * sizeof *y);
+    p.mass = next_law(a);
+    return p;
+}
+
+static int pair_at(trial *a)
+{
+    const vm_real t = next(a);
+    vm_real y[4];
+    const vm_pair p = next_pair(a, y);
+    return vm_pair_at(&p, t, y, (vm_real *)(void *)a->output);
+}
+
+static int pair_split(trial *a)
+{
+    const vm_real t = next(a);
+    vm_real y[4];
+    const vm_pair p = next_pair(a, y);
+    return vm_pair_to_averaged(&p, t, y, (vm_real *)(void *)a->output);
+}
+
+static vm_forced forced(trial *a)
+{
+    vm_forced f;
+    memset(&f, 0, sizeof f);
+    f.alpha = next(a);
+    f.damping = next(a);
+    f.reactive = next(a);
+    f.mass = next_law(a);
+    f.stiffness = next_law(a);
+    f.frequency = next_law(a);
+    f.force = next_law(a);
+    return f;
+}
+
+#define FORCED 3, R(0.1), 1, 2, R(0.01), 3, R(0.01), 2, R(0.01), R(0.5), R(0.01)
+
+static int forced_init(trial *a)
+{
+    vm_forced f = forced(a);
+    if (a->null_pointer == 0) return vm_forced_init(NULL);
+    return vm_forced_init(&f) < 0 ? -1 : value(a, f.pi);
+}
+
+static int forced_split(trial *a)
+{
+    const vm_forced f = a_forced();
+    vm_real motion[3];
+    take(a, motion, sizeof motion);
+    return vm_forced_to_averaged(&f, 0, motion, (vm_real *)(void *)a->output);
+}
+
+static int forced_join(trial *a)
+{
+    const vm_forced f = a_forced();
+    vm_real y[3];
+    take(a, y, sizeof y);
+    return vm_forced_from_averaged(&f, 0, y, (vm_real *)(void *)a->output);
+}
+
+static int adiabaticity(trial *a)
+{
+    const vm_real t = next(a), A = next(a);
+    vm_osc_problem o;
+    memset(&o, 0, sizeof o);
+    o.mass = next_law(a);
+    o.stiffness = next_law(a);
+    o.damping = next(a);
+    o.reactive = next(a);
+    o.alpha = next(a);
+    return value(a, vm_adiabaticity(&o, t, A));
+}
+
+static void test_slow_vibrations(void)
+{
+    REFUSES(vdp_init, 1, 3, 2, R(0.1), R(0.2), 1);
+    REFUSES(vdp_amplitude, 0, 1, R(0.1), 2, R(0.01));
+    REFUSES(laval_frequency, 0, R(0.1), 2);
+    REFUSES(laval_amplitude, 0, R(0.1), 2, 3);
+    REFUSES(pair_at, 0, 1, 3, 2, 1, R(0.1), R(0.2), R(0.3), R(0.4), 2, R(0.01));
+    REFUSES(pair_split, 0, 1, 3, 2, 1, R(0.1), R(0.2), R(0.3), R(0.4), 2, R(0.01));
+    REFUSES(forced_init, 1, FORCED);
+    REFUSES(forced_split, 0, 1, R(0.2), R(0.3));
+    REFUSES(forced_join, 0, 1, R(0.2), R(0.3));
+    REFUSES(adiabaticity, 0, 1, R(0.1), 2, R(0.01), 3, R(0.02), R(0.1), 1, 3);
+}
+
+/* ---- Van der Pol's oscillator and pairs ---- */
+
+static void test_van_der_pol(void)
+{
+    const vm_vdp good = a_vdp();
+    vm_vdp v = good;
+    int stable;
+    v.method = -1;
+    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT);
+    v.method = VM_VDP_TRIGONOMETRIC + 1;
+    CHECK(vm_vdp_init(&v) == VM_BAD_ARGUMENT);
+    v = good;
+    v.alpha = -1;
+    CHECK(vm_vdp_init(&v) == VM_DOMAIN);
+    v.alpha = 1;
+    v.k = 0;
+    CHECK(vm_vdp_init(&v) == VM_BAD_STIFFNESS);
+    v.alpha = -1; /* of two mistakes the first in the order of statuses */
+    CHECK(vm_vdp_init(&v) == VM_BAD_STIFFNESS);
+    v = good; /* neither driven nor damped but by c: rest is stable where c damps */
+    v.feed = 0;
+    CHECK(vm_vdp_init(&v) == VM_OK);
+    v.c = -1;
+    stable = 7;
+    CHECK(vm_vdp_limit_cycle(&v, 0, &stable) == 0 && stable == 0);
+    v.c = 1;
+    stable = 7;
+    CHECK(vm_vdp_limit_cycle(&v, 0, &stable) == 0 && stable == 1);
+}
+
+/* A law of 1 kg, whose rate is what ctx points to */
+static int one_kg(vm_real t, vm_real *mass, vm_real *rate, void *ctx)
+{
+    (void)t;
+    *mass = 1;
+    *rate = *(const vm_real *)ctx;
+    return 0;
+}
+
+static void test_pair(void)
+{
+    const vm_real y[4] = {R(0.1), R(0.2), R(0.3), R(0.4)};
+    vm_real infinite = VM_INFINITY, rates[4];
+    vm_pair pair = a_pair();
+    pair.mass = vm_law_user(one_kg, &infinite);
+    CHECK(vm_pair_averaged_rhs(0, y, rates, &pair) == VM_NOT_FINITE);
+    pair.mass = vm_law_linear(0, 0);
+    CHECK(vm_pair_averaged_rhs(0, y, rates, &pair) == VM_BAD_MASS);
+    pair.k = 0; /* of two mistakes the first in the order of statuses */
+    CHECK(vm_pair_averaged_rhs(0, y, rates, &pair) == VM_BAD_MASS);
+    pair.mass = vm_law_linear(1, 0);
+    CHECK(vm_pair_averaged_rhs(0, y, rates, &pair) == VM_BAD_STIFFNESS);
+    memset(&pair.mass, 0, sizeof pair.mass);
+    CHECK(vm_pair_averaged_rhs(0, y, rates, &pair) == VM_BAD_ARGUMENT);
+}
+
+/* ---- Laval's rotor ---- */
+
+/* A damping and a nonlinear cross coupling */
+static vm_complex pull(vm_real t, vm_complex z, vm_complex v, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return vmi_complex(R(-0.1) * v.re, R(-0.1) * v.im - R(0.2) * z.re * z.re * z.im);
+}
+
+/* Averages by 64 nodes are those by the default number; a shaft without stiffness is refused. */
+static void test_laval(void)
+{
+    const vm_power_force none = {0, 1};
+    vm_jeffcott r = a_laval();
+    vm_real y[4] = {R(0.1), R(0.2), R(0.3), R(0.4)}, rates[2][4], rate = R(0.1);
+    r.mass = vm_law_user(one_kg, &rate);
+    r.force = pull;
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, rates[0], &r) == VM_OK);
+    r.nodes = 64;
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, rates[1], &r) == VM_OK);
+    check_error("Laval", "nodes", "eps", ERROR_EPS(rates[0][1], (double)rates[1][1], 0, 1), 64, 0, 0);
+    CHECK(vm_jeffcott_amplitude(&r, R(0.1), 2, 2) == R(0.1));
+    r.stiffness_ctx = (void *)&none;
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, rates[0], &r) == VM_BAD_STIFFNESS);
+    CHECK(vm_jeffcott_backward_whirl_rhs(0, y, rates[0], &r) == VM_BAD_STIFFNESS);
+}
+
+/* An elastic force of 3 N/m that is known up to a radius */
+static vm_real known_to(vm_real rho, vm_real *slope, void *radius)
+{
+    *slope = 0;
+    return rho <= *(const vm_real *)radius ? 3 : VM_NAN;
+}
+
+/* The amplitude (m0/m)^(1/4) is inside the radius to which the stiffness is known, or not; and it is, but for some
+   eps, the first point that is looked at, e^(1/16). */
+static void test_stiffness_known_to_a_radius(void)
+{
+    vm_jeffcott r = a_laval();
+    vm_real radius = R(1.05);
+    double A;
+    int k;
+    r.stiffness = known_to;
+    r.stiffness_ctx = &radius;
+    A = (double)vm_jeffcott_amplitude(&r, 1, 1, (vm_real)pow(1.04, -4));
+    check_error("Laval", "known to 1.05", "eps", fabs(A - 1.04) / eps, 8, 0, 0);
+    CHECK(isnan((double)vm_jeffcott_amplitude(&r, 1, 1, (vm_real)pow(1.1, -4))));
+    radius = 1;
+    CHECK(isnan((double)vm_jeffcott_amplitude(&r, 1, 1, R(0.5))));
+    radius = VM_MAX;
+    for (k = -8; k < 9; k++) {
+        const vm_real mass = (vm_real)exp(-0.25) * (1 + (vm_real)k * VM_EPSILON / 2);
+        A = (double)vm_jeffcott_amplitude(&r, 1, 1, mass);
+        check_error("Laval", "first point", "eps", fabs(A - pow((double)mass, -0.25)) / eps, 4, k, 0);
+    }
+    CHECK(vmi_find_zero(NULL, NULL, 1, 2, 0, 3) == 1 && vmi_find_zero(NULL, NULL, 1, 2, 3, 0) == 2); /* at an end */
+}
+
+/* ---- Harmonic excitation ---- */
+
+static void test_forced(void)
+{
+    const vm_real y[3] = {-1, 0, 0};
+    vm_forced f = a_forced();
+    vm_steady_state curve[2];
+    vm_passage passage;
+    vm_real motion[3];
+    CHECK(vm_forced_from_averaged(&f, 0, y, motion) == VM_DOMAIN);
+    CHECK(vm_forced_curve(&f, 0, VM_NAN, curve) == VM_DOMAIN);
+    CHECK(vm_forced_curve(&f, 0, VM_INFINITY, curve) == VM_DOMAIN && vm_forced_curve(&f, 0, 0, curve) == VM_DOMAIN);
+    f.force = vm_law_linear(0, 0);
+    CHECK(vm_forced_curve(&f, 0, 1, curve) == 0 && vm_forced_passage(&f, 0, 1, &passage) == VM_DOMAIN);
+    f = a_forced();
+    CHECK(vm_forced_init(&f) == VM_OK);
+    f.alpha = -1;
+    CHECK(vm_forced_init(&f) == VM_DOMAIN);
+    f = a_forced();
+    f.alpha = 1;
+    CHECK(vm_forced_init(&f) == VM_OK);
+    CHECK(vm_forced_passage(&f, 0, VM_NAN, &passage) == VM_DOMAIN);
+    CHECK(vm_forced_passage(&f, 0, VM_INFINITY, &passage) == VM_DOMAIN);
+    CHECK(vm_forced_passage(&f, 0, 1, &passage) == VM_OK && isnan(passage.delta)); /* linear: nothing holds it */
+}
+
+/* Free vibration holds itself without a force. A force that counts for nothing holds the backbone, nu = w(A). */
+static void test_backbone(void)
+{
+    const vm_real A = (vm_real)ldexp(1, 40);
+    vm_forced f = a_forced();
+    vm_steady_state curve[3];
+    double w;
+    f.damping = 0;
+    f.mass = vm_law_linear(2, 0);
+    f.stiffness = vm_law_linear(3, 0);
+    f.force = vm_law_linear(0, 0);
+    CHECK(vm_forced_curve(&f, 0, 1, curve) == 0);
+    f.force = vm_law_linear(VM_MIN, 0);
+    CHECK(vm_forced_curve(&f, 0, A, curve) == 1);
+    w = (double)(2 * VM_PI / vm_osc_period(A, VM_SQRT(f.stiffness.f0 / f.mass.f0), f.alpha));
+    check_error("backbone", "", "eps", ERROR_EPS(curve[0].nu, w, 0, w), 8, (double)A, 0);
+}
+
+/* Motions within the ripple that the force makes have no amplitude of their own; motions at the end of the numbers */
+static void test_forced_split(void)
+{
+    const vm_real ripple[3] = {R(0.001), 0, 0}, largest[3] = {VM_MAX, VM_MAX / 2, 0};
+    vm_forced f = a_forced();
+    vm_real y[3] = {7, 7, 7};
+    f.force = vm_law_linear(1000, 0);
+    CHECK(vm_forced_to_averaged(&f, 0, ripple, y) == VM_DOMAIN && y[0] == 7);
+    if (vm_forced_to_averaged(&f, 0, largest, y) < 0) CHECK(y[0] == 7);
+    else CHECK(VM_IS_FINITE(y[0]) && VM_IS_FINITE(y[1]));
+}
+
+/* alpha next to 1, where the turns of the resonance curve are far away */
+static void test_nearly_linear(void)
+{
+    int k, j, found;
+    for (k = 0; k < 40; k++) {
+        const vm_real rates[3] = {R(1.25) + R(0.02) * (vm_real)(k % 5), R(0.2), 3};
+        vm_forced f = a_forced();
+        vm_steady_state curve[3];
+        f.alpha = 1 + R(0.002) * (vm_real)(k - 20);
+        f.damping = R(0.02) * (vm_real)(k % 3);
+        f.mass = vm_law_linear(2, 0);
+        f.stiffness = vm_law_linear(3, 0);
+        CHECK(vm_forced_init(&f) == VM_OK);
+        for (j = 0; j < 3; j++) {
+            f.frequency = vm_law_linear(rates[j], 0);
+            found = vm_forced_steady_states(&f, 0, curve);
+            CHECK(found >= 0 && found <= 3);
+            while (found > 0) {
+                found--;
+                CHECK(curve[found].A > 0 && VM_IS_FINITE(curve[found].A));
+            }
+        }
+    }
+}
+
+/* ---- Points of a motion ---- */
+
+/* x = t - 1 between two times, no number elsewhere */
+static void line(vm_real t, vm_real *x, vm_real *v, void *ctx)
+{
+    const vm_real *from_to = (const vm_real *)ctx;
+    *x = t - 1;
+    if (t < from_to[0] || t > from_to[1]) *x = VM_NAN;
+    *v = 1;
+}
+
+/* A zero exactly at a step is found once; one where the search begins is not. Motions that are no number are refused.
+ */
+static void test_points_found(void)
+{
+    vm_real known[2] = {-9, 9};
+    vm_sample points[4];
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == 1);
+    CHECK(points[0].t == 1 && points[0].x == 0 && points[0].v == 1);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 1, 2, R(0.25), 4, points) == 0);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 1, 1, R(0.25), 4, points) == 0);
+    known[1] = R(0.75);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(line, known, VM_ZERO_CROSSINGS, 2, 2, R(0.25), 4, points) == VM_NOT_FINITE);
+}
+
+/* Before the first step there are no points in it. Null pointers, and components that the state lacks, are refused.
+ */
+static void test_points_of_step(void)
+{
+    const vm_real y[2] = {1, 0};
+    vm_real work[RK45_WORK(2)], buffer[2];
+    vm_sample points[4];
+    rk45 s;
+    CHECK(rk45_init(&s, oscillate, NULL, 2, 0, y, NULL, work) == ODE_OK);
+    CHECK(vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == 0);
+    CHECK(vm_find_samples_of_step(NULL, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, NULL, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, -1, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 0, -1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 2, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+    CHECK(vm_find_samples_of_step(&s, 0, 2, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_BAD_ARGUMENT);
+}
+
+/* The oscillator until *ctx evaluations are used up */
+static int stops(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    long *left = (long *)ctx;
+    oscillate(t, y, dydt, NULL);
+    (*left)--;
+    return *left >= 0 ? 0 : 9;
+}
+
+/* The inside of a step of rk87 takes evaluations of its own. If they fail, there are no points. */
+static void test_points_of_broken_step(void)
+{
+    const vm_real y[2] = {1, 0};
+    vm_real work[RK87_WORK(2)], buffer[2];
+    long left = 1000;
+    vm_sample points[4];
+    rk87 s;
+    CHECK(rk87_init(&s, stops, &left, 2, 0, y, NULL, work) == ODE_OK && rk87_step(&s) == ODE_OK);
+    left = 0;
+    CHECK(vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_NOT_FINITE);
+}
+
+int main(void)
+{
+    test_slow_vibrations();
+    test_van_der_pol();
+    test_pair();
+    test_laval();
+    test_stiffness_known_to_a_radius();
+    test_forced();
+    test_backbone();
+    test_forced_split();
+    test_nearly_linear();
+    test_points_found();
+    test_points_of_step();
+    test_points_of_broken_step();
+    return check_finish("refusals slow");
+}

@@ -1,0 +1,441 @@
+/* varmass.h, scenes: events. Events that only count, several at one instant, endless ones; and jumps of bodies of all
+   motions, against closed forms, the jumps of chapter 3 and the balances of momentum and energy. */
+#include "stage_check.h"
+
+/* ---- Events that only count ---- */
+
+static void oscillator(stage *s)
+{
+    stage_clear(s, 20);
+    stage_body(s, vm_scene_body_line(1, 0, 1));
+    stage_effect(s, vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1, 0));
+}
+
+static vm_real beyond_half(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return y[0] - REAL(0.5);
+}
+
+/* Events without an action count the zeros of x = sin t and of its velocity, and keep the time of the last one; where
+   s.located[i] has room, the times of all. A second run goes on counting. */
+static void check_counting(void)
+{
+    const double pi = acos(-1.0);
+    vm_real times[4] = {0, 0, 0, 0};
+    stage s;
+    int k;
+    oscillator(&s);
+    vm_scene_keep_budget(&s.scene, NULL);
+    stage_event(&s, vm_event_position(0, 0, 0, 0));
+    stage_event(&s, vm_event_position(0, 0, 0, 1));
+    stage_event(&s, vm_event_user(beyond_half, NULL, -1));
+    stage_event(&s, vm_event_velocity(0, 0, 0, 0));
+    begin(&s);
+    s.located[0].times = times;
+    s.located[0].room = 4;
+    run(&s, 10, VM_OK);
+    CHECK(s.events[0].count == 3 && s.events[1].count == 1 && s.events[2].count == 2 && s.events[3].count == 3);
+    agrees("counting", "last", s.events[0].time, 3 * pi, 10, 1e-10);
+    agrees("counting", "last beyond 1/2", s.events[2].time, 2 * pi + 5 * pi / 6, 10, 1e-10);
+    for (k = 0; k < 3; k++) agrees("counting", "times", times[k], (k + 1) * pi, 10, 1e-10);
+    run(&s, 20, VM_OK);
+    CHECK(s.events[0].count == 6 && s.events[1].count == 3);
+    agrees("counting", "last", s.events[0].time, 6 * pi, 20, 1e-10);
+}
+
+/* The motion has the same bits with events that only count as without them. */
+static void check_counted_motion(void)
+{
+    vm_real without[STAGE_STATE];
+    stage s;
+    oscillator(&s);
+    vm_scene_keep_budget(&s.scene, NULL);
+    begin(&s);
+    run(&s, 20, VM_OK);
+    memcpy(without, s.y, sizeof without);
+    oscillator(&s);
+    vm_scene_keep_budget(&s.scene, NULL);
+    stage_event(&s, vm_event_position(0, 0, 0, 0));
+    stage_event(&s, vm_event_velocity(0, 0, 0, 0));
+    begin(&s);
+    run(&s, 20, VM_OK);
+    CHECK(s.t == 20 && memcmp(without, s.y, sizeof without) == 0);
+}
+
+/* An event that may happen three times is counted three times. */
+static void check_most(void)
+{
+    stage s;
+    oscillator(&s);
+    stage_event(&s, vm_event_position(0, 0, 0, 0));
+    s.events[0].most = 3;
+    stage_event(&s, vm_event_at(7));
+    stage_event(&s, vm_then_stop(vm_event_at(REAL(18.5))));
+    begin(&s);
+    run(&s, 20, VM_STOPPED);
+    CHECK(s.events[0].count == 3 && s.events[1].count == 1 && s.t == REAL(18.5));
+    agrees("counting", "third", s.events[0].time, 3 * acos(-1.0), 10, 1e-10);
+    balanced(&s, "counting", 1, 1);
+}
+
+/* ---- Several events at one instant ---- */
+
+/* Each event that happens appends its number to *order, as a decimal digit. */
+typedef struct note {
+    int *order, number;
+} note;
+
+static int take_down(vm_real t, vm_real *y, void *ctx)
+{
+    const note *n = (const note *)ctx;
+    (void)t;
+    (void)y;
+    *n->order = *n->order * 10 + n->number;
+    return VM_OK;
+}
+
+static int take_down_and_stop(vm_real t, vm_real *y, void *ctx)
+{
+    take_down(t, y, ctx);
+    return (int)VM_STOPPED;
+}
+
+/* A crossing at the instant of two events at a given time, one of which ends the run: all happen, in their order. */
+static void check_same_instant(void)
+{
+    int order = 0;
+    note one, two, three;
+    stage s;
+    one.order = two.order = three.order = &order;
+    one.number = 1;
+    two.number = 2;
+    three.number = 3;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_body_line(1, -1, 1));
+    stage_event(&s, vm_then_user(vm_event_at(1), take_down_and_stop, &one));
+    stage_event(&s, vm_then_user(vm_event_position(0, 0, 0, 1), take_down, &two));
+    stage_event(&s, vm_then_user(vm_event_at(1), take_down, &three));
+    begin(&s);
+    run(&s, 2, VM_STOPPED);
+    CHECK(s.t == 1 && (order == 123 || order == 13));
+    run(&s, 2, VM_OK); /* a crossing that rounding has put after t = 1 happens now, and none happens twice */
+    CHECK(s.events[0].count == 1 && s.events[1].count == 1 && s.events[2].count == 1 && s.t == 2);
+}
+
+static vm_real at_094(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return y[0] * y[0] - REAL(0.94) * REAL(0.94);
+}
+
+/* Two events have the same zero by different functions. The first switches a damper on, which ends the step; the
+   second, which ends the run, must not be lost by that. */
+static void check_stop_beside_switch(void)
+{
+    stage s;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_body_line(1, 1, 0));
+    stage_effect(&s, vm_effect_linear_spring(0, 0, VM_GROUND, 0, 4, 0));
+    stage_effect(&s, vm_effect_damper(0, 0, VM_GROUND, 0, REAL(0.1)));
+    s.effects[1].off = 1;
+    stage_event(&s, vm_then_switch(vm_event_position(0, 0, REAL(0.94), -1), 1, 0));
+    stage_event(&s, vm_then_stop(vm_event_user(at_094, NULL, -1)));
+    begin(&s);
+    CHECK(vm_scene_run(&s.scene, &s.t, REAL(1.2), s.y, s.work, NULL) == VM_STOPPED);
+    CHECK(s.events[0].count == 1 && s.events[1].count == 1);
+    agrees("stop beside switch", "t", s.t, acos(0.94) / 2, 1, 1e-5); /* the default tolerance's */
+}
+
+/* ---- Events without end ---- */
+
+/* A ball that leaves the ground with half of its speed each time: it comes to rest after infinitely many contacts. */
+static int bounce(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t;
+    y[0] = 0;
+    y[1] = -y[1] / 2;
+    ++*(long *)ctx;
+    return VM_OK;
+}
+
+/* An event that causes itself */
+static int wake(vm_real t, vm_real *y, void *ctx)
+{
+    stage *s = (stage *)ctx;
+    (void)y;
+    s->events[0].time = t;
+    s->events[0].count = 0;
+    s->events[0].most = 0;
+    return VM_OK;
+}
+
+static void check_endless(void)
+{
+    long contacts = 0;
+    stage s;
+    stage_clear(&s, 10);
+    stage_body(&s, vm_scene_body_line(1, 1, 0));
+    stage_effect(&s, vm_effect_gravity(0, 0, REAL(-gravity)));
+    stage_event(&s, vm_then_user(vm_event_position(0, 0, 0, -1), bounce, &contacts));
+    begin(&s);
+    run(&s, 10, VM_TOO_MANY_EVENTS);
+    CHECK(contacts >= (is_float ? 8 : 35) && contacts < 60 && s.y[0] == 0);
+    agrees("bouncing", "comes to rest", s.t, 3 * sqrt(2 / gravity), 1, 1e-9); /* t0 (1 + 2 (1/2 + 1/4 + ...)) */
+    stage_clear(&s, 10);
+    stage_body(&s, vm_scene_body_line(1, 1, 0));
+    stage_event(&s, vm_then_user(vm_event_at(1), wake, &s));
+    begin(&s);
+    run(&s, 10, VM_TOO_MANY_EVENTS);
+    CHECK(s.t == 1);
+}
+
+/* ---- Jumps ---- */
+
+/* A body in space loses a part; the part catches a point, and the body then catches the part: no momentum is lost. */
+static void check_jumps(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_body body, part;
+    vm_budget b;
+    stage s;
+    memset(&body, 0, sizeof body);
+    body.mass = 5;
+    body.inertia.xx = 2;
+    body.inertia.yy = 3;
+    body.inertia.zz = 4;
+    body.inertia.xy = (vm_real)0.3;
+    body.v = stage_vec(1, 2, 3);
+    body.omega = stage_vec(0.3, -0.2, 1);
+    part = body;
+    part.mass = 1;
+    part.r = stage_vec(0.4, 0.1, 0);
+    part.v = stage_vec(0, 2, 0);
+    part.omega = zero;
+    part.inertia.xx = part.inertia.yy = part.inertia.zz = (vm_real)0.1;
+    part.inertia.xy = 0;
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_body_free(&body));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_free(&body)));
+    stage_body(&s, vm_scene_body_point(2, stage_vec(1, 0, 0), stage_vec(0, 1, 1)));
+    stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
+    stage_event(&s, vm_then_attach(vm_event_at(2), 1, 2));
+    stage_event(&s, vm_then_attach(vm_event_at(2), 0, 1));
+    begin(&s);
+    CHECK(vm_scene_size(&s.scene) == 13 + 13 + 6 + VM_BUDGET);
+    run(&s, (double)(vm_real)1.5, VM_OK);
+    CHECK(!s.bodies[1].away && s.bodies[0].mass == 4);
+    vm_scene_budget_at(&s.scene, s.t, s.y, &b);
+    balanced(&s, "separation", 10, 10);
+    CHECK(VM_FABS(b.jump_energy) > (vm_real)0.1);
+    run(&s, 3, VM_OK);
+    CHECK(s.bodies[1].away && s.bodies[2].away);
+    balanced(&s, "catch", 30, 30);
+    agrees("catch", "mass", s.bodies[0].mass, 7, 7, 1e-15);
+}
+
+/* Two bodies become one, on a line and on an axle. */
+static void check_sticking(void)
+{
+    stage s;
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_body_line(2, 0, 3));
+    stage_body(&s, vm_scene_body_line(1, 0, 0));
+    stage_body(&s, vm_scene_body_axle(2, 0, 3));
+    stage_body(&s, vm_scene_body_axle(1, 0, 0));
+    stage_event(&s, vm_then_attach(vm_event_at(1), 0, 1));
+    stage_event(&s, vm_then_attach(vm_event_at(1), 2, 3));
+    begin(&s);
+    run(&s, 2, VM_OK);
+    agrees("sticking", "line", s.y[1], 2, 1, 1e-15);
+    agrees("sticking", "axle", s.y[5], 2, 1, 1e-15);
+    agrees("sticking", "x", s.y[0], 2 + 2, 1, 1e-14); /* 3 m at t = 1, together at 2 m, 2 m/s on */
+    balanced(&s, "sticking", 10, 10);
+}
+
+/* A rod in the plane loses the ball at its end, and catches it again while an impulse from outside acts. */
+static void check_plane(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_body part = part_of(0.5, 0);
+    stage s;
+    part.r.x = 1;
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_body_plane(2, 1, zero, REAL(0.5), stage_vec(1, 2, 0), 3));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
+    stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
+    stage_event(&s, vm_then_attach(vm_event_at(2), 0, 1));
+    s.events[1].external.linear = stage_vec(1, -1, 0);
+    s.events[1].external.at = stage_vec(2, 1, 0);
+    s.events[1].external.couple.z = REAL(0.3);
+    begin(&s);
+    run(&s, 1.5, VM_OK);
+    agrees("plane", "inertia", s.bodies[0].inertia.zz, 1 - 0.5 - 0.5 * 0.5 / 1.5, 1, 1e-14);
+    agrees("plane", "omega", s.y[5], 3, 1, 1e-13); /* the part moves on as before */
+    balanced(&s, "plane", 10, 10);
+    run(&s, 3, VM_OK);
+    balanced(&s, "plane, blow", 100, 100);
+    CHECK(s.y[2] > REAL(6.3)); /* more than a turn */
+    part.inertia.zz = REAL(0.1);
+    s.bodies[1] = vm_scene_body_absent(vm_scene_body_plane(1, 1, zero, REAL(0.25), zero, 0)); /* a part with an angle */
+    s.events[0] = vm_then_separate(vm_event_at(0), 0, 1, &part, 1);
+    s.events[1].most = 1;
+    s.events[1].count = 0;
+    begin(&s);
+    run(&s, 0, VM_OK);
+    agrees("plane", "part's angle", s.y[8], 0.75, 1, 1e-15);
+}
+
+/* A satellite sheds a panel. The attitude and the velocity of the panel are given in the axes of the satellite, which
+   are turned by 90 degrees about z. */
+static void check_satellite(void)
+{
+    const double half = sqrt(0.5);
+    vm_body craft = part_of(500, 0), panel = part_of(20, 0), now, rest;
+    stage s;
+    craft.inertia.xx = 200;
+    craft.inertia.yy = 250;
+    craft.inertia.zz = 300;
+    craft.q.w = craft.q.z = REAL(half); /* turned by 90 degrees about z */
+    craft.v = stage_vec(1, 0, 0);
+    craft.omega = stage_vec(0.1, 0.02, 0.3);
+    panel.inertia.xx = 2;
+    panel.inertia.yy = 5;
+    panel.inertia.zz = 7;
+    panel.r = stage_vec(1.5, 0, 0);
+    panel.v = stage_vec(0.4, 0, 0); /* pushed off along the craft's x */
+    stage_clear(&s, 100);
+    stage_body(&s, vm_scene_body_free(&craft));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_free(&panel)));
+    stage_event(&s, vm_then_separate(vm_event_at(0), 0, 1, &panel, 1));
+    begin(&s);
+    run(&s, 0, VM_OK);
+    vm_scene_body_at(&s.scene, 1, s.y, &now);
+    agrees("satellite", "panel's x", now.r.y, 1.5, 1, 1e-15);
+    agrees("satellite", "panel's q", now.q.z, half, 1, 1e-15);
+    agrees("satellite", "panel's v", now.v.y, 0.4 + 0 + 0.3 * 0, 1, 1e-15);
+    agrees("satellite", "panel's v", now.v.x, 1 - 0.3 * 1.5, 1, 1e-15);
+    CHECK(vm_separate(&craft, &now, NULL, &rest) == VM_OK && rest.mass == 480);
+    vm_scene_body_at(&s.scene, 0, s.y, &now);
+    agrees("satellite", "omega", now.omega.z, (double)rest.omega.z, 0.3, 1e-14);
+    run(&s, 100, VM_OK);
+    balanced(&s, "satellite", 3000, 3000);
+    panel.q.w = panel.q.x = REAL(half);
+    s.events[0].part = panel; /* and turned itself by 90 degrees about x */
+    begin(&s);
+    run(&s, 0, VM_OK);
+    vm_scene_body_at(&s.scene, 1, s.y, &now);
+    agrees("satellite", "q", now.q.w, 0.5, 1, 1e-15);
+    agrees("satellite", "q", now.q.x, 0.5, 1, 1e-15);
+    agrees("satellite", "q", now.q.y, 0.5, 1, 1e-15);
+    agrees("satellite", "q", now.q.z, 0.5, 1, 1e-15);
+}
+
+/* A rod in space loses the ball at its end. The rod's spin about its own axis stays. */
+static void check_rod(void)
+{
+    vm_body whole = part_of(3, 0), ball = part_of(1, 0), rod;
+    const vm_vec3 zero = {0, 0, 0};
+    stage s;
+    /* the rod, 2 kg and 2 m along x: its inertia 2/3 about y and z; the ball 1 m from its middle, 2/3 m from the
+       mass centre: 2/3 (1)^2 more */
+    whole.inertia.yy = whole.inertia.zz = REAL(4. / 3);
+    whole.omega = stage_vec(5, 0.3, 0.4);
+    ball.r.x = REAL(2. / 3);
+    ball.v.z = REAL(0.7);
+    stage_clear(&s, 10);
+    stage_body(&s, vm_scene_body_free(&whole));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
+    stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &ball, 1));
+    begin(&s);
+    run(&s, 10, VM_OK);
+    balanced(&s, "rod", 10, 10);
+    vm_scene_body_at(&s.scene, 0, s.y, &rod);
+    agrees("rod", "inertia", rod.inertia.zz, 2. / 3, 1, 1e-14);
+    agrees("rod", "spin", s.y[10], 5, 5, 1e-10);
+    CHECK(VM_FABS(rod.inertia.xx) < 100 * VM_EPSILON);
+}
+
+/* The jumps made for a line and for the plane, of which a program needs less code, give the bits of the general jump.
+   */
+static void check_special_jumps(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_body part = part_of(0.5, 0);
+    vm_real general[STAGE_STATE];
+    int special, k;
+    part.r = stage_vec(0.25, 0.125, 0);
+    part.v.x = 1;
+    part.omega.z = REAL(0.5);
+    for (special = 0; special < 2; special++) {
+        stage s;
+        stage_clear(&s, 3);
+        stage_body(&s, vm_scene_body_plane(2, 1, zero, REAL(0.5), stage_vec(1, 2, 0), 3));
+        stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
+        stage_body(&s, vm_scene_body_line(3, 1, 2));
+        stage_body(&s, vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
+        if (special) {
+            stage_event(&s, vm_then_separate_in_plane(vm_event_at(1), 0, 1, &part, 1));
+            stage_event(&s, vm_then_attach_in_plane(vm_event_at(2), 0, 1));
+            stage_event(&s, vm_then_separate_on_line(vm_event_at(1), 2, 3, &part, 1));
+            stage_event(&s, vm_then_attach_on_line(vm_event_at(2), 2, 3));
+        } else {
+            stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
+            stage_event(&s, vm_then_attach(vm_event_at(2), 0, 1));
+            stage_event(&s, vm_then_separate(vm_event_at(1), 2, 3, &part, 1));
+            stage_event(&s, vm_then_attach(vm_event_at(2), 2, 3));
+        }
+        begin(&s);
+        run(&s, 1.5, VM_OK);
+        agrees("special jumps", "v", s.y[s.bodies[3].at + 1], 3, 3, 1e-14); /* 2 m/s, and 1 m/s relative to it */
+        agrees("special jumps", "x", s.y[s.bodies[3].at], 1 + 2 + 0.25 + 0.5 * 3, 3, 1e-13);
+        agrees("special jumps", "v of the rest", s.y[s.bodies[2].at + 1], (3 * 2 - 0.5 * 3) / 2.5, 2, 1e-14);
+        balanced(&s, "special jumps", 10, 10);
+        run(&s, 3, VM_OK);
+        balanced(&s, "special jumps", 10, 10);
+        for (k = 0; k < vm_scene_size(&s.scene); k++) {
+            if (special) CHECK(s.y[k] == general[k]);
+            else general[k] = s.y[k];
+        }
+    }
+}
+
+/* An axle loses half of its inertia, which turns 1 rad/s faster than the axle, and gets an impulsive torque. */
+static void check_axle_jump(void)
+{
+    vm_body part = part_of(1, 0);
+    stage s;
+    part.omega.z = 1;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_body_axle(2, REAL(0.5), 3));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_axle(1, 0, 0)));
+    stage_event(&s, vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1));
+    s.events[0].external.couple.z = REAL(0.25);
+    begin(&s);
+    run(&s, 2, VM_OK);
+    agrees("axle jump", "omega", s.y[1], 3 * 2 - 4 + 0.25, 1, 1e-14);
+    agrees("axle jump", "omega", s.y[3], 4, 1, 1e-14);
+    agrees("axle jump", "angle", s.y[0], 0.5 + 3 + 2.25, 1, 1e-13);
+    agrees("axle jump", "angle", s.y[2], 0.5 + 3 + 4, 1, 1e-13);
+    balanced(&s, "axle jump", 10, 10);
+}
+
+int main(void)
+{
+    check_counting();
+    check_counted_motion();
+    check_most();
+    check_same_instant();
+    check_stop_beside_switch();
+    check_endless();
+    check_jumps();
+    check_sticking();
+    check_plane();
+    check_satellite();
+    check_rod();
+    check_special_jumps();
+    check_axle_jump();
+    return check_finish("scene events");
+}
