@@ -19,79 +19,75 @@
            return rk45_solve(&s, 10.0) < 0; // the result is in s.y, at s.t
        }
 
-   METHODS, and which one when (times: bench/bench_integrators, x'' = -x^3 to t = 100, gcc -O2, one machine)
-     rk4    the classical method of order 4, fixed step: where every step must cost the same, as in a control loop.
-            rk4_solve_compensated keeps the roundings of millions of steps from adding up, for 10 % more time.
-     rk45   Tsitouras' pair of orders 5 and 4 [1]: 7 stages of which the last is the next step's first, PI step size
-            control [2], continuous extension of order 4 for nothing. The default: for float, for f that is not
-            smooth at loose tolerances, for many events or much dense output.
-     rk87   Verner's pair of orders 8 and 7 [4]: 13 stages, continuous extension of order 8 for 7 more evaluations.
-            The fastest for a smooth f in double; its roundings are larger: rtol >= 256 eps, no use in float.
-     microseconds to an error of   1e-4   1e-6   1e-8   1e-10
-       rk4                           29     79    235    720
-       rk45                          26     56    126    299
-       rk87                          16     25     38     61
-     Stiff equations want an implicit method, which is not here; the adaptive runs say so (ODE_STIFF).
+   METHODS, and when to take which
+     rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
+            time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
+     rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
+            and none for the solution between steps. It is the method to begin with, and the best one in float, for an
+            f that is not smooth, for loose tolerances, for many events and for output at many times.
+     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
+            is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
+            256 eps, so that it has no use in float.
+     None of them is meant for stiff equations, which want an implicit method; rk45 and rk87 tell when an equation looks
+     stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
    CONVENTIONS
-     f gets t, the n values y, room for the n derivatives and the caller's ctx; it returns 0, or anything else to stop
-     the run. t may run backward. Lengths of time are in whatever unit t has.
-     Memory is the caller's: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made;
-     the functions of the other method refuse it.
+     The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
+     0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
+     The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
+     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made; the
+     functions of the other method refuse it.
 
    STEP SIZE CONTROL
-     A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component, error
-     being the difference of the two orders (the higher one is kept). The next step is chosen by PI control; one whose
-     error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1 .. 0.75) is followed by one of the same size. Options:
-     an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they
-     come to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
-     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest
-     size misses the tolerance, the cause is taken to be a jump of f: the step is accepted, s.missed counts it, and
-     the run goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is
-     singular there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each
-     other directly, in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the
-     trouble begins.
+     The difference of the pair's two orders is the estimate of the error; the run goes on with the higher order. A step
+     is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component i. PI control
+     chooses the next step. Its size stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
+     A zero in rk45_options means the default, and a negative tolerance means none. rk45_defaults() fills in the
+     defaults.
+     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
+     misses the tolerance, the run takes the cause to be a jump of f: it accepts the step, counts it in s.missed, and
+     goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is singular
+     there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other directly,
+     in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the trouble begins.
 
    TIME
      A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
-     does not drift away from the motion, however far from 0 the run began and however many steps it takes. If a
-     step is so short that this would change its length by more than 1/64, or if it ends at an event, y belongs to a
-     time between two numbers of the type: s.t is then the nearest number, and the run carries the difference along.
+     does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
+     two exceptions: a step so short that this would change its length by more than 1/64, and a step that ends at an
+     event. Then y belongs to a time between two numbers of the type, s.t is the nearest of them, and the run keeps the
+     difference.
 
    EVENTS
-     An event happens when g(t, y) reaches zero or changes its sign. It is located on the continuous extension, and
-     is recorded, ends the run, or restarts it there. Every event happens once, also if several lie in one step, at
-     its end or at the same instant, and after rk45_restart. Events whose times rounding cannot tell apart happen
-     together: all are counted, and their `change` functions are called in the order of the list, before the run
-     stops or goes on. At a stop s.y is on the far side of the zero (or on it). If g stays 0 for a while, the event
-     happens when g reaches 0, not when it leaves 0; if g jumps, the event happens at the jump. After an event the
-     sign of g counts again once rounding cannot have caused it, so that a motion that is reversed on contact does
-     not touch twice. An even number of zeros between two looks at g is not seen: set `checks` to look more often,
-     or a smaller h_max.
+     An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,
+     and then records it, ends there, or restarts there (ODE_RECORD, ODE_STOP, ODE_RESTART). Every event happens once,
+     also if several lie in one step, at its end or at the same instant, and after rk45_restart.
+     Events whose times rounding cannot tell apart happen together: all are counted, and their `change` functions are
+     called in the order of the list, before the run stops or goes on. After a stop s.y is on the far side of the zero,
+     or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
+     happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
+     motion that is reversed on contact does not touch twice.
+     Two zeros between two looks at g are not seen, nor is any even number. Set `checks` to look more often, or a
+     smaller h_max.
 
-   RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
-     The step size control finds the bad points and takes some short steps there: at alpha = 0.5 and tolerance 1e-7,
-     rk45 takes 4976 evaluations, against 2102 at alpha = 1, and rk87 takes 7321, against 1146. No error estimate is
-     right in a step in which f jumps: the error at the end is up to 3e4 tolerances with rk45 and rk87, whatever
-     the tolerance is, so run again with a tighter one and compare. If f has smooth branches (a sign,
-     x|x|), keep the branch in ctx and change it at an ODE_RESTART event: rk45 at alpha = 0 then takes 160
-     evaluations instead of 5102, and the error at the end is 3e-4 tolerances, not 6800. A restart does not pay if f
-     still chooses its branch itself. docs/toronto.md has the errors and evaluations of both methods on the Toronto
-     test set, whose class F has jumps.
+   RIGHT-HAND SIDES THAT ARE NOT SMOOTH
+     The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
+     right in a step in which f jumps: the error at the end may be thousands of tolerances, so run again with a tighter
+     tolerance and compare. If f has smooth branches, such as those of a sign or of |x|, keep the branch in ctx and
+     change it at an ODE_RESTART event: the run then needs far fewer evaluations, and its error is small again. This
+     helps only if f does not choose its branch itself. docs/toronto.md has errors and evaluations on the Toronto test
+     set, whose class F has jumps.
 
    STATUS
-     0 (ODE_OK) success, positive numbers information, negative ones errors; ode_strerror() names them. After an error
-     s.t and s.y are the last accepted step's, for f's own refusal too (its value is in s.rhs_status). Where f or the
-     state is not finite the step is shortened until it is too small; so a run ends next to where f ceases to exist.
-     A call that refuses its arguments changes nothing.
+     0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
+     an error s.t and s.y are those of the last accepted step, also if f itself refused (its value is in s.rhs_status).
+     Where f or the state is not finite the step is shortened until it is too small, so that a run ends next to the
+     place where f ceases to exist. A call that refuses its arguments changes nothing.
 
    SPEED
-     With f static and n <= 8 a constant, and rk45_init's status looked at before rk45_solve in the same function, f
-     is inlined and the state is in registers; where the compiler cannot see that s still has that f and n, say
-     rk45_solve_with. Otherwise f is called through a pointer, and the state is in work. gcc -O2, against hand-written
-     loops: rk4 0.61 to 0.95 times the loop; rk45 0.57 to 0.66 times a Dormand-Prince loop's time to an error of 1e-6,
-     1/3.1 to 1/3.5 of GSL's rkf45; rk87 0.37 to 0.45 times GSL's rk8pd to 1e-10 (Arenstorf's orbit: 0.49, 1e-8).
+     f is inlined, and the state is in registers, where f is static, n <= 8 is a constant, and the same function calls
+     rk45_init, looks at its status, and calls rk45_solve. Where the compiler cannot see which f and n s has, name them
+     once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -126,32 +122,28 @@
      base/self_check: whether this compiler and this processor compute as varmass needs
        vm_self_check                  Returns 1 where the compiler and the processor compute as varmass needs, 0 where results would be wrong
 
-     integrators/ode: right-hand sides and statuses
-       ode_strerror                   
+     integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
+       ode_strerror                   The text of a status of this header
 
-     integrators/rk4: the classical Runge-Kutta method with fixed steps
-       rk4_step                       
-       rk4_solve                      
-       rk4_solve_compensated          The same with y + y_low as the state (y_low
+     integrators/rk4: rk4: the classical Runge-Kutta method of order 4 with fixed steps
+       rk4_step                       One step of size h, of either sign, by the classical Runge-Kutta method
+       rk4_solve                      Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method
+       rk4_solve_compensated          Equal steps with compensated summation, so that roundings do not add up
 
-     integrators/runs: what an adaptive run is: options, state, work space
-       rk45_defaults                  
-       rk45_init                      
-       rk87_init                      
-
-     integrators/dense: the solution inside a step
-       rk45_interpolate               y(t) for t within the last step, to about the step's own accuracy; refuses other t
-       rk87_interpolate               
-
-     integrators/adaptive: adaptive runs with rk45 and rk87
-       rk45_restart                   Go on from another time or state (after a jump), same n; step size and counters are kept
-       rk45_step                      One accepted step, or less of it to a terminal event or a restart
-       rk45_solve                     To t_end exactly, forward or backward, at once if s->t is there; or to a terminal event
-       rk45_solve_with                The same for an s that was initialised with this f and n
-       rk87_step                      
-       rk87_solve                     
-       rk87_solve_with                
-       rk87_restart                    */
+     integrators/adaptive: adaptive runs: rk45 and rk87, whose steps keep a tolerance
+       rk45_defaults                  The options with their defaults in place of zeros, as rk45_init takes them
+       rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
+       rk87_init                      Begins a run by rk87, as rk45_init does by rk45
+       rk45_restart                   Goes on with rk45 from another time or state, such as after a jump
+       rk87_restart                   Goes on with rk87 from another time or state, as rk45_restart does with rk45
+       rk45_step                      One accepted step of rk45, or less of it, up to an event that ends it
+       rk87_step                      One accepted step of rk87, as rk45_step makes one of rk45
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to a terminal event
+       rk87_solve                     Steps of rk87 to t_end exactly, as rk45_solve makes them of rk45
+       rk45_solve_with                Steps of rk45 to t_end with f and n given once more, so that f is inlined
+       rk87_solve_with                Steps of rk87 to t_end with f and n given once more, so that f is inlined, as in rk45_solve_with
+       rk45_interpolate               The state y(t) at a time t within the last step of rk45, of order 4
+       rk87_interpolate               The state y(t) at a time t within the last step of rk87, of order 8 */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
@@ -405,10 +397,18 @@ VM_API int vm_self_check(void)
 }
 
 #endif
-/* base/arrays.h - loops over arrays of numbers */
+/* base/arrays.h - loops over arrays of numbers
+   Whether all numbers of an array are finite, copies, and the loops over the components of a small state, which the
+   compiler unrolls where it knows the number n of components, so that they live in registers.
+
+       vm_real y[3] = {1, 2, 3}, z[3];
+       if (vmi_all_finite(3, y)) vmi_copy(3, y, z);
+
+   Tests: tests/test_rk4.c and all others of the integrators. */
 #ifndef VARMASS_BASE_ARRAYS_H
 #define VARMASS_BASE_ARRAYS_H
 
+/* Whether none of the n numbers is infinite or NaN */
 VM_API int vmi_all_finite(int n, const vm_real *y)
 {
     int i;
@@ -417,28 +417,613 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* The loops over components are unrolled where n is known, so that the components live in registers. Systems of up to
-   VMI_SMALL known components are stepped in local arrays, others in the caller's work. */
+/* A loop `VMI_EACH(i, n) statement` over components, unrolled where the compiler knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
 #else
 #define VMI_UNROLL
 #endif
-
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
-#define VMI_SMALL 8
 
+/* Systems of up to VMI_SMALL components, where the compiler knows n, are stepped in local arrays, others in the
+   caller's work. */
+#define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
 #else
 #define VMI_IS_SMALL(n) 0
 #endif
 
+/* Copies n numbers; the arrays do not overlap, unless they are the same. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
     VMI_EACH(i, n) to[i] = from[i];
+}
+
+#endif
+/* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
+   The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
+
+       static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
+       {
+           (void)t;
+           (void)ctx;
+           dydt[0] = y[1];
+           dydt[1] = -y[0];
+           return 0;
+       }
+
+   Tests: tests/test_rk4.c, tests/test_adaptive.c. */
+#ifndef VARMASS_INTEGRATORS_ODE_H
+#define VARMASS_INTEGRATORS_ODE_H
+
+enum {
+    ODE_OK = 0,          /* success */
+    ODE_RTOL_RAISED = 1, /* from an init: rtol was below 16 eps (rk87: 256 eps), and the run takes that instead */
+    ODE_EVENT = 2,       /* a terminal event: s->t and s->y are where it happened, s->event is its index */
+    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, kept the steps short */
+    /* A count n or steps that is not positive, a null pointer, a component without tolerance, h_min < 0 or above h_max,
+       a time, state or option that is not finite, a time outside the last step, an event without g, or an rk45 that the
+       init function of another method made */
+    ODE_BAD_ARGUMENT = -1,
+    ODE_RHS_STOPPED = -2, /* f returned another number than 0; s->rhs_status is this number */
+    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step, or an event function NaN */
+    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three good
+       steps between them: f is singular there, or too stiff for t. The status is also given if h_max is less than t can
+       resolve. A jump of f does not end a run: s->missed counts it. */
+    ODE_STEP_TOO_SMALL = -4,
+    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call goes on from there */
+    ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
+};
+
+/* A right-hand side writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx
+   is the pointer that the caller gave to the integrator. */
+typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
+
+/* The text of a status of this header. */
+VM_API const char *ode_strerror(int status)
+{
+    switch (status) {
+    case ODE_OK: return "success";
+    case ODE_RTOL_RAISED: return "rtol was raised to what the type can hold";
+    case ODE_EVENT: return "a terminal event";
+    case ODE_STIFF: return "success, but the equations look stiff";
+    case ODE_BAD_ARGUMENT: return "bad argument";
+    case ODE_RHS_STOPPED: return "the right-hand side stopped the run";
+    case ODE_NOT_FINITE: return "the right-hand side, the state or an event function is not finite";
+    case ODE_STEP_TOO_SMALL: return "the step size became too small";
+    case ODE_MAX_STEPS: return "max_steps was reached";
+    case ODE_WORK_TOO_SMALL: return "work is too small: it needs RK45_WORK(n) or RK87_WORK(n) numbers";
+    default: return "unknown status";
+    }
+}
+
+#endif
+/* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
+   Four evaluations of f in each step; the error at the end is proportional to h^4. It is the method where each step
+   must take the same time, as in a control loop; rk45 needs less time for the same error.
+
+       double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
+       rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // 1000 steps from t = 0 to 10
+
+   Tests: tests/test_rk4.c. */
+#ifndef VARMASS_INTEGRATORS_RK4_H
+#define VARMASS_INTEGRATORS_RK4_H
+
+#define RK4_WORK(n) (3 * (n)) /* how many numbers the work of rk4 with n components has */
+
+/* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f returns. */
+VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
+                             vm_real *sum, vm_real *z)
+{
+    int i, stopped = f(t, y, k, ctx);
+    if (stopped) return stopped;
+    VMI_EACH(i, n) {
+        sum[i] = k[i];
+        z[i] = y[i] + h / 2 * k[i];
+    }
+    stopped = f(t + h / 2, z, k, ctx);
+    if (stopped) return stopped;
+    VMI_EACH(i, n) {
+        sum[i] += 2 * k[i];
+        z[i] = y[i] + h / 2 * k[i];
+    }
+    stopped = f(t + h / 2, z, k, ctx);
+    if (stopped) return stopped;
+    VMI_EACH(i, n) {
+        sum[i] += 2 * k[i];
+        z[i] = y[i] + h * k[i];
+    }
+    return f(t + h, z, k, ctx);
+}
+
+/* Makes `steps` steps of h from *t. The state is y, or y + low_or_NULL; w has 3 m numbers, m >= n. y and *t become
+   those of the last complete step. Returns a status. */
+VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
+                          vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
+{
+    const vm_real t0 = *t, h_6 = h / 6;
+    vm_real *k = w, *sum = w + m, *z = w + 2 * m;
+    long step;
+    int i, status = ODE_OK;
+    for (step = 0; step < steps; step++) {
+        vm_real bad = 0; /* x - x is 0 or NaN */
+        if (vmi_rk4_stages(f, ctx, n, t0 + (vm_real)step * h, h, y, k, sum, z)) {
+            status = ODE_RHS_STOPPED;
+            break;
+        }
+        VMI_EACH(i, n)
+        {
+            if (low_or_NULL) {
+                sum[i] = (h_6 * sum[i] + h_6 * k[i]) + low_or_NULL[i];
+                z[i] = y[i] + sum[i];
+            } else {
+                z[i] = (y[i] + h_6 * sum[i]) + h_6 * k[i];
+            }
+            bad += z[i] - z[i];
+        }
+        if (bad != 0) {
+            status = ODE_NOT_FINITE;
+            break;
+        }
+        if (low_or_NULL) VMI_EACH(i, n) low_or_NULL[i] = vmi_two_sum(y[i], sum[i]).lo;
+        vmi_copy(n, z, y);
+    }
+    *t = t0 + (vm_real)step * h;
+    return status;
+}
+
+/* vmi_rk4_run in registers, where the compiler knows that n is small */
+VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
+                                vm_real *low_or_NULL)
+{
+    vm_real w[3 * VMI_SMALL], y_here[VMI_SMALL], low_here[VMI_SMALL];
+    vm_real *low_here_or_NULL = low_or_NULL ? low_here : NULL;
+    int status;
+    vmi_copy(n, y, y_here);
+    if (low_or_NULL) vmi_copy(n, low_or_NULL, low_here);
+    status = vmi_rk4_run(f, ctx, n, t, h, steps, y_here, low_here_or_NULL, w, n);
+    vmi_copy(n, y_here, y);
+    if (low_or_NULL) vmi_copy(n, low_here, low_or_NULL);
+    return status;
+}
+
+/* Checks the arguments of an rk4 function, and makes the steps */
+VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low_or_NULL,
+                      vm_real *work)
+{
+    if (!f || n <= 0 || !y || !work || !VM_IS_FINITE(*t) || !VM_IS_FINITE(h)) return ODE_BAD_ARGUMENT;
+    if (VMI_IS_SMALL(n)) return vmi_rk4_run_small(f, ctx, n, t, h, steps, y, low_or_NULL);
+    return vmi_rk4_run(f, ctx, n, t, h, steps, y, low_or_NULL, work, n);
+}
+
+/* rk4_solve and rk4_solve_compensated */
+VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                            vm_real *low_or_NULL, vm_real *work)
+{
+    int status;
+    if (!t || steps <= 0 || !VM_IS_FINITE(t_end)) return ODE_BAD_ARGUMENT;
+    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, low_or_NULL, work);
+    if (status == ODE_OK) *t = t_end;
+    return status;
+}
+
+/* One step of size h, of either sign, by the classical Runge-Kutta method. y, n numbers, is the state at time t and
+   becomes that at t + h. f gets ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED
+   or ODE_NOT_FINITE, and in the last three cases y is as it was. */
+VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
+{
+    return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
+}
+
+/* Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method. y, n numbers, becomes the
+   state at t_end, and *t becomes t_end exactly. Where f stops the run or something is not finite, y and *t are those
+   of the last complete step. Returns as rk4_step does. */
+VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                        vm_real *work)
+{
+    return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
+}
+
+/* Equal steps with compensated summation, so that roundings do not add up. They are those of rk4_solve, but the state
+   is y + y_low [3]. y_low has n numbers, which are zero at first. It pays where there are millions of steps. */
+VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                                    vm_real *y_low, vm_real *work)
+{
+    if (!y_low) return ODE_BAD_ARGUMENT;
+    return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, y_low, work);
+}
+
+#endif
+/* integrators/options.h - options and events of an adaptive run
+   A zeroed rk45_options means the defaults. An event is a change of sign of a function g(t, y) along a run, such as a
+   bounce, g = height.
+
+       static double height(double t, const double *y, void *ctx) { (void)t; (void)ctx; return y[0]; }
+       ...
+       ode_event touch = {0};
+       rk45_options options = {0};
+       touch.g = height;
+       touch.action = ODE_STOP;
+       options.rtol = 1e-9;
+       options.events = &touch;
+       options.n_events = 1;
+
+   Tests: tests/test_adaptive.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_OPTIONS_H
+#define VARMASS_INTEGRATORS_OPTIONS_H
+
+/* A function of time and state whose zeros are events. */
+typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
+
+/* What a run does at an event. */
+enum {
+    ODE_RECORD = 0, /* it counts the event and goes on */
+    ODE_STOP = 1,   /* it ends there with ODE_EVENT: a terminal event */
+    ODE_RESTART = 2 /* it ends the step there, calls `change`, and begins a new step */
+};
+
+/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events that the
+   options point at. He sets the fields from g to states; the integrator sets the others. */
+typedef struct VM_TAG(ode_event) {
+    ode_event_function g; /* the function whose zeros are looked for */
+    void *ctx;            /* given to g and to change */
+    int direction; /* in the run's own direction: > 0 when g rises through zero, < 0 when it falls, 0 for both */
+    int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
+    int checks;    /* g is looked at in so many points inside each step; 0 means 3, negative none, at most 9999 */
+    /* NULL, or what an ODE_RESTART calls. It may change y, and in ctx what f depends on. */
+    void (*change)(vm_real t, vm_real *y, void *ctx);
+    long room;       /* how many events times and states have room for; later events are counted only */
+    vm_real *times;  /* NULL, or room for `room` times */
+    vm_real *states; /* NULL, or room for `room` states of n numbers each */
+    long count;      /* events so far */
+    vm_real t;       /* time of the last event */
+    /* The fields from here on are internal. */
+    int side;       /* the sign of g where the run is, 0 while it is not known */
+    int side_ahead; /* the side at the end of the step, if the step is not cut */
+    int happens;    /* nonzero while the step is cut at an instant at which this event happens */
+    vm_real from;   /* g has been looked at up to this fraction of the step */
+    vm_real slack;  /* after an event the side stays unknown while |g| <= slack ... */
+    vm_real quiet;  /* ... and for this time at most */
+} ode_event;
+
+/* The options of a run, zero meaning the default in every field. rk45_defaults shows what the defaults come to. */
+typedef struct VM_TAG(rk45_options) {
+    vm_real rtol;             /* relative tolerance of a step; default 1e-6 (float 1e-4), negative: none */
+    vm_real atol;             /* absolute tolerance of every component; default rtol/1000, negative: none */
+    vm_real h0;               /* first step, chosen from f by default. Its sign is the direction of rk45_step. */
+    vm_real h_min;            /* shortest step; default: what t can resolve */
+    vm_real h_max;            /* longest step; default: no limit */
+    long max_steps;           /* attempts in one call of rk45_solve; default 1000000, negative: no limit */
+    const vm_real *atol_each; /* NULL, or n absolute tolerances, one for each component, instead of atol; 0 is none */
+    ode_event *events;        /* n_events events, or NULL */
+    int n_events;             /* number of events */
+    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
+} rk45_options;
+
+#if VM_MANT_DIG > 24
+#define VMI_DEFAULT_RTOL VM_C(1e-6)
+#else
+#define VMI_DEFAULT_RTOL VM_C(1e-4)
+#endif
+
+/* The options with the defaults in place of zeros, and rtol raised to least_rtol */
+VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
+{
+    rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
+    if (options_or_NULL) o = *options_or_NULL;
+    if (o.rtol == 0) o.rtol = VMI_DEFAULT_RTOL;
+    if (o.rtol > 0 && o.rtol < least_rtol) o.rtol = least_rtol;
+    if (o.atol == 0 && o.rtol > 0) o.atol = o.rtol * VM_C(1e-3);
+    if (o.rtol < 0) o.rtol = 0;
+    if (o.atol < 0) o.atol = 0;
+    if (o.h_max == 0) o.h_max = VM_MAX;
+    if (o.max_steps == 0) o.max_steps = 1000000L;
+    return o;
+}
+
+/* The absolute tolerance of component i */
+VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
+
+/* Whether every component has a tolerance, and none is negative or NaN */
+VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
+{
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_real atol = vmi_atol(o, i);
+        if (!(atol >= 0) || !(atol + o->rtol > 0)) return 0;
+    }
+    return 1;
+}
+
+/* Whether a run of n components can begin with these options, which have their defaults */
+VM_API int vmi_options_are_valid(const rk45_options *o, int n)
+{
+    int i;
+    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_are_valid(o, n)) return 0;
+    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
+    if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
+    for (i = 0; i < o->n_events; i++)
+        if (!o->events[i].g || o->events[i].room < 0) return 0;
+    return 1;
+}
+
+/* The error that component i may have in a step in which its size is |y|; always > 0 */
+VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
+{
+    return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;
+}
+
+#endif
+/* integrators/pairs.h - what a Runge-Kutta pair is: a descriptor, and what the stages of all pairs share
+   A pair of orders p and p - 1 makes a step of size h from y at t in stages, each of which evaluates f once:
+
+       k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
+
+   and estimates the error by another sum of the k_i. A file for each pair has its coefficients and its descriptor, a
+   vmi_rk_pair, with all that an adaptive run needs to know of it: rk45_pair.h, rk87_pair.h. To add a pair, write such
+   a file, enter the pair in pair_list.h, and give it public functions in adaptive.h.
+
+   Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
+#ifndef VARMASS_INTEGRATORS_PAIRS_H
+#define VARMASS_INTEGRATORS_PAIRS_H
+
+struct VM_TAG(rk45);
+
+/* The parts of a run's work, of n numbers each: y, y at t_old, an argument of f, and the derivatives k_1, k_2 ... */
+enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
+
+/* The equations that a step solves, and its parts of work: part p begins at w + p m, and m >= n. */
+typedef struct VM_TAG(vmi_rk_system) {
+    ode_rhs f;
+    void *ctx;
+    int n;
+    vm_real *w;
+    ptrdiff_t m;
+} vmi_rk_system;
+
+/* What a run needs to know of its pair. Two more functions, the stages and the estimate of the error, are called
+   directly, by pair_list.h, because they must be inlined into the loop over the steps. */
+typedef struct VM_TAG(vmi_rk_pair) {
+    int method;           /* tells the pairs apart: VMI_RK45 ... */
+    int order;            /* of the state after a step. That of the error estimate is one less. */
+    int stages;           /* evaluations of f that make the new state and the error estimate */
+    int last_is_first;    /* 1: the last stage is f at the new state, the next step's k_1; 0: that is evaluated apart */
+    int derivatives;      /* all k_i of a step: stages, f at its end, and those of the continuous extension alone */
+    int rounding;         /* bound of the rounding within a step, relative to y, in eps: the smallest rtol */
+    vm_real keep_from;    /* after a step whose error is above this part of the tolerance the size may stay */
+    vm_real stiff_beyond; /* the run looks stiff where |h lambda| is larger, about the end of the stability region */
+    /* The weight of k_{j+1} in the difference, over h, of the last two states for which f is evaluated at t + h */
+    vm_real (*end_difference)(int j);
+    /* The continuous extension: y(t_old + x h) = y_old + h (b_1 k_1 + b_2 k_2 + ...), 0 <= x <= 1, by vmi_weigh_inside
+       with weights b_j that depend on x */
+    void (*inside)(const struct VM_TAG(rk45) * s, vm_real x, vm_real *y);
+    /* NULL, or what evaluates the k_i that only the continuous extension needs. Returns a status. */
+    int (*extend)(struct VM_TAG(rk45) * s);
+} vmi_rk_pair;
+
+/* Linkage of descriptors and of the parts of vmi_advance. Inlining makes the descriptors constants, and each part is
+   called in one place only. So the code becomes smaller too, and they are inlined even where VM_INLINE, for the sake of
+   size, does not inline. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
+#define VMI_FOLDED static inline __attribute__((always_inline))
+#else
+#define VMI_FOLDED VM_INLINE
+#endif
+
+/* The part of work with f at the end of a step */
+VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
+
+/* The smallest rtol */
+VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
+
+/* In the stages of a pair: h times a coefficient, and an evaluation of f. h is folded into the coefficients and the
+   newest k comes last in every sum, so that the chain from one evaluation of f to the next is a multiplication and an
+   addition long. */
+#define VMI_H(c) (h * VM_C(c))
+#define VMI_EVAL(t, y, k)                \
+    do {                                 \
+        int stop_;                       \
+        ++*evals;                        \
+        stop_ = sys.f(t, y, k, sys.ctx); \
+        if (stop_) return stop_;         \
+    } while (0)
+
+#define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
+#define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
+#define VMI_WORST VM_C(1e4) /* larger errors, in tolerances, count as this one */
+
+/* Takes up an error e of component i, whose state goes from y to z: *worst becomes the largest error over its
+   tolerance so far, and *bad becomes NaN if e or z is not finite, since x - x is 0 or NaN. */
+VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst, vm_real *bad)
+{
+    const vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));
+    const vm_real sum = e + z;
+    *worst = VMI_LARGER(ratio, *worst);
+    *bad += sum - sum;
+}
+
+#endif
+/* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
+   An rk45 holds the state of a run by either pair, and its `work`, which the caller provides, the arrays of n numbers.
+   The functions that make and use it are in adaptive.h.
+
+   Tests: tests/test_adaptive.c. */
+#ifndef VARMASS_INTEGRATORS_RUNS_H
+#define VARMASS_INTEGRATORS_RUNS_H
+
+/* An adaptive run. The caller may read the fields from t to options. */
+typedef struct VM_TAG(rk45) {
+    vm_real t;            /* current time */
+    vm_real *y;           /* current state, n numbers (in work) */
+    vm_real t_old;        /* rk45_interpolate covers t_old .. t, the last accepted step; equal to t after an error */
+    vm_real h;            /* the next step that will be tried, with its sign; 0 before the first */
+    long steps;           /* accepted steps */
+    long rejected;        /* rejected steps */
+    long evals;           /* evaluations of f */
+    long missed;          /* steps of the smallest size that were accepted though their error was above the tolerance */
+    int rhs_status;       /* what f returned last */
+    int event;            /* index of the terminal event that ended the last call, else -1 */
+    int stiff;            /* nonzero once the run has looked stiff */
+    ode_rhs f;            /* the right-hand side */
+    void *ctx;            /* given to f */
+    int n;                /* number of components */
+    rk45_options options; /* with the defaults in place of zeros */
+    /* The fields from here on are internal. */
+    vmi_rk_pair pair;
+    vm_real *work;
+    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2 ... */
+    vm_real t_old_low;     /* ... and the last step began at t_old + t_old_low */
+    vm_real h_done;        /* size of the last accepted step */
+    vm_real inverse_error; /* 1 over its error, in tolerances */
+    long attempts;         /* steps that may still be tried; negative: no limit */
+    int k1;                /* where k_1 of the next step is: VMI_K1_MISSING ... */
+    int extended;          /* nonzero if the continuous extension of the last step is ready */
+    int failure;           /* what became of the attempt before: VMI_NONE_FAILED ... */
+    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
+    int stiff_wait;        /* steps until the next look for stiffness */
+    int stiff_hits;        /* looks that found stiffness, in succession but for a few */
+    int stiff_misses;      /* looks since the last of them */
+} rk45;
+
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
+enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of an attempt */
+enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
+
+/* A part of work, such as VMI_Y */
+VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
+
+/* Sets the fields of a new run that do not depend on the options or the pair */
+VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm_real *work)
+{
+    s->f = f;
+    s->ctx = ctx;
+    s->n = n;
+    s->work = work;
+    s->y = work;
+    s->t = t0;
+    s->t_old = t0;
+    s->t_low = 0;
+    s->t_old_low = 0;
+    s->h_done = 0;
+    s->inverse_error = 1;
+    s->steps = 0;
+    s->rejected = 0;
+    s->evals = 0;
+    s->missed = 0;
+    s->next_miss = 0;
+    s->rhs_status = 0;
+    s->event = -1;
+    s->k1 = VMI_K1_MISSING;
+    s->extended = 0;
+    s->failure = VMI_NONE_FAILED;
+    s->stiff = 0;
+    s->stiff_wait = VMI_STIFF_WAIT;
+    s->stiff_hits = 0;
+    s->stiff_misses = 0;
+}
+
+/* rk45_init for any pair */
+VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                       const rk45_options *options_or_NULL, vm_real *work)
+{
+    const rk45_options o = vmi_defaults(vmi_least_rtol(pair), options_or_NULL);
+    int i;
+    if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
+        !vmi_options_are_valid(&o, n))
+        return ODE_BAD_ARGUMENT;
+    if (o.work_size && o.work_size < (long)(VMI_K + pair->derivatives) * n) return ODE_WORK_TOO_SMALL;
+    for (i = 0; i < o.n_events; i++) {
+        o.events[i].count = 0;
+        o.events[i].quiet = 0;
+        o.events[i].slack = 0;
+    }
+    vmi_init_fields(s, f, ctx, n, t0, work);
+    s->pair = *pair;
+    s->options = o;
+    s->h = o.h0;
+    s->attempts = o.max_steps;
+    vmi_copy(n, y0, s->y);
+    if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
+    return ODE_OK;
+}
+
+/* y = y_old + h (b[0] k_1 + b[1] k_2 + ...), count terms. The weights add up to x, so those of the differences to k_1
+   do as well, with less rounding. */
+VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
+{
+    const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
+    int i, j;
+    for (i = 0; i < s->n; i++) {
+        vm_real sum = 0;
+        for (j = 1; j < count; j++) sum += b[j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+        y[i] = y_old[i] + s->h_done * (x * k1[i] + sum);
+    }
+}
+
+/* Evaluates k = f(t, y) and counts it. Returns a status. */
+VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
+{
+    s->evals++;
+    s->rhs_status = s->f(t, y, k, s->ctx);
+    return s->rhs_status ? ODE_RHS_STOPPED : ODE_OK;
+}
+
+#endif
+/* integrators/dense.h - the solution inside the last step of an adaptive run
+   After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate of adaptive.h.
+
+   Tests: tests/test_dense.c. */
+#ifndef VARMASS_INTEGRATORS_DENSE_H
+#define VARMASS_INTEGRATORS_DENSE_H
+
+/* Makes the continuous extension of the last step ready, once for each step */
+VM_API int vmi_extend(rk45 *s)
+{
+    int status = ODE_OK;
+    if (!s->extended && s->pair.extend) status = s->pair.extend(s);
+    if (status == ODE_OK) s->extended = 1;
+    return status;
+}
+
+/* y at the fraction x of the last step, 0 <= x <= 1, whose continuous extension is ready */
+VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
+
+/* Whether t is within the last step, its ends included */
+VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
+{
+    return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
+}
+
+/* The place of t, which is within the last step: 0 at the beginning of the step, 1 at its end */
+VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
+{
+    const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
+    if (x < 0) return 0;
+    return VMI_SMALLER(x, VM_C(1.0));
+}
+
+/* y(t) for t within the last step of a run by `method`, whose continuous extension is ready */
+VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
+{
+    if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (t == s->t) vmi_copy(s->n, s->y, y);
+    else vmi_inside(s, vmi_place_of(s, t), y);
+    return ODE_OK;
+}
+
+/* y(t) for t within the last step of a run by any pair. At the end of the step nothing is evaluated. */
+VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
+{
+    if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (t != s->t) {
+        const int status = vmi_extend(s);
+        if (status) return status;
+    }
+    return vmi_interpolate_ready(s, s->pair.method, t, y);
 }
 
 #endif
@@ -520,572 +1105,58 @@ typedef int32_t vmi_signed_bits;
 #endif
 
 #endif
-/* integrators/ode.h - right-hand sides and statuses */
-#ifndef VARMASS_INTEGRATORS_ODE_H
-#define VARMASS_INTEGRATORS_ODE_H
+/* integrators/rk45_pair.h - coefficients of rk45, the Runge-Kutta pair of orders 5 and 4
+   Tsitouras' pair [1]: seven stages, of which the last is the next step's first, so that a step costs six evaluations
+   of f, and a continuous extension of order 4 that costs none. Users call the functions of adaptive.h.
 
-#include <string.h>
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c. */
+#ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
+#define VARMASS_INTEGRATORS_RK45_PAIR_H
 
-enum {
-    ODE_OK = 0,
-    ODE_RTOL_RAISED = 1, /* an init: rtol was less than the type can hold: 16 eps is used, by rk87 256 eps */
-    ODE_EVENT = 2,       /* a terminal event: s->t, s->y are where it happened, s->event is its index */
-    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, held the steps short */
-    /* n or steps <= 0, a null pointer, a component without tolerance, h_min < 0 or above h_max, a time, state or
-       option that is not finite, a time outside the last step, an event without g, the other method's rk45 */
-    ODE_BAD_ARGUMENT = -1,
-    ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
-    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
-    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three
-       good steps between them: f is singular there, or too stiff for t. Or h_max is below what t can resolve. A
-       jump of f does not end a run: see s->missed. */
-    ODE_STEP_TOO_SMALL = -4,
-    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; call again to go on */
-    ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
-};
+enum { VMI_RK45 = 45 }; /* the method */
 
-/* dydt = f(t, y) */
-typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
-
-VM_API const char *ode_strerror(int status)
+/* The stages of a step, for vmi_make_stages: 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order
+   conditions to 1.1e-14 */
+VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
-    switch (status) {
-    case ODE_OK: return "success";
-    case ODE_RTOL_RAISED: return "rtol was raised to what the type can hold";
-    case ODE_EVENT: return "a terminal event";
-    case ODE_STIFF: return "success, but the equations look stiff";
-    case ODE_BAD_ARGUMENT: return "bad argument";
-    case ODE_RHS_STOPPED: return "the right-hand side stopped the run";
-    case ODE_NOT_FINITE: return "the right-hand side, the state or an event function is not finite";
-    case ODE_STEP_TOO_SMALL: return "the step size became too small";
-    case ODE_MAX_STEPS: return "max_steps was reached";
-    case ODE_WORK_TOO_SMALL: return "work is too small: it needs RK45_WORK(n) or RK87_WORK(n) numbers";
-    default: return "unknown status";
-    }
-}
-
-VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
-{
-    const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
-    vmi_signed_bits bits;
-    vm_real v;
-    memcpy(&bits, &x, sizeof x);
-    v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
-    v = 1 + v * (1 + v / 2);
-    v *= v;
-    v *= v;
-    v *= v;
-    v *= v;
-    return v;
-}
-
-#endif
-/* integrators/rk4.h - the classical Runge-Kutta method with fixed steps */
-#ifndef VARMASS_INTEGRATORS_RK4_H
-#define VARMASS_INTEGRATORS_RK4_H
-
-/* One step of size h (of either sign) from t: y becomes y(t + h). steps equal steps from *t to t_end, after which
-   *t == t_end. Error O(h^4). On failure y (and *t) are those of the last complete step. */
-#define RK4_WORK(n) (3 * (n))
-
-/* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f does. */
-VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
-                             vm_real *sum, vm_real *z)
-{
-    int i, stopped = f(t, y, k, ctx);
-    if (stopped) return stopped;
-    VMI_EACH(i, n) {
-        sum[i] = k[i];
-        z[i] = y[i] + h / 2 * k[i];
-    }
-    stopped = f(t + h / 2, z, k, ctx);
-    if (stopped) return stopped;
-    VMI_EACH(i, n) {
-        sum[i] += 2 * k[i];
-        z[i] = y[i] + h / 2 * k[i];
-    }
-    stopped = f(t + h / 2, z, k, ctx);
-    if (stopped) return stopped;
-    VMI_EACH(i, n) {
-        sum[i] += 2 * k[i];
-        z[i] = y[i] + h * k[i];
-    }
-    return f(t + h, z, k, ctx);
-}
-
-/* steps steps of h from *t, the state y or, where low is not null, y + low; w has 3 m numbers */
-VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low,
-                          vm_real *w, ptrdiff_t m)
-{
-    const vm_real t0 = *t, h_6 = h / 6;
-    vm_real *k = w, *sum = w + m, *z = w + 2 * m;
-    long step;
-    int i, status = ODE_OK;
-    for (step = 0; step < steps; step++) {
-        vm_real bad = 0; /* x - x is 0 or NaN */
-        if (vmi_rk4_stages(f, ctx, n, t0 + (vm_real)step * h, h, y, k, sum, z)) {
-            status = ODE_RHS_STOPPED;
-            break;
-        }
-        VMI_EACH(i, n)
-        {
-            if (low) {
-                sum[i] = (h_6 * sum[i] + h_6 * k[i]) + low[i];
-                z[i] = y[i] + sum[i];
-            } else {
-                z[i] = (y[i] + h_6 * sum[i]) + h_6 * k[i];
-            }
-            bad += z[i] - z[i];
-        }
-        if (bad != 0) {
-            status = ODE_NOT_FINITE;
-            break;
-        }
-        if (low) VMI_EACH(i, n) low[i] = vmi_two_sum(y[i], sum[i]).lo;
-        vmi_copy(n, z, y);
-    }
-    *t = t0 + (vm_real)step * h;
-    return status;
-}
-
-/* The same in registers, where the compiler knows that n is small */
-VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
-                                vm_real *low)
-{
-    vm_real w[3 * VMI_SMALL], y_here[VMI_SMALL], low_here[VMI_SMALL];
-    int status;
-    vmi_copy(n, y, y_here);
-    if (low) vmi_copy(n, low, low_here);
-    status = vmi_rk4_run(f, ctx, n, t, h, steps, y_here, low ? low_here : NULL, w, n);
-    vmi_copy(n, y_here, y);
-    if (low) vmi_copy(n, low_here, low);
-    return status;
-}
-
-VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low,
-                      vm_real *work)
-{
-    if (!f || n <= 0 || !y || !work || !VM_IS_FINITE(*t) || !VM_IS_FINITE(h)) return ODE_BAD_ARGUMENT;
-    if (VMI_IS_SMALL(n)) return vmi_rk4_run_small(f, ctx, n, t, h, steps, y, low);
-    return vmi_rk4_run(f, ctx, n, t, h, steps, y, low, work, n);
-}
-
-VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
-{
-    return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
-}
-
-VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
-                        vm_real *work)
-{
-    int status;
-    if (!t || steps <= 0 || !VM_IS_FINITE(t_end)) return ODE_BAD_ARGUMENT;
-    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, NULL, work);
-    if (status == ODE_OK) *t = t_end;
-    return status;
-}
-
-/* The same with y + y_low as the state (y_low: n values, zero at first), so that the roundings of millions of steps
-   do not add up [3]. */
-VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
-                                    vm_real *y_low, vm_real *work)
-{
-    int status;
-    if (!t || steps <= 0 || !VM_IS_FINITE(t_end) || !y_low) return ODE_BAD_ARGUMENT;
-    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, y_low, work);
-    if (status == ODE_OK) *t = t_end;
-    return status;
-}
-
-#endif
-/* integrators/runs.h - what an adaptive run is: options, state, work space */
-#ifndef VARMASS_INTEGRATORS_RUNS_H
-#define VARMASS_INTEGRATORS_RUNS_H
-
-/* An event is a change of sign of g(t, y) along a run; a zero is reached, not left, when it counts. The caller owns
-   the array of events that the options point at; the fields up to states are his, the rest is the integrator's. */
-typedef vm_real (*ode_event_function)(vm_real t, const vm_real *y, void *ctx);
-
-typedef struct VM_TAG(ode_event) {
-    ode_event_function g;
-    void *ctx;
-    int direction; /* as the run goes: > 0 when g rises through zero, < 0 when it falls, 0 both */
-    int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* g is looked at in so many points inside each step; default 3, at most 9999, negative none */
-    /* null, or what an ODE_RESTART calls; it may change y, and in ctx what f depends on */
-    void (*change)(vm_real t, vm_real *y, void *ctx);
-    long room;      /* of times and states, either of which may be null: the first room events are written there, */
-    vm_real *times; /* one time each */
-    vm_real *states; /* and n values each */
-    long count;      /* events so far */
-    vm_real t;       /* of the last one */
-    int side;        /* internal from here on: the sign of g behind us, 0 while it is not known */
-    int side_ahead;  /* the side at the end of the step, if the step is not cut */
-    int happens;     /* nonzero while the step is cut at an instant at which this event happens */
-    vm_real from;    /* g has been looked at up to here, as a fraction of the step */
-    vm_real slack;   /* after an event the side stays unknown while |g| <= slack, */
-    vm_real quiet;   /* but no longer than for this time */
-} ode_event;
-
-enum {
-    ODE_RECORD = 0, /* go on */
-    ODE_STOP = 1,   /* a terminal event: the run ends there with ODE_EVENT */
-    ODE_RESTART = 2 /* the step ends there, change is called, and a new step begins */
-};
-
-typedef struct VM_TAG(rk45_options) {
-    vm_real rtol;             /* default 1e-6 (float 1e-4) */
-    vm_real atol;             /* default 1e-3 rtol */
-    vm_real h0;               /* first step; default chosen from f. Its sign is rk45_step's direction */
-    vm_real h_min, h_max;     /* defaults: what t can resolve; no limit */
-    long max_steps;           /* attempts in one rk45_solve; default 1000000, negative: no limit */
-    const vm_real *atol_each; /* n absolute tolerances, one for each component, instead of atol; 0 is none */
-    ode_event *events;        /* n_events of them, or null */
-    int n_events;
-    long work_size; /* how many numbers work has room for, e.g. sizeof work / sizeof *work; 0: it is not checked */
-} rk45_options;
-
-typedef struct VM_TAG(rk45) {
-    vm_real t;      /* current time */
-    vm_real *y;     /* current state, n values (in work) */
-    vm_real t_old;  /* rk45_interpolate covers t_old .. t, the last accepted step; only t after an error */
-    vm_real h;      /* the next step to be tried, signed; 0 before the first */
-    long steps;     /* accepted */
-    long rejected;  /* and rejected steps */
-    long evals;     /* of f */
-    long missed;    /* steps of the smallest size that were accepted though their error was above the tolerance */
-    int rhs_status; /* what f returned last */
-    int event;      /* index of the terminal event that ended the last call, else -1 */
-    int stiff;      /* nonzero once the run has looked stiff */
-    ode_rhs f;
-    void *ctx;
-    int n;
-    int method;            /* VMI_RK45 or VMI_RK87 */
-    rk45_options options;  /* as resolved */
-    vm_real *work;         /* from here on internal */
-    vm_real t_low;         /* y belongs to t + t_low, |t_low| <= ulp(t)/2, */
-    vm_real t_old_low;     /* and the last step began at t_old + t_old_low */
-    vm_real h_done;        /* the last accepted step */
-    vm_real inverse_error; /* 1 over its error, in tolerances */
-    long attempts;         /* left; negative: no limit */
-    int k1, extended;      /* state of the derivatives in work */
-    int failure;           /* of the attempt before: VMI_REJECTED, VMI_NOT_FINITE */
-    long next_miss;        /* a step of the smallest size may miss the tolerance again when `steps` is this large */
-    int stiff_wait, stiff_hits, stiff_misses;
-} rk45;
-
-#define RK45_WORK(n) (10 * (n))
-
-/* The same by the pair of order 8: same options, same meaning of all fields and statuses. rk87_interpolate is of
-   order 8 and evaluates f seven times in a step in which it is used; ODE_NOT_FINITE where f is not finite there. */
-typedef rk45_options rk87_options;
-typedef rk45 rk87;
-#define RK87_WORK(n) (24 * (n))
-enum { VMI_RK45, VMI_RK87 }; /* the methods */
-
-/* What the roundings within a step allow: rk87 has coefficients up to 123 */
-VM_API vm_real vmi_least_rtol(int method) { return (vm_real)(method == VMI_RK45 ? 16 : 256) * VM_EPSILON; }
-
-VM_API rk45_options vmi_defaults(int method, const rk45_options *options_or_NULL)
-{
-    const vm_real least = vmi_least_rtol(method);
-    rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
-    if (options_or_NULL) o = *options_or_NULL;
-    if (o.rtol == 0) o.rtol = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-4);
-    if (o.rtol > 0 && o.rtol < least) o.rtol = least;
-    if (o.atol == 0) o.atol = o.rtol > 0 ? o.rtol * VM_C(1e-3) : 0;
-    if (o.rtol < 0) o.rtol = 0;
-    if (o.atol < 0) o.atol = 0;
-    if (o.h_max == 0) o.h_max = VM_MAX;
-    if (o.max_steps == 0) o.max_steps = 1000000L;
-    return o;
-}
-
-VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
-{
-    return vmi_defaults(VMI_RK45, options_or_NULL);
-}
-
-/* Every component has a tolerance, none is negative or NaN */
-VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
-{
-    int i;
-    for (i = 0; i < n; i++) {
-        vm_real atol = o->atol_each ? o->atol_each[i] : o->atol;
-        if (!(atol >= 0) || !(atol + o->rtol > 0)) return 0;
-    }
-    return 1;
-}
-
-VM_API int vmi_options_are_valid(const rk45_options *o, int n)
-{
-    int i;
-    if (!VM_IS_FINITE(o->rtol) || !VM_IS_FINITE(o->atol) || !vmi_tolerances_are_valid(o, n)) return 0;
-    if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
-    if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
-    for (i = 0; i < o->n_events; i++)
-        if (!o->events[i].g || o->events[i].room < 0) return 0;
-    return 1;
-}
-
-enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K }; /* parts of work: y, y at t_old, an argument of f, k_1, k_2 ... */
-enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* the last k of a step is the next one's first */
-enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* what became of the attempt before */
-enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one look for stiffness to the next */
-
-/* So many steps must keep the tolerance between two steps that may miss it. Behind a jump these steps are 1, 10 and
-   100 times as long as the smallest step; next to a singularity there are none. */
-enum { VMI_BETWEEN_MISSES = 3 };
-VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
-VM_INLINE int vmi_last_k(int method) { return method == VMI_RK45 ? VMI_K + 6 : VMI_K + 13; }
-
-VM_API long vmi_work_size(int method, int n)
-{
-    return method == VMI_RK45 ? RK45_WORK((long)n) : RK87_WORK((long)n);
-}
-
-VMI_APART int vmi_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                       const rk45_options *options_or_NULL, vm_real *work)
-{
-    rk45_options o = vmi_defaults(method, options_or_NULL);
-    vm_real rtol = options_or_NULL ? options_or_NULL->rtol : 0;
-    int i;
-    if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
-        !vmi_options_are_valid(&o, n))
-        return ODE_BAD_ARGUMENT;
-    if (o.work_size && o.work_size < vmi_work_size(method, n)) return ODE_WORK_TOO_SMALL;
-    for (i = 0; i < o.n_events; i++) {
-        o.events[i].count = 0;
-        o.events[i].quiet = 0;
-        o.events[i].slack = 0;
-    }
-    s->method = method;
-    s->f = f;
-    s->ctx = ctx;
-    s->n = n;
-    s->options = o;
-    s->work = work;
-    s->t = t0;
-    s->t_old = t0;
-    s->t_low = 0;
-    s->t_old_low = 0;
-    s->y = work;
-    vmi_copy(n, y0, s->y);
-    s->h = o.h0;
-    s->steps = s->rejected = s->evals = s->missed = 0;
-    s->next_miss = 0;
-    s->rhs_status = s->stiff = s->stiff_hits = s->stiff_misses = s->extended = 0;
-    s->stiff_wait = VMI_STIFF_WAIT;
-    s->event = -1;
-    s->h_done = 0;
-    s->inverse_error = 1;
-    s->k1 = VMI_K1_MISSING;
-    s->failure = VMI_NONE_FAILED;
-    return rtol > 0 && rtol < o.rtol ? ODE_RTOL_RAISED : ODE_OK;
-}
-
-VM_INLINE int vmi_ode_init(rk45 *s, int method, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                           const rk45_options *options_or_NULL, vm_real *work)
-{
-    int status = vmi_init(s, method, f, ctx, n, t0, y0, options_or_NULL, work);
-    if (status >= 0) {
-        /* again, where the caller's compiler sees it */
-        s->f = f;
-        s->n = n;
-    }
-    return status;
-}
-
-VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                        const rk45_options *options_or_NULL, vm_real *work)
-{
-    return vmi_ode_init(s, VMI_RK45, f, ctx, n, t0, y0, options_or_NULL, work);
-}
-
-VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
-                        const rk87_options *options_or_NULL, vm_real *work)
-{
-    return vmi_ode_init(s, VMI_RK87, f, ctx, n, t0, y0, options_or_NULL, work);
-}
-
-VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
-{
-    s->evals++;
-    s->rhs_status = s->f(t, y, k, s->ctx);
-    return s->rhs_status ? ODE_RHS_STOPPED : ODE_OK;
-}
-
-/* What component i may be wrong by when its size is |y|; > 0 */
-VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
-{
-    return (o->atol_each ? o->atol_each[i] : o->atol) + o->rtol * VM_FABS(y) + VM_MIN;
-}
-
-#endif
-/* integrators/pairs.h - the stages of the Runge-Kutta pairs */
-#ifndef VARMASS_INTEGRATORS_PAIRS_H
-#define VARMASS_INTEGRATORS_PAIRS_H
-
-/* A step is made in w, m numbers a part. h is folded into the coefficients and the newest k comes last in every sum:
-   the chain from one evaluation of f to the next is a multiplication and an addition long. */
-#define VMI_H(c) (h * VM_C(c))
-#define VMI_EVAL(t, y, k)        \
-    do {                         \
-        int stop_;               \
-        ++*evals;                \
-        stop_ = f(t, y, k, ctx); \
-        if (stop_) return stop_; \
-    } while (0)
-
-/* Stages 2 to 7 of [1], whose coefficients, given to 16 digits, satisfy the order conditions to 1.1e-14:
-   z becomes the new state, k_7 its derivative. Returns what f returns. */
-VM_INLINE int vmi_rk45_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_new, vm_real h, vm_real *w,
-                              ptrdiff_t m, long *evals)
-{
-    const vm_real *y = w + VMI_Y * m;
-    vm_real *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
             *k6 = k5 + m, *k7 = k6 + m;
     int i;
-    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.161) * k1[i];
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.161) * k1[i];
     VMI_EVAL(t + VMI_H(0.161), z, k2);
-    VMI_EACH(i, n) z[i] = y[i] - VMI_H(0.008480655492356989) * k1[i] + VMI_H(0.335480655492357) * k2[i];
+    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.008480655492356989) * k1[i] + VMI_H(0.335480655492357) * k2[i];
     VMI_EVAL(t + VMI_H(0.327), z, k3);
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     z[i] = y[i] + VMI_H(2.8971530571054935) * k1[i] - VMI_H(6.359448489975075) * k2[i] +
            VMI_H(4.3622954328695815) * k3[i];
     VMI_EVAL(t + VMI_H(0.9), z, k4);
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     z[i] = y[i] + VMI_H(5.325864828439257) * k1[i] - VMI_H(11.748883564062828) * k2[i] +
            VMI_H(7.4955393428898365) * k3[i] - VMI_H(0.09249506636175525) * k4[i];
     VMI_EVAL(t + VMI_H(0.9800255409045097), z, k5);
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     z[i] = y[i] + VMI_H(5.86145544294642) * k1[i] - VMI_H(12.92096931784711) * k2[i] +
            VMI_H(8.159367898576159) * k3[i] - VMI_H(0.071584973281401) * k4[i] -
            VMI_H(0.028269050394068383) * k5[i];
     VMI_EVAL(t_new, z, k6);
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     z[i] = y[i] + VMI_H(0.09646076681806523) * k1[i] + VMI_H(0.01) * k2[i] + VMI_H(0.4798896504144996) * k3[i] +
            VMI_H(1.379008574103742) * k4[i] - VMI_H(3.290069515436081) * k5[i] + VMI_H(2.324710524099774) * k6[i];
     VMI_EVAL(t_new, z, k7);
     return 0;
 }
 
-/* Stages 2 to 13 of [4]: z becomes the new state. Its derivative, k_14, is evaluated when the step is accepted. Large
-   coefficients of opposite sign belong to nearly equal times: there differences of k, which are exact, keep the
-   roundings small. */
-VM_INLINE int vmi_rk87_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real t_new, vm_real h, vm_real *w,
-                              ptrdiff_t m, long *evals)
+/* The largest error of a component over its tolerance, by the difference of orders 5 and 4 */
+VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
-    const vm_real *y = w + VMI_Y * m;
-    vm_real *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
-            *k6 = k5 + m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m,
-            *k13 = k12 + m;
-    int i;
-    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.05) * k1[i];
-    VMI_EVAL(t + VMI_H(0.05), z, k2);
-    VMI_EACH(i, n) z[i] = y[i] - VMI_H(0.0069931640625) * k1[i] + VMI_H(0.1135556640625) * k2[i];
-    VMI_EVAL(t + VMI_H(0.1065625), z, k3);
-    VMI_EACH(i, n) z[i] = y[i] + VMI_H(0.0399609375) * k1[i] + VMI_H(0.1198828125) * k3[i];
-    VMI_EVAL(t + VMI_H(0.15984375), z, k4);
-    VMI_EACH(i, n)
-    z[i] = y[i] + h * (VM_C(0.36139756280045751241) * k1[i] - VM_C(1.3415240667004927718) * k3[i]) +
-           VMI_H(1.3701265039000352594) * k4[i];
-    VMI_EVAL(t + VMI_H(0.39), z, k5);
-    VMI_EACH(i, n)
-    z[i] = y[i] + h * (VM_C(0.049047202797202797203) * k1[i] + VM_C(0.23509720422144047399) * k4[i]) +
-           VMI_H(0.18085559298135672881) * k5[i];
-    VMI_EVAL(t + VMI_H(0.465), z, k6);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(0.06169289044289044289) * k1[i] + VM_C(0.11236568314640276623) * k4[i] -
-                VM_C(0.03885046071451366767) * k5[i]) +
-           VMI_H(0.019791887125220458554) * k6[i];
-    VMI_EVAL(t + VMI_H(0.155), z, k7);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(-1.7676302402223268757) * k1[i] - VM_C(6.0618893773766691008) * k5[i] +
-                VM_C(5.6508231982227631386) * k6[i] + VM_C(3.121696419376232838) * k7[i]) -
-           VMI_H(62.5) * (k4[i] - k7[i]);
-    VMI_EVAL(t + VMI_H(0.943), z, k8);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(-1.1809450665549707998) * k1[i] - VM_C(4.4344383191037250112) * k5[i] +
-                VM_C(4.2604081885861330248) * k6[i] + VM_C(2.2489058133185074338) * k7[i] -
-                VM_C(41.504734411143208416) * (k4[i] - k7[i])) +
-           VMI_H(0.0078714254899123106874) * k8[i];
-    VMI_EVAL(t + VMI_H(0.90180204173585695826), z, k9);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(-1.2814059994414884055) * k1[i] - VM_C(4.7313620694495764773) * k5[i] +
-                VM_C(4.5149670165938078412) * k6[i] + VM_C(2.4019556115899850465) * k7[i] -
-                VM_C(45.047139960139866302) * (k4[i] - k7[i]) + VM_C(0.010592282971116611357) * k8[i]) -
-           VMI_H(0.0057468422638446162544) * k9[i];
-    VMI_EVAL(t + VMI_H(0.909), z, k10);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(-1.7244701342624851918) * k1[i] - VM_C(5.9515183762223924552) * k5[i] +
-                VM_C(5.556523730698456236) * k6[i] + VM_C(3.0595218955025132032) * k7[i] -
-                VM_C(60.923490084830540165) * (k4[i] - k7[i]) + VM_C(0.014642028250414961593) * k8[i] +
-                VM_C(0.064604087723582036036) * k9[i]) -
-           VMI_H(0.07930323169008878984) * k10[i];
-    VMI_EVAL(t + VMI_H(0.94), z, k11);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(-3.3016226677470790164) * k1[i] - VM_C(10.141422388456112486) * k5[i] +
-                VM_C(9.1393113322320579235) * k6[i] + VM_C(5.3646704686517598018) * k7[i] -
-                VM_C(118.01127235975250857) * (k4[i] - k7[i]) + VM_C(4.6232443788745804748) * k8[i] -
-                VM_C(3.3832777380682019237) * k9[i] + VM_C(4.5275921003246181895) * k10[i]) -
-           VMI_H(5.8284954858116229632) * k11[i];
-    VMI_EVAL(t_new, z, k12);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(-3.03951503376630903) * k1[i] - VM_C(9.2906424974002934497) * k5[i] +
-                VM_C(8.4305049817649111421) * k6[i] + VM_C(4.9401329484155058871) * k7[i] -
-                VM_C(109.26086808941762547) * (k4[i] - k7[i]) - VM_C(0.96372713421454793582) * k8[i] -
-                VM_C(5.0348840888021897912) * k9[i]) +
-           VMI_H(5.9581308240029231775) * k10[i];
-    VMI_EVAL(t_new, z, k13);
-    VMI_EACH(i, n)
-    z[i] = y[i] +
-           h * (VM_C(0.044279894190079510747) * k1[i] + VM_C(0.35410493917244487448) * k6[i] +
-                VM_C(0.24796921549564378287) * k7[i] - VM_C(6.6543028207017138549) * k10[i] +
-                VM_C(25.084064965558562613) * (k9[i] - k10[i]) + VM_C(7.2440812351506999013) * k11[i] -
-                VM_C(15.694202038838084051) * (k8[i] - k11[i])) -
-           VMI_H(0.23613246330715421453) * k12[i];
-    return 0;
-}
-#undef VMI_EVAL
-#undef VMI_H
-
-#define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
-#define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* no error is told from a worse one */
-
-/* An error e of component i, whose state goes from y to z: *worst becomes the largest over the tolerance; *bad stays
-   0 while all is finite: x - x is 0 or NaN */
-VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_real z, vm_real *worst,
-                         vm_real *bad)
-{
-    vm_real ratio = VM_FABS(e) / vmi_tolerance(o, i, VMI_LARGER(VM_FABS(y), VM_FABS(z)));
-    *worst = VMI_LARGER(ratio, *worst);
-    e += z;
-    *bad += e - e;
-}
-
-#endif
-/* integrators/rk45_pair.h - the pair of orders 5 and 4 of Dormand and Prince: error and dense output */
-#ifndef VARMASS_INTEGRATORS_RK45_PAIR_H
-#define VARMASS_INTEGRATORS_RK45_PAIR_H
-
-/* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders
-   5 and 4 */
-VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
-{
-    const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m,
                   *k4 = k3 + m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m;
     vm_real worst = 0, bad = 0;
     int i;
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     vmi_weigh(o, i,
               h * (VM_C(-0.00178001105222577714) * k1[i] - VM_C(0.0008164344596567469) * k2[i] +
                    VM_C(0.007880878010261995) * k3[i] - VM_C(0.1447110071732629) * k4[i] +
@@ -1095,8 +1166,17 @@ VM_INLINE vm_real vmi_rk45_error(const rk45_options *o, int n, vm_real h, const 
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* Weights b_j of y(t_old + x h) = y_old + h sum b_j k_j, of order 4 [1]; returns how many */
-VM_API int vmi_rk45_weights(vm_real x, vm_real *b)
+/* For the test of stiffness: stages 6 and 7 are both at the end of the step. These are the coefficients of stage 7
+   minus those of stage 6. */
+VM_API vm_real vmi_rk45_end_difference(int j)
+{
+    VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
+                                   VM_C(1.4505935473851428), VM_C(-3.2618004650420125), VM_C(2.324710524099774)};
+    return VM_READ(weights[j]);
+}
+
+/* The weights of the continuous extension, of order 4 [1] */
+VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
     b[0] = VM_C(-1.0530884977290216) * x * (x - VM_C(1.3299890189751412)) *
@@ -1107,13 +1187,147 @@ VM_API int vmi_rk45_weights(vm_real x, vm_real *b)
     b[4] = VM_C(47.37952196281928122) * xx * (x - VM_C(1.203071208372362603)) * (x - VM_C(0.658047292653547382));
     b[5] = VM_C(-34.87065786149660974) * xx * (x - VM_C(1.2)) * (x - VM_C(0.666666666666666667));
     b[6] = VM_C(2.5) * xx * (x - 1) * (x - VM_C(0.6));
-    return 7;
+}
+
+/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    vm_real b[7];
+    vmi_rk45_weights(x, b);
+    vmi_weigh_inside(s, 7, b, x, y);
+}
+
+/* The descriptor of rk45 */
+VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
+{
+    vmi_rk_pair pair;
+    pair.method = VMI_RK45;
+    pair.order = 5;
+    pair.stages = 7;
+    pair.last_is_first = 1;
+    pair.derivatives = 7;
+    pair.rounding = 16;
+    pair.keep_from = VM_C(0.25);
+    pair.stiff_beyond = VM_C(3.4);
+    pair.end_difference = vmi_rk45_end_difference;
+    pair.inside = vmi_rk45_inside;
+    pair.extend = NULL;
+    return pair;
 }
 
 #endif
-/* integrators/rk87_pair.h - the pair of orders 8 and 7: error and dense output */
+/* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
+   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
+   in each step in which it is used. Its coefficients are up to 123, so that its roundings are larger than those of
+   rk45. Users call the functions of adaptive.h.
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
 #define VARMASS_INTEGRATORS_RK87_PAIR_H
+
+enum { VMI_RK87 = 87 }; /* the method */
+
+/* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
+   stages, differences of k, which are exact, keep the roundings small. */
+VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m;
+    int i;
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.05) * k1[i];
+    VMI_EVAL(t + VMI_H(0.05), z, k2);
+    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.0069931640625) * k1[i] + VMI_H(0.1135556640625) * k2[i];
+    VMI_EVAL(t + VMI_H(0.1065625), z, k3);
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.0399609375) * k1[i] + VMI_H(0.1198828125) * k3[i];
+    VMI_EVAL(t + VMI_H(0.15984375), z, k4);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.36139756280045751241) * k1[i] - VM_C(1.3415240667004927718) * k3[i]) +
+           VMI_H(1.3701265039000352594) * k4[i];
+    VMI_EVAL(t + VMI_H(0.39), z, k5);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.049047202797202797203) * k1[i] + VM_C(0.23509720422144047399) * k4[i]) +
+           VMI_H(0.18085559298135672881) * k5[i];
+    VMI_EVAL(t + VMI_H(0.465), z, k6);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.06169289044289044289) * k1[i] + VM_C(0.11236568314640276623) * k4[i] -
+                VM_C(0.03885046071451366767) * k5[i]) +
+           VMI_H(0.019791887125220458554) * k6[i];
+    VMI_EVAL(t + VMI_H(0.155), z, k7);
+    return 0;
+}
+
+/* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
+VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k4 = k1 + 3 * m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m,
+            *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
+    int i;
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7676302402223268757) * k1[i] - VM_C(6.0618893773766691008) * k5[i] +
+                VM_C(5.6508231982227631386) * k6[i] + VM_C(3.121696419376232838) * k7[i]) -
+           VMI_H(62.5) * (k4[i] - k7[i]);
+    VMI_EVAL(t + VMI_H(0.943), z, k8);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.1809450665549707998) * k1[i] - VM_C(4.4344383191037250112) * k5[i] +
+                VM_C(4.2604081885861330248) * k6[i] + VM_C(2.2489058133185074338) * k7[i] -
+                VM_C(41.504734411143208416) * (k4[i] - k7[i])) +
+           VMI_H(0.0078714254899123106874) * k8[i];
+    VMI_EVAL(t + VMI_H(0.90180204173585695826), z, k9);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.2814059994414884055) * k1[i] - VM_C(4.7313620694495764773) * k5[i] +
+                VM_C(4.5149670165938078412) * k6[i] + VM_C(2.4019556115899850465) * k7[i] -
+                VM_C(45.047139960139866302) * (k4[i] - k7[i]) + VM_C(0.010592282971116611357) * k8[i]) -
+           VMI_H(0.0057468422638446162544) * k9[i];
+    VMI_EVAL(t + VMI_H(0.909), z, k10);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7244701342624851918) * k1[i] - VM_C(5.9515183762223924552) * k5[i] +
+                VM_C(5.556523730698456236) * k6[i] + VM_C(3.0595218955025132032) * k7[i] -
+                VM_C(60.923490084830540165) * (k4[i] - k7[i]) + VM_C(0.014642028250414961593) * k8[i] +
+                VM_C(0.064604087723582036036) * k9[i]) -
+           VMI_H(0.07930323169008878984) * k10[i];
+    VMI_EVAL(t + VMI_H(0.94), z, k11);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.3016226677470790164) * k1[i] - VM_C(10.141422388456112486) * k5[i] +
+                VM_C(9.1393113322320579235) * k6[i] + VM_C(5.3646704686517598018) * k7[i] -
+                VM_C(118.01127235975250857) * (k4[i] - k7[i]) + VM_C(4.6232443788745804748) * k8[i] -
+                VM_C(3.3832777380682019237) * k9[i] + VM_C(4.5275921003246181895) * k10[i]) -
+           VMI_H(5.8284954858116229632) * k11[i];
+    VMI_EVAL(t_new, z, k12);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.03951503376630903) * k1[i] - VM_C(9.2906424974002934497) * k5[i] +
+                VM_C(8.4305049817649111421) * k6[i] + VM_C(4.9401329484155058871) * k7[i] -
+                VM_C(109.26086808941762547) * (k4[i] - k7[i]) - VM_C(0.96372713421454793582) * k8[i] -
+                VM_C(5.0348840888021897912) * k9[i]) +
+           VMI_H(5.9581308240029231775) * k10[i];
+    VMI_EVAL(t_new, z, k13);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.044279894190079510747) * k1[i] + VM_C(0.35410493917244487448) * k6[i] +
+                VM_C(0.24796921549564378287) * k7[i] - VM_C(6.6543028207017138549) * k10[i] +
+                VM_C(25.084064965558562613) * (k9[i] - k10[i]) + VM_C(7.2440812351506999013) * k11[i] -
+                VM_C(15.694202038838084051) * (k8[i] - k11[i])) -
+           VMI_H(0.23613246330715421453) * k12[i];
+    return 0;
+}
+
+/* The stages of a step, for vmi_make_stages */
+VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
+    if (stopped) return stopped;
+    return vmi_rk87_late_stages(sys, t, t_new, h, evals);
+}
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
    k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
@@ -1130,15 +1344,17 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders
-   8 and 7, or by what a jump of f may do, whichever is larger */
-VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
+/* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
+   do, whichever is larger */
+VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
-    const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k6 = k1 + 5 * m, *k7 = k6 + m,
-                  *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m;
+    const vm_real *k6 = k1 + 5 * m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m,
+                  *k12 = k11 + m, *k13 = k12 + m;
     vm_real worst = 0, bad = 0;
     int i;
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     {
         const vm_real smooth = VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
                                VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
@@ -1151,12 +1367,33 @@ VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const 
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* The seven further stages that the continuous extension of order 8 needs, once for a step. They may leave the domain
-   of f where the step's own did not: ODE_NOT_FINITE. */
-VM_API int vmi_rk87_extend(rk45 *s)
+/* For the test of stiffness: stage 13 and the new state are both at the end of the step. These are the weights of the
+   new state minus the coefficients of stage 13. */
+VM_API vm_real vmi_rk87_end_difference(int j)
 {
-    VM_TABLE vm_real c[7] = {
-        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
+                                    0,
+                                    0,
+                                    VM_C(109.26086808941762547),
+                                    VM_C(9.2906424974002934497),
+                                    VM_C(-8.0764000425924662677),
+                                    VM_C(-113.95303182233748757),
+                                    VM_C(-14.730474904623536115),
+                                    VM_C(30.118949054360752405),
+                                    VM_C(-37.696498610263199646),
+                                    VM_C(22.938283273988783952),
+                                    VM_C(-0.23613246330715421453),
+                                    0};
+    return VM_READ(weights[j]);
+}
+
+/* How many k_i a step itself makes, and how many the continuous extension adds */
+#define VMI_RK87_OWN 14
+#define VMI_RK87_EXTRA 7
+
+/* The coefficient of k_{j+1} in the stage of the continuous extension that comes after k_{14+stage} */
+VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
+{
     VM_TABLE vm_real a[7][20] = {
         {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
          VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
@@ -1176,502 +1413,549 @@ VM_API int vmi_rk87_extend(rk45 *s)
         {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
          VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
          VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
-         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521), 0},
+         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521)},
         {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
          VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
          VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
-         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532), 0, 0},
-        {VM_C(0.039390583455282509434),
-         0,
-         0,
-         0,
-         0,
-         VM_C(0.35585161412344241831),
-         VM_C(0.41973822259526100294),
-         VM_C(0.87204497780719416629),
-         VM_C(0.89895208348765948613),
-         VM_C(-0.63058061610598835902),
-         VM_C(-1.1218872205954835507),
-         VM_C(0.04298219512400197177),
-         0,
-         VM_C(0.01332557566873915707),
-         VM_C(0.018762270539641480344),
-         VM_C(-0.18594111329221055705),
-         VM_C(0.17736142719246027452),
-         0,
-         0,
-         0}};
-    const vm_real *k1 = vmi_part(s, VMI_K);
+         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532)},
+        {VM_C(0.039390583455282509434), 0, 0, 0, 0, VM_C(0.35585161412344241831), VM_C(0.41973822259526100294),
+         VM_C(0.87204497780719416629), VM_C(0.89895208348765948613), VM_C(-0.63058061610598835902),
+         VM_C(-1.1218872205954835507), VM_C(0.04298219512400197177), 0, VM_C(0.01332557566873915707),
+         VM_C(0.018762270539641480344), VM_C(-0.18594111329221055705), VM_C(0.17736142719246027452)}};
+    return VM_READ(a[stage][j]);
+}
+
+/* The seven further stages that the continuous extension of order 8 needs. They may leave the domain of f where the
+   step's own did not: ODE_NOT_FINITE. */
+VM_API int vmi_rk87_extend(rk45 *s)
+{
+    VM_TABLE vm_real c[7] = {
+        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    const vm_real *k1 = vmi_part(s, VMI_K), *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z);
     int i, j, stage;
-    for (stage = 0; stage < 7; stage++) {
+    for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
+        vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
         int status;
         for (i = 0; i < s->n; i++) {
             vm_real sum = 0;
-            for (j = 1; j < 14 + stage; j++) sum += VM_READ(a[stage][j]) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
+            for (j = 1; j < VMI_RK87_OWN + stage; j++)
+                sum += vmi_rk87_extra_coefficient(stage, j) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = y_old[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
         }
-        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
+        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, k);
         if (status) return status;
-        if (!vmi_all_finite(s->n, vmi_part(s, VMI_K + 14 + stage))) return ODE_NOT_FINITE;
+        if (!vmi_all_finite(s->n, k)) return ODE_NOT_FINITE;
     }
-    s->extended = 1;
     return ODE_OK;
 }
 
-/* The same of order 8 [4]: b_j/x in Bernstein's polynomials of degree 7, which keep the coefficients small */
-VM_API int vmi_rk87_weights(vm_real x, vm_real *b)
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7, which keep the coefficients small [4] */
+VM_API vm_real vmi_rk87_bernstein(int i, int j)
+{
+    VM_TABLE vm_real c[8][21] = {
+        {VM_C(1.0)},
+        {VM_C(-0.43416495007921699754), 0, 0, 0, 0, VM_C(22.599667701739659115), VM_C(15.825878858282545737),
+         VM_C(-1001.6345768873305842), VM_C(1600.9139385497353343), VM_C(-2025.6045200650977012),
+         VM_C(1463.9659668459635268), VM_C(-15.07043425264423982), 0, VM_C(-2.1233733390382044607),
+         VM_C(2.0499551075579231761), VM_C(-14.649321001586286937), VM_C(-5.4474375904092477119),
+         VM_C(-9.4832565472422686612), VM_C(-12.916982247390083982), VM_C(-8.5341205186269588664),
+         VM_C(-8.4572196638341962641)},
+        {VM_C(0.69319890739505714536), 0, 0, 0, 0, VM_C(-28.322636845067825264), VM_C(-19.833504880369087028),
+         VM_C(1255.2809513415663983), VM_C(-2006.3172919246540112), VM_C(2538.5533084238865914),
+         VM_C(-1834.6896502962782204), VM_C(18.886757189012005795), 0, VM_C(2.6943768290163844672),
+         VM_C(-3.0569914252730377376), VM_C(21.845770438002692514), VM_C(8.1234803348592602041),
+         VM_C(9.4063330192350021072), VM_C(18.54462542925865921), VM_C(8.8787596622304847795),
+         VM_C(10.312513797179645635)},
+        {VM_C(-0.3338485911070980487), 0, 0, 0, 0, VM_C(25.558764868971263012), VM_C(17.898047082901598187),
+         VM_C(-1132.7840290910181075), VM_C(1810.5302905715595678), VM_C(-2290.8279152212470487),
+         VM_C(1655.6509775545015219), VM_C(-17.043688014358484614), 0, VM_C(-2.3369125341274148978),
+         VM_C(2.6643387606508049922), VM_C(-19.039809026959079785), VM_C(-7.0800668096793834609),
+         VM_C(-5.8665758746530908169), VM_C(-18.840844904715375167), VM_C(-7.4879415981794647994),
+         VM_C(-9.6607871725402081249)},
+        {VM_C(0.28379400641185437856), 0, 0, 0, 0, VM_C(-12.759481686923881245), VM_C(-8.9350876365402469061),
+         VM_C(565.50999817576301139), VM_C(-903.85541729421673952), VM_C(1143.6302568613132692),
+         VM_C(-826.5363540196210053), VM_C(8.5085733294123855395), 0, VM_C(1.0603712833693789051),
+         VM_C(-1.4442533272143088419), VM_C(10.320875086467535406), VM_C(3.837879100734673622),
+         VM_C(2.5580949193757614888), VM_C(11.224293673899100669), VM_C(2.4797359224550151757),
+         VM_C(5.1167216053141960113)},
+        {VM_C(0.0072914402964293461022), 0, 0, 0, 0, VM_C(3.7687355910342448606), VM_C(2.6391340660294149651),
+         VM_C(-167.03324707890411572), VM_C(266.9694713223930137), VM_C(-337.79115467001014473),
+         VM_C(244.13193663420704719), VM_C(-2.5131556220142955157), 0, VM_C(-0.17281686321712024563),
+         VM_C(0.3583670958947128915), VM_C(-2.5609510202503622271), VM_C(-0.95230494665234715357),
+         VM_C(-0.5896647722763897408), VM_C(-2.8631165722737584704), VM_C(-0.47177361047292321216),
+         VM_C(-1.9267509937834059465)},
+        {VM_C(0.050605593360090869425), 0, 0, 0, 0, VM_C(0.40469135905422271369), VM_C(0.28339338913787860899),
+         VM_C(-17.936230901529238915), VM_C(28.667502817781214415), VM_C(-36.272420327154601678),
+         VM_C(26.215180884558610231), VM_C(-0.26986567235103338803), 0, VM_C(-0.14285714285714285714)},
+        {VM_C(0.044279894190079510747), 0, 0, 0, 0, VM_C(0.35410493917244487448), VM_C(0.24796921549564378287),
+         VM_C(-15.694202038838084051), VM_C(25.084064965558562613), VM_C(-31.738367786260276468),
+         VM_C(22.938283273988783952), VM_C(-0.23613246330715421453)}};
+    return VM_READ(c[i][j]);
+}
+
+/* The weights of the continuous extension, of order 8 [4] */
+VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
-    VM_TABLE vm_real c[8][21] = {{VM_C(1.0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
-                                 {VM_C(-0.43416495007921699754),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(22.599667701739659115),
-                                  VM_C(15.825878858282545737),
-                                  VM_C(-1001.6345768873305842),
-                                  VM_C(1600.9139385497353343),
-                                  VM_C(-2025.6045200650977012),
-                                  VM_C(1463.9659668459635268),
-                                  VM_C(-15.07043425264423982),
-                                  0,
-                                  VM_C(-2.1233733390382044607),
-                                  VM_C(2.0499551075579231761),
-                                  VM_C(-14.649321001586286937),
-                                  VM_C(-5.4474375904092477119),
-                                  VM_C(-9.4832565472422686612),
-                                  VM_C(-12.916982247390083982),
-                                  VM_C(-8.5341205186269588664),
-                                  VM_C(-8.4572196638341962641)},
-                                 {VM_C(0.69319890739505714536),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(-28.322636845067825264),
-                                  VM_C(-19.833504880369087028),
-                                  VM_C(1255.2809513415663983),
-                                  VM_C(-2006.3172919246540112),
-                                  VM_C(2538.5533084238865914),
-                                  VM_C(-1834.6896502962782204),
-                                  VM_C(18.886757189012005795),
-                                  0,
-                                  VM_C(2.6943768290163844672),
-                                  VM_C(-3.0569914252730377376),
-                                  VM_C(21.845770438002692514),
-                                  VM_C(8.1234803348592602041),
-                                  VM_C(9.4063330192350021072),
-                                  VM_C(18.54462542925865921),
-                                  VM_C(8.8787596622304847795),
-                                  VM_C(10.312513797179645635)},
-                                 {VM_C(-0.3338485911070980487),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(25.558764868971263012),
-                                  VM_C(17.898047082901598187),
-                                  VM_C(-1132.7840290910181075),
-                                  VM_C(1810.5302905715595678),
-                                  VM_C(-2290.8279152212470487),
-                                  VM_C(1655.6509775545015219),
-                                  VM_C(-17.043688014358484614),
-                                  0,
-                                  VM_C(-2.3369125341274148978),
-                                  VM_C(2.6643387606508049922),
-                                  VM_C(-19.039809026959079785),
-                                  VM_C(-7.0800668096793834609),
-                                  VM_C(-5.8665758746530908169),
-                                  VM_C(-18.840844904715375167),
-                                  VM_C(-7.4879415981794647994),
-                                  VM_C(-9.6607871725402081249)},
-                                 {VM_C(0.28379400641185437856),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(-12.759481686923881245),
-                                  VM_C(-8.9350876365402469061),
-                                  VM_C(565.50999817576301139),
-                                  VM_C(-903.85541729421673952),
-                                  VM_C(1143.6302568613132692),
-                                  VM_C(-826.5363540196210053),
-                                  VM_C(8.5085733294123855395),
-                                  0,
-                                  VM_C(1.0603712833693789051),
-                                  VM_C(-1.4442533272143088419),
-                                  VM_C(10.320875086467535406),
-                                  VM_C(3.837879100734673622),
-                                  VM_C(2.5580949193757614888),
-                                  VM_C(11.224293673899100669),
-                                  VM_C(2.4797359224550151757),
-                                  VM_C(5.1167216053141960113)},
-                                 {VM_C(0.0072914402964293461022),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(3.7687355910342448606),
-                                  VM_C(2.6391340660294149651),
-                                  VM_C(-167.03324707890411572),
-                                  VM_C(266.9694713223930137),
-                                  VM_C(-337.79115467001014473),
-                                  VM_C(244.13193663420704719),
-                                  VM_C(-2.5131556220142955157),
-                                  0,
-                                  VM_C(-0.17281686321712024563),
-                                  VM_C(0.3583670958947128915),
-                                  VM_C(-2.5609510202503622271),
-                                  VM_C(-0.95230494665234715357),
-                                  VM_C(-0.5896647722763897408),
-                                  VM_C(-2.8631165722737584704),
-                                  VM_C(-0.47177361047292321216),
-                                  VM_C(-1.9267509937834059465)},
-                                 {VM_C(0.050605593360090869425),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(0.40469135905422271369),
-                                  VM_C(0.28339338913787860899),
-                                  VM_C(-17.936230901529238915),
-                                  VM_C(28.667502817781214415),
-                                  VM_C(-36.272420327154601678),
-                                  VM_C(26.215180884558610231),
-                                  VM_C(-0.26986567235103338803),
-                                  0,
-                                  VM_C(-0.14285714285714285714),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0},
-                                 {VM_C(0.044279894190079510747),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(0.35410493917244487448),
-                                  VM_C(0.24796921549564378287),
-                                  VM_C(-15.694202038838084051),
-                                  VM_C(25.084064965558562613),
-                                  VM_C(-31.738367786260276468),
-                                  VM_C(22.938283273988783952),
-                                  VM_C(-0.23613246330715421453),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0}};
+    const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real up[8];
-    vm_real power = x;
+    vm_real powers[8], power = x; /* of u, and of x */
     int i, j;
-    for (up[0] = 1, i = 1; i < 8; i++) up[i] = up[i - 1] * u;
-    for (j = 0; j < 21; j++) b[j] = 0;
-    for (i = 0; i < 8; i++, power *= x)
-        for (j = 0; j < 21; j++) b[j] += VM_READ(binomial[i]) * power * up[7 - i] * VM_READ(c[i][j]);
-    return 21;
+    powers[0] = 1;
+    for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
+    for (j = 0; j < count; j++) b[j] = 0;
+    for (i = 0; i < 8; i++) {
+        const vm_real bernstein = VM_READ(binomial[i]) * power * powers[7 - i];
+        for (j = 0; j < count; j++) b[j] += bernstein * vmi_rk87_bernstein(i, j);
+        power *= x;
+    }
+}
+
+/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
+    vmi_rk87_weights(x, b);
+    vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
+}
+
+/* The descriptor of rk87 */
+VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
+{
+    vmi_rk_pair pair;
+    pair.method = VMI_RK87;
+    pair.order = 8;
+    pair.stages = 13;
+    pair.last_is_first = 0;
+    pair.derivatives = VMI_RK87_OWN + VMI_RK87_EXTRA;
+    pair.rounding = 256;
+    pair.keep_from = VM_C(0.1);
+    pair.stiff_beyond = VM_C(5.69);
+    pair.end_difference = vmi_rk87_end_difference;
+    pair.inside = vmi_rk87_inside;
+    pair.extend = vmi_rk87_extend;
+    return pair;
 }
 
 #endif
-/* integrators/dense.h - the solution inside a step */
-#ifndef VARMASS_INTEGRATORS_DENSE_H
-#define VARMASS_INTEGRATORS_DENSE_H
+/* integrators/pair_list.h - the list of the Runge-Kutta pairs
+   These functions tell the pairs apart by their number, `method`; all others work for any pair. Where method is a
+   constant, as in the loop over the steps, the compiler leaves nothing of the choice.
 
-/* y at t_old + x h, 0 <= x <= 1. The weights add up to x, so those of the differences to k_1 do as well, with less
-   rounding. Not inlined, so that it is contracted in one way only: the same x has the same y. */
-VMI_APART void vmi_inside(const rk45 *s, int method, vm_real x, vm_real *y)
+   Tests: tests/test_adaptive.c. */
+#ifndef VARMASS_INTEGRATORS_PAIR_LIST_H
+#define VARMASS_INTEGRATORS_PAIR_LIST_H
+
+#define VMI_MOST_OWN 14 /* the most k_i that a step of any pair makes, without those of the continuous extension */
+
+/* The descriptor of a pair */
+VMI_FOLDED vmi_rk_pair vmi_pair_of(int method)
 {
-    const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
-    vm_real b[21];
-    int i, j, count = method == VMI_RK45 ? vmi_rk45_weights(x, b) : vmi_rk87_weights(x, b);
-    for (i = 0; i < s->n; i++) {
-        vm_real sum = 0;
-        for (j = 1; j < count; j++) sum += b[j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-        y[i] = y_old[i] + s->h_done * (x * k1[i] + sum);
+    switch (method) {
+    case VMI_RK87: return vmi_rk87_pair();
+    case VMI_RK45:
+    default: return vmi_rk45_pair();
     }
 }
 
-VM_API int vmi_within_last_step(const rk45 *s, int method, vm_real t)
+/* Stages 2, 3 ... of a step from t to t_new = t + h: part VMI_Z becomes the new state. Returns what f returns. */
+VMI_FOLDED int vmi_make_stages(int method, vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
-    return s->method == method && ((s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old));
-}
-
-/* Where t, which is within the last step, is in it: 0 at its beginning, 1 at its end */
-VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
-{
-    const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
-    if (x < 0) return 0;
-    return VMI_SMALLER(x, VM_C(1.0));
-}
-
-/* y(t) for t within the last step, to about the step's own accuracy; refuses other t. */
-VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
-{
-    if (!s || !y || !vmi_within_last_step(s, VMI_RK45, t)) return ODE_BAD_ARGUMENT;
-    if (t == s->t) vmi_copy(s->n, s->y, y);
-    else vmi_inside(s, VMI_RK45, vmi_place_of(s, t), y);
-    return ODE_OK;
-}
-
-VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
-{
-    if (!s || !y || !vmi_within_last_step(s, VMI_RK87, t)) return ODE_BAD_ARGUMENT;
-    if (t == s->t) {
-        vmi_copy(s->n, s->y, y);
-        return ODE_OK;
+    switch (method) {
+    case VMI_RK87: return vmi_rk87_stages(sys, t, t_new, h, evals);
+    case VMI_RK45:
+    default: return vmi_rk45_stages(sys, t, t_new, h, evals);
     }
-    if (!s->extended) {
-        int status = vmi_rk87_extend(s);
-        if (status) return status;
+}
+
+/* The largest error of a component over its tolerance; NaN where anything is not finite */
+VMI_FOLDED vm_real vmi_step_error(int method, const rk45_options *o, vmi_rk_system sys, vm_real h)
+{
+    switch (method) {
+    case VMI_RK87: return vmi_rk87_error(o, sys, h);
+    case VMI_RK45:
+    default: return vmi_rk45_error(o, sys, h);
     }
-    vmi_inside(s, VMI_RK87, vmi_place_of(s, t), y);
-    return ODE_OK;
 }
 
 #endif
-/* integrators/steps.h - step size control */
+/* integrators/steps.h - steps of an adaptive run and the control of their size
+   vmi_advance is the loop over the steps. It is specialised at compile time for a pair and, where the compiler knows
+   that n is small, for n and f too. The rules of step size control stand in the manual of integrators.h.
+
+   Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_STEPS_H
 #define VARMASS_INTEGRATORS_STEPS_H
 
-/* The first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 % of itself,
-   and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
-VM_API int vmi_first_step(rk45 *s, int method, vm_real direction, vm_real longest)
+#include <string.h>
+
+/* x^p to about 3 %, for x > 0 and results that neither overflow nor underflow: the bits of x, taken as an integer, are
+   a piecewise linear logarithm, `middle` is half its largest error, and the exponential is (1 + v + v^2/2)^16. */
+VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
-    const vm_real largest = VM_C(1e10), order = method == VMI_RK45 ? 5 : 8;
-    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
-    vm_real d0 = 0, d1 = 0, d2 = 0, h0, h1;
-    int i, status;
+    const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
+    vmi_signed_bits bits;
+    vm_real v;
+    memcpy(&bits, &x, sizeof x);
+    v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
+    v = 1 + v * (1 + v / 2);
+    v *= v;
+    v *= v;
+    v *= v;
+    v *= v;
+    return v;
+}
+
+#define VMI_LARGEST_RATIO VM_C(1e10) /* of a component or a derivative to its tolerance, for the first step */
+
+/* The largest |v_i| over the tolerance of component i, at most VMI_LARGEST_RATIO */
+VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
+{
+    vm_real largest = 0;
+    int i;
     for (i = 0; i < s->n; i++) {
-        vm_real tolerance = vmi_tolerance(&s->options, i, s->y[i]);
-        if (VM_FABS(s->y[i]) / tolerance > d0) d0 = VM_FABS(s->y[i]) / tolerance;
-        if (VM_FABS(k1[i]) / tolerance > d1) d1 = VM_FABS(k1[i]) / tolerance;
+        const vm_real ratio = VM_FABS(v[i]) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (ratio > largest) largest = ratio;
     }
-    if (d0 > largest) d0 = largest;
-    if (d1 > largest) d1 = largest;
-    h0 = d0 < VM_C(1e-5) || d1 < VM_C(1e-5) ? VM_C(1e-6) : VM_C(0.01) * d0 / d1;
+    return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
+}
+
+/* Sets s->h to the first step, from the sizes of y, y' and y'' [2, II.4]: 100 h0 at the most, where h0 moves y by 1 %
+   of itself, and such that the error of the method should be 1 % of the tolerance. Uses k_2 and z. */
+VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
+{
+    vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
+    const vm_real size = vmi_norm_by_tolerance(s, s->y), speed = vmi_norm_by_tolerance(s, k1);
+    vm_real h0 = VM_C(1e-6), h1 = VM_C(1e-6), fastest = 0;
+    int i, status;
+    if (size >= VM_C(1e-5) && speed >= VM_C(1e-5)) h0 = VM_C(0.01) * size / speed;
     if (h0 > longest) h0 = longest;
     for (i = 0; i < s->n; i++) z[i] = s->y[i] + direction * h0 * k1[i];
     status = vmi_eval(s, s->t + direction * h0, z, k2);
     if (status) return status;
     for (i = 0; i < s->n; i++) {
-        vm_real c = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
-        if (!(c < largest)) c = largest; /* or f does not reach so far */
-        if (c > d2) d2 = c;
+        vm_real ratio = VM_FABS((k2[i] - k1[i]) / h0) / vmi_tolerance(&s->options, i, s->y[i]);
+        if (!(ratio < VMI_LARGEST_RATIO)) ratio = VMI_LARGEST_RATIO; /* also where f does not reach so far */
+        if (ratio > fastest) fastest = ratio;
     }
-    if (d1 > d2) d2 = d1;
-    h1 = d2 <= VM_C(1e-15) ? VM_C(1e-6) : vmi_pow_rough(VM_C(0.01) / d2, 1 / order);
+    if (speed > fastest) fastest = speed;
+    if (fastest > VM_C(1e-15)) h1 = vmi_pow_rough(VM_C(0.01) / fastest, 1 / (vm_real)s->pair.order);
     if (h1 > 100 * h0) h1 = 100 * h0;
     if (h1 < VM_C(1e-3) * h0) h1 = VM_C(1e-3) * h0;
-    s->h = direction * (h1 < longest ? h1 : longest);
+    s->h = direction * VMI_SMALLER(h1, longest);
     return ODE_OK;
 }
 
-/* The shortest step that is tried; not 0 at t = 0, where steps that fail would become shorter without end */
+/* The shortest step that is tried. It is not 0 at t = 0, where steps that fail would become shorter without end. */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
-    vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
-    return least > o->h_min ? least : o->h_min;
+    const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
+    return VMI_LARGER(least, o->h_min);
 }
 
 /* The time from where y is to t_end */
 VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
+/* The direction to t_end: 1 or -1 */
+VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
+
 /* PI control [2, IV.2]: after an accepted step the next is 0.9 error^(-4/(5 order)) error_before^(1/(5 order)) times
    as long, at most 10 times */
-VM_INLINE vm_real vmi_factor(int method, vm_real error, vm_real inverse_error_before)
+VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
-    vm_real square = error * error, factor;
-    factor = VM_C(0.9) *
-             vmi_pow_rough(square * square * inverse_error_before, method == VMI_RK45 ? VM_C(-0.04) : VM_C(-0.025));
+    const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
+    const vm_real factor = VM_C(0.9) * vmi_pow_rough(square * square * inverse_error_before, power);
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
-/* After a rejected step: 0.9 error^(-1/order), at least 1/5; 1/10 where something was not finite */
-VM_INLINE vm_real vmi_shrink(int method, vm_real error)
+/* After a rejected step the next is 0.9 error^(-1/order) times as long, at least 1/5; 1/10 where something was not
+   finite */
+VM_INLINE vm_real vmi_shrink(int order, vm_real error)
 {
     vm_real factor;
     if (error != error) return VM_C(0.1);
-    factor = VM_C(0.9) * vmi_pow_rough(error, method == VMI_RK45 ? VM_C(-0.2) : VM_C(-0.125));
+    factor = VM_C(0.9) * vmi_pow_rough(error, -1 / (vm_real)order);
     return VMI_LARGER(factor, VM_C(0.2));
+}
+
+/* Where a run is. While vmi_advance makes steps, it keeps this apart from the rk45, so that it can be in registers. */
+typedef struct VM_TAG(vmi_progress) {
+    vm_real direction;              /* 1 or -1, towards t_end */
+    vm_real t, t_low;               /* y belongs to t + t_low */
+    vm_real t_old, t_old_low;       /* where the last step began */
+    vm_real h_next;                 /* the next step */
+    vm_real h_done;                 /* the last accepted step */
+    vm_real inverse_error;          /* 1 over its error, in tolerances */
+    vm_real t_missed, t_missed_low; /* where the last step that missed the tolerance began */
+    long steps, rejected, missed;   /* counted from the beginning of this loop */
+    long next_miss;                 /* a step may miss the tolerance again when `steps` is this large */
+    long attempts;                  /* steps that may still be tried; negative: no limit */
+    int k1, failure, stiff_wait;    /* as in rk45 */
+    int stopped;                    /* what f returned last */
+} vmi_progress;
+
+/* Where the run is before the loop */
+VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
+{
+    vmi_progress p;
+    p.direction = vmi_direction(s, t_end);
+    p.t = s->t;
+    p.t_low = s->t_low;
+    p.t_old = s->t;
+    p.t_old_low = s->t_low;
+    p.h_next = s->h;
+    p.h_done = s->h_done;
+    p.inverse_error = s->inverse_error;
+    p.t_missed = s->t;
+    p.t_missed_low = s->t_low;
+    p.steps = 0;
+    p.rejected = 0;
+    p.missed = 0;
+    p.next_miss = s->next_miss - s->steps;
+    p.attempts = s->attempts;
+    p.k1 = VMI_K1_READY;
+    p.failure = s->failure;
+    p.stiff_wait = s->stiff_wait;
+    p.stopped = 0;
+    return p;
+}
+
+/* Stores where the run is after the loop */
+VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
+{
+    s->t = p->t;
+    s->t_low = p->t_low;
+    s->t_old = p->t_old;
+    s->t_old_low = p->t_old_low;
+    s->h = p->h_next;
+    s->h_done = p->h_done;
+    s->inverse_error = p->inverse_error;
+    s->next_miss = s->steps + p->next_miss;
+    s->steps += p->steps;
+    s->rejected += p->rejected;
+    s->missed += p->missed;
+    s->attempts = p->attempts;
+    s->k1 = p->k1;
+    s->failure = p->failure;
+    s->stiff_wait = p->stiff_wait;
+    s->rhs_status = p->stopped;
+    s->extended = 0;
+}
+
+/* A step that is tried */
+typedef struct VM_TAG(vmi_trial) {
+    vm_real h, t_new, t_new_low; /* it leads to t_new + t_new_low */
+    int last;                    /* it leads to t_end */
+    int shortest;                /* no shorter step can be tried */
+} vmi_trial;
+
+/* The length of a step is changed by up to this fraction, so that it ends at a time that the type can hold and y
+   belongs to t exactly. Shorter steps leave the rest in t_low. So t does not drift away from the motion. */
+#define VMI_LANDING VM_C(0.015625)
+#define VMI_NEARLY VM_C(0.999999) /* a step that is this part of the way to t_end goes all the way */
+
+/* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns the
+   status that keeps it from being tried, if any. */
+VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progress *p, vmi_trial *trial)
+{
+    const vm_real left = (t_end - p->t) - p->t_low, least = vmi_least_step(o, p->t);
+    vm_real h_to_t_new;
+    int status = ODE_OK, lands;
+    p->t_old = p->t;
+    p->t_old_low = p->t_low;
+    p->k1 = VMI_K1_READY;
+    if (VM_FABS(p->h_next) < least) p->h_next = p->direction * least;
+    if (VM_FABS(p->h_next) > o->h_max) {
+        p->h_next = p->direction * o->h_max;
+        if (o->h_max < least && o->h_max < VM_FABS(left)) status = ODE_STEP_TOO_SMALL;
+    }
+    trial->last = VM_FABS(p->h_next) >= VMI_NEARLY * VM_FABS(left);
+    trial->t_new = trial->last ? t_end : p->t + (p->t_low + p->h_next);
+    h_to_t_new = (trial->t_new - p->t) - p->t_low;
+    lands = trial->last || VM_FABS(h_to_t_new - p->h_next) <= VMI_LANDING * VM_FABS(p->h_next);
+    trial->h = lands ? h_to_t_new : p->h_next;
+    trial->t_new_low = lands ? 0 : p->h_next - h_to_t_new;
+    trial->shortest = VM_FABS(p->h_next) <= least || VM_FABS(trial->h) <= least;
+    if (p->attempts == 0) status = ODE_MAX_STEPS;
+    if (status == ODE_OK && p->attempts > 0) p->attempts--;
+    return status;
+}
+
+/* So many steps must keep the tolerance between two steps that may miss it. Behind a jump these steps are 1, 10 and
+   100 times as long as the smallest step; next to a singularity there are none. */
+enum { VMI_BETWEEN_MISSES = 3 };
+
+/* Goes back to where the last accepted step began, which missed the tolerance */
+VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
+{
+    vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
+    p->t = p->t_missed;
+    p->t_old = p->t_missed;
+    p->t_low = p->t_missed_low;
+    p->t_old_low = p->t_missed_low;
+    p->k1 = VMI_K1_MISSING;
+    p->steps--;
+    p->missed--;
+    p->rejected++;
+}
+
+/* Rejects a step, because its error is above the tolerance, or NaN. Returns the status with which the run ends if no
+   shorter step can be tried; then a step before that missed the tolerance is dropped as well. */
+VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
+{
+    const int not_a_number = error != error;
+    p->rejected++;
+    p->failure = VMI_REJECTED;
+    if (not_a_number) p->failure = VMI_NOT_FINITE;
+    p->h_next = trial->h * vmi_shrink(order, error);
+    if (!trial->shortest) return ODE_OK;
+    if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
+    return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
 }
 
 /* The state after a step of the smallest size in which f jumps. The weights of the stages are of both signs, so that
    the step's own state may be thrown back from the jump, and far. Instead each component goes on with the middle of
    the least and the largest derivative that the stages have met: that is wrong by half the jump times h at most. */
-VM_INLINE int vmi_take_middle_slope(int method, ode_rhs f, void *ctx, int n, vm_real t_new, vm_real h, vm_real *w,
-                                    ptrdiff_t m, long *evals)
+VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
-    const int last_stage = VMI_K + (method == VMI_RK45 ? 6 : 12);
+    const ptrdiff_t m = sys.m;
+    vm_real *w = sys.w;
     int i, part;
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     {
         vm_real least = w[VMI_K * m + i], largest = least;
-        VMI_UNROLL for (part = VMI_K + 1; part <= last_stage; part++)
+        VMI_UNROLL for (part = VMI_K + 1; part < VMI_K + stages; part++)
         {
             least = VMI_SMALLER(least, w[part * m + i]);
             largest = VMI_LARGER(largest, w[part * m + i]);
         }
         w[VMI_Z * m + i] = w[VMI_Y * m + i] + h * (least / 2 + largest / 2);
     }
-    if (method == VMI_RK87) return 0; /* whose derivative at the end is evaluated for every accepted step */
-    ++*evals;
-    return f(t_new, w + VMI_Z * m, w + last_stage * m, ctx);
 }
 
-/* The length of a step is changed by up to this fraction, so that it ends at a time that the type can hold and y
-   belongs to t exactly. Shorter steps leave the rest in t_low. So t does not drift away from the motion. */
-#define VMI_LANDING VM_C(0.015625)
+#define VMI_KEEP_TO VM_C(0.75)     /* after a step whose error is below this part of the tolerance the size may stay */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* smaller errors, in tolerances, count as this one */
 
-/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or a look for stiffness is due.
-   A step whose error is within keep_from .. keep_to is followed by one of the same size, which the processor can
-   predict: it does not wait for the error before it goes on. */
-VM_INLINE int vmi_advance(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single, vm_real *w, ptrdiff_t m)
+/* Sets the size of the step after an accepted one. If the error is within keep_from .. VMI_KEEP_TO, the size stays,
+   which the processor can predict: it does not wait for the error before it goes on. */
+VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
+{
+    vm_real factor;
+    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
+    factor = vmi_factor(order, error, p->inverse_error);
+    if (p->failure && factor > 1) factor = 1;
+    if (!trial->last) {
+        p->h_next = trial->h * factor;
+    } else { /* a step that is short because it ends at t_end does not make the next one short */
+        p->h_next = p->direction * VMI_LARGER(VM_FABS(p->h_next), VM_FABS(trial->h * factor));
+    }
+}
+
+/* Steps towards t_end, not past it, until it is reached, or only one if `single`, or until a look for stiffness is
+   due. Returns a status. */
+VM_INLINE int vmi_advance(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
 {
     const rk45_options o = s->options;
-    const vm_real direction = vmi_time_left(s, t_end) < 0 ? -1 : 1, nearly = VM_C(0.999999);
-    const vm_real keep_from = method == VMI_RK45 ? VM_C(0.25) : VM_C(0.1), keep_to = VM_C(0.75);
-    vm_real t = s->t, t_low = s->t_low, t_old = t, t_old_low = t_low, t_missed = t, t_missed_low = t_low;
-    vm_real h_next = s->h, h_done = s->h_done, inverse_error = s->inverse_error;
-    long attempts = s->attempts, steps = 0, rejections = 0, evals = 0, missed = 0, next_miss = s->next_miss - s->steps;
-    int failure = s->failure, stopped = 0, status = ODE_OK, stiff_wait = s->stiff_wait, k1 = VMI_K1_READY;
-    void *ctx = s->ctx;
+    const vmi_rk_pair pair = vmi_pair_of(method);
+    vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
+    vmi_progress p = vmi_begin_progress(s, t_end);
+    long evals = 0; /* a variable of its own, so that the address of p is not taken */
+    int status;
     for (;;) {
-        const vm_real left = (t_end - t) - t_low, least = vmi_least_step(&o, t);
-        vm_real h, h_to_t_new, t_new, t_new_low, error, factor;
-        int last, lands, shortest;
-        t_old = t;
-        t_old_low = t_low;
-        k1 = VMI_K1_READY;
-        if (VM_FABS(h_next) < least) h_next = direction * least;
-        if (VM_FABS(h_next) > o.h_max) {
-            h_next = direction * o.h_max;
-            if (o.h_max < least && o.h_max < VM_FABS(left)) status = ODE_STEP_TOO_SMALL;
-        }
-        last = VM_FABS(h_next) >= nearly * VM_FABS(left);
-        t_new = last ? t_end : t + (t_low + h_next);
-        h_to_t_new = (t_new - t) - t_low;
-        lands = last || VM_FABS(h_to_t_new - h_next) <= VMI_LANDING * VM_FABS(h_next);
-        h = lands ? h_to_t_new : h_next;
-        t_new_low = lands ? 0 : h_next - h_to_t_new;
-        shortest = VM_FABS(h_next) <= least || VM_FABS(h) <= least;
-        if (attempts == 0) status = ODE_MAX_STEPS;
+        vmi_trial trial;
+        vm_real error;
+        int misses = 0; /* whether the step is accepted though it misses the tolerance */
+        status = vmi_choose_step(&o, t_end, &p, &trial);
         if (status) break;
-        attempts -= attempts > 0;
-        stopped = method == VMI_RK45 ? vmi_rk45_stages(f, ctx, n, t, t_new, h, w, m, &evals)
-                                     : vmi_rk87_stages(f, ctx, n, t, t_new, h, w, m, &evals);
-        if (stopped) break;
-        error = method == VMI_RK45 ? vmi_rk45_error(&o, n, h, w, m) : vmi_rk87_error(&o, n, h, w, m);
+        p.stopped = vmi_make_stages(method, sys, p.t, trial.t_new, trial.h, &evals);
+        if (p.stopped) break;
+        error = vmi_step_error(method, &o, sys, trial.h);
         if (!(error <= 1)) {
-            if (error > 1 && shortest && steps >= next_miss) {
-                missed++;
-                t_missed = t;
-                t_missed_low = t_low;
-                stopped = vmi_take_middle_slope(method, f, ctx, n, t_new, h, w, m, &evals);
-                if (stopped) break;
-                next_miss = steps + 1 + VMI_BETWEEN_MISSES;
-                error = 1;
-            } else {
-                rejections++;
-                failure = error != error ? VMI_NOT_FINITE : VMI_REJECTED;
-                h_next = h * vmi_shrink(method, error);
-                if (!shortest) continue;
-                status = error != error ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
-                if (missed > 0 && steps == next_miss - VMI_BETWEEN_MISSES) { /* undo the step before: it missed */
-                    vmi_copy(n, w + VMI_Y_OLD * m, w + VMI_Y * m);
-                    t = t_missed;
-                    t_old = t_missed;
-                    t_low = t_missed_low;
-                    t_old_low = t_missed_low;
-                    k1 = VMI_K1_MISSING;
-                    steps--;
-                    missed--;
-                    rejections++;
-                }
-                break;
+            misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
+            if (!misses) {
+                status = vmi_reject(pair.order, &trial, error, sys, &p);
+                if (status) break;
+                continue;
             }
+            vmi_take_middle_slope(pair.stages, sys, trial.h);
+            error = 1;
         }
-        if (method == VMI_RK87) {
+        if (misses || !pair.last_is_first) {
             evals++;
-            stopped = f(t_new, w + VMI_Z * m, w + vmi_last_k(method) * m, ctx);
-            if (stopped) break;
+            p.stopped = sys.f(trial.t_new, z, last_k, sys.ctx);
+            if (p.stopped) break;
         }
-        steps++;
-        error = VMI_LARGER(error, VM_C(1e-8));
-        if (error < keep_from || error > keep_to || failure || last) {
-            factor = vmi_factor(method, error, inverse_error);
-            if (failure && factor > 1) factor = 1;
-            if (!last) h_next = h * factor;
-            else
-                h_next = direction *
-                         VMI_LARGER(VM_FABS(h_next), VM_FABS(h * factor)); /* being cut shortens no other */
+        p.steps++;
+        if (misses) {
+            p.missed++;
+            p.next_miss = p.steps + VMI_BETWEEN_MISSES;
+            p.t_missed = p.t;
+            p.t_missed_low = p.t_low;
         }
-        inverse_error = 1 / error;
-        vmi_copy(n, w + VMI_Y * m, w + VMI_Y_OLD * m);
-        vmi_copy(n, w + VMI_Z * m, w + VMI_Y * m);
-        t = t_new;
-        t_low = t_new_low;
-        h_done = h;
-        failure = VMI_NONE_FAILED;
-        k1 = VMI_K1_IS_LAST;
-        if (--stiff_wait <= 0 || single || last) break;
-        vmi_copy(n, w + vmi_last_k(method) * m, w + VMI_K * m);
+        error = VMI_LARGER(error, VMI_LEAST_ERROR);
+        vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);
+        p.inverse_error = 1 / error;
+        vmi_copy(sys.n, y, sys.w + VMI_Y_OLD * sys.m);
+        vmi_copy(sys.n, z, y);
+        p.t = trial.t_new;
+        p.t_low = trial.t_new_low;
+        p.h_done = trial.h;
+        p.failure = VMI_NONE_FAILED;
+        p.k1 = VMI_K1_IS_LAST;
+        p.stiff_wait--;
+        if (p.stiff_wait <= 0 || single || trial.last) break;
+        vmi_copy(sys.n, last_k, sys.w + VMI_K * sys.m);
     }
-    s->t = t;
-    s->t_low = t_low;
-    s->t_old = t_old;
-    s->t_old_low = t_old_low;
-    s->h = h_next;
-    s->h_done = h_done;
-    s->inverse_error = inverse_error;
-    s->steps += steps;
-    s->rejected += rejections;
     s->evals += evals;
-    s->missed += missed;
-    s->next_miss = s->steps - steps + next_miss;
-    s->attempts = attempts;
-    s->stiff_wait = stiff_wait;
-    s->rhs_status = stopped;
-    s->failure = failure;
-    s->k1 = k1;
-    s->extended = 0;
-    return stopped ? (int)ODE_RHS_STOPPED : status;
+    vmi_store_progress(s, &p);
+    return p.stopped ? (int)ODE_RHS_STOPPED : status;
 }
 
-/* The same in registers, where the compiler knows that n is small */
-VM_INLINE int vmi_advance_small(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
+/* vmi_advance in registers, where the compiler knows that n is small */
+VM_INLINE int vmi_advance_small(rk45 *s, int method, vmi_rk_system sys, vm_real t_end, int single)
 {
-    vm_real w[(VMI_K + 14) * VMI_SMALL] = {0}; /* all is copied back, used or not */
-    int status;
+    const vmi_rk_pair pair = vmi_pair_of(method);
+    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* all is copied back, used or not */
+    const int n = sys.n;
+    int part, status;
     vmi_copy(n, vmi_part(s, VMI_Y), w);
     vmi_copy(n, vmi_part(s, VMI_K), w + VMI_K * n);
-    status = vmi_advance(s, method, f, n, t_end, single, w, n);
+    sys.w = w;
+    sys.m = n;
+    status = vmi_advance(s, method, sys, t_end, single);
     vmi_copy(n, w, vmi_part(s, VMI_Y));
     if (s->k1 == VMI_K1_IS_LAST) {
-        int part;
         vmi_copy(n, w + VMI_Y_OLD * n, vmi_part(s, VMI_Y_OLD));
-        VMI_UNROLL for (part = VMI_K; part <= vmi_last_k(method); part++)
-            vmi_copy(n, w + part * n, vmi_part(s, part));
-    } else vmi_copy(n, w + VMI_K * n, vmi_part(s, VMI_K));
+        VMI_UNROLL for (part = VMI_K; part <= vmi_last_k(&pair); part++) vmi_copy(n, w + part * n, vmi_part(s, part));
+    } else {
+        vmi_copy(n, w + VMI_K * n, vmi_part(s, VMI_K));
+    }
     return status;
 }
 
 #endif
-/* integrators/events.h - events: where a function of the solution changes its sign */
+/* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
+   After each step, g is followed along the continuous extension: it is looked at in a few points, and where it leaves
+   its side, the place is located to rounding. The first event that stops or restarts the run cuts the step there.
+   Events whose times rounding cannot tell apart happen together. Users set the events of the options: options.h.
+
+       ode_event touch = {0};
+       touch.g = height;
+       touch.action = ODE_STOP;
+       options.events = &touch;
+       options.n_events = 1;
+       rk45_init(&s, fall, NULL, 2, 0.0, y0, &options, work);
+       if (rk45_solve(&s, 10.0) == ODE_EVENT) printf("on the ground at %g\n", s.t);
+
+   Tests: tests/test_events.c, tests/test_coincidences.c. */
 #ifndef VARMASS_INTEGRATORS_EVENTS_H
 #define VARMASS_INTEGRATORS_EVENTS_H
 
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
-#define VMI_NONE VM_C(2.0) /* no place in a step */
+
+/* Places in a step are fractions of it, 0 to 1. This one means that there is no such place. */
+#define VMI_NONE VM_C(2.0)
 
 /* After an event, g is first looked at after the fraction VMI_FIRST_LOOK of a step, then at distances that grow by
    the factor VMI_WIDER. Its side is decided after the fraction VMI_QUIET at the latest. */
@@ -1685,8 +1969,8 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 #define VMI_WIDER 8
 #endif
 
-/* Sets the side of each event in a state that no step led to (at a start or a restart). The side is 0 where g is 0,
-   and where the event has just happened and rounding could decide the sign of g. */
+/* Sets the side of each event in a state that no step led to, at a start or a restart. The side is 0 where g is 0, and
+   where the event has just happened and rounding could decide the sign of g. Returns a status. */
 VM_API int vmi_watch_events(rk45 *s)
 {
     int i;
@@ -1695,7 +1979,8 @@ VM_API int vmi_watch_events(rk45 *s)
         const vm_real g = e->g(s->t, s->y, e->ctx);
         if (g != g) return ODE_NOT_FINITE;
         if (!(VM_FABS(g) <= e->slack)) e->quiet = 0;
-        e->side = e->quiet > 0 ? 0 : vmi_sign(g);
+        e->side = 0;
+        if (!(e->quiet > 0)) e->side = vmi_sign(g);
     }
     return ODE_OK;
 }
@@ -1703,35 +1988,43 @@ VM_API int vmi_watch_events(rk45 *s)
 /* The time at the fraction x of the step */
 VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
 {
-    return x == 1 ? s->t : s->t_old + (s->t_old_low + x * s->h_done);
+    if (x == 1) return s->t;
+    return s->t_old + (s->t_old_low + x * s->h_done);
 }
 
 /* y at the fraction x of the step; at its end to the bit */
-VM_API void vmi_state_inside(const rk45 *s, int method, vm_real x, vm_real *y)
+VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
 {
     if (x == 1) vmi_copy(s->n, s->y, y);
-    else vmi_inside(s, method, x, y);
+    else vmi_inside(s, x, y);
 }
 
-VM_API vm_real vmi_event_value(const rk45 *s, int method, const ode_event *e, vm_real x)
+/* g at the fraction x of the step. Uses z. */
+VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
     if (x == 1) return e->g(s->t, s->y, e->ctx);
-    vmi_inside(s, method, x, z);
+    vmi_inside(s, x, z);
     return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
-/* g at x, the state moved by what rounding may have done to it: in this step up to x, or, if `earlier`, in the steps
-   before it as well. Each component is moved by another amount, so that a difference of components moves too. */
-VM_API vm_real vmi_event_value_moved(const rk45 *s, int method, const ode_event *e, vm_real x, int earlier,
+/* What rounding may have done to a state, relative to it, in the steps of a run so far, as far as events that should
+   coincide are concerned */
+#define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
+
+/* g at x in a state moved by what rounding may have done to it: in this step up to x, or, if `earlier`, in the steps
+   before it as well. The sign of the move is `direction`. Each component is moved by another amount, so that a
+   difference of components moves too. */
+VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
-    const vm_real relative = earlier ? vmi_least_rtol(VMI_RK87) : vmi_least_rtol(method), end = earlier ? 1 : x;
+    const vm_real relative = earlier ? VMI_EARLIER_ROUNDING : vmi_least_rtol(&s->pair);
+    const vm_real end = earlier ? 1 : x; /* the share of the state at the end of the step */
     const vm_real rounding = (vm_real)direction * relative, golden = VM_C(0.6180339887498949);
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z), phase = 0;
     int i;
-    vmi_state_inside(s, method, x, z);
+    vmi_state_inside(s, x, z);
     for (i = 0; i < s->n; i++) {
         const vm_real size = VM_FABS(y_old[i]) + VM_FABS(z[i]) + end * VM_FABS(s->y[i]);
         const vm_real share = phase - VM_C(0.5);
@@ -1743,38 +2036,42 @@ VM_API vm_real vmi_event_value_moved(const rk45 *s, int method, const ode_event 
 }
 
 /* Sets e->slack: the largest |g| that rounding can make at x. Returns whether rounding leaves g the sign `side`. */
-VM_API int vmi_weigh_rounding(const rk45 *s, int method, ode_event *e, vm_real x, int earlier, int side)
+VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlier, int side)
 {
     int direction, certain = 1;
     e->slack = 0;
     for (direction = -1; direction <= 1; direction++) {
-        const vm_real g = direction ? vmi_event_value_moved(s, method, e, x, earlier, direction)
-                                    : vmi_event_value(s, method, e, x);
+        vm_real g;
+        if (direction == 0) g = vmi_event_value(s, e, x);
+        else g = vmi_event_value_moved(s, e, x, earlier, direction);
         if (VM_FABS(g) > e->slack) e->slack = VM_FABS(g);
         if (vmi_sign(g) != side) certain = 0;
     }
     return certain;
 }
 
+/* Whether the event counts when g leaves `side` */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* The place in [a, b] at which g leaves the side that it has at a: the right end of [a, b] after it is shrunk to
-   what x resolves. The method is false position in the Illinois form, with bisection every third time and where g
-   is 0 over a distance. If g is 0 at b, and t cannot resolve how long before b it became 0, the place is b. */
-VM_API int vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
+/* Sets *at to the place in [a, b] at which g leaves the side that it has at a: the right end of [a, b] after it is
+   shrunk to what x resolves. ga and gb are g at a and b. The method is false position in the Illinois form, with
+   bisection every third time and where g is 0 over a distance. If g is 0 at b, and t cannot resolve how long before b
+   it became 0, the place is b. Returns a status. */
+VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0;
+    int count, kept = 0; /* kept: > 0 if the last point replaced a, < 0 if it replaced b */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
-        vm_real x = bisect ? a + (b - a) / 2 : b - gb * ((b - a) / (gb - ga)), g;
+        vm_real x = b - gb * ((b - a) / (gb - ga)), g;
+        if (bisect) x = a + (b - a) / 2;
         x = VMI_SMALLER(VMI_LARGER(x, a + resolution / 2), b - resolution / 2);
-        g = vmi_event_value(s, method, e, x);
+        g = vmi_event_value(s, e, x);
         if (g != g) return ODE_NOT_FINITE;
         if (vmi_sign(g) == side) {
             a = x;
@@ -1788,19 +2085,24 @@ VM_API int vmi_locate(const rk45 *s, int method, const ode_event *e, vm_real a, 
             kept = -1;
         }
     }
-    *at = g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look) ? look : b;
+    *at = b;
+    if (g_look == 0 && vmi_time_inside(s, b) == vmi_time_inside(s, look)) *at = look;
     return ODE_OK;
 }
+
+enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
 /* The place of the next look at g after e->from. First come points at growing distances *gap from `start`, so that
    an excursion of g much shorter than the step is seen; then the points that divide the step evenly, and `to`. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
 {
-    const int checks = e->checks == 0 ? 3 : VMI_SMALLER(VMI_LARGER(e->checks, 0), 9999);
+    const int wanted = e->checks == 0 ? (int)VMI_CHECKS : e->checks;
+    const int checks = VMI_SMALLER(VMI_LARGER(wanted, 0), (int)VMI_MOST_CHECKS);
     const vm_real parts = (vm_real)(checks + 1);
     const int before = (int)(e->from * parts);
     const vm_real even = (vm_real)(before + 1) / parts;
-    vm_real next = even > e->from ? even : (vm_real)(before + 2) / parts; /* a quotient is rounded */
+    vm_real next = even;
+    if (!(even > e->from)) next = (vm_real)(before + 2) / parts; /* a quotient is rounded */
     next = VMI_SMALLER(next, to);
     if (start + *gap < next) next = start + *gap;
     *gap *= VMI_WIDER;
@@ -1809,46 +2111,46 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
 
 /* To be called when g has just reached 0 at x or passed it. The side of g is then unknown while rounding could
    decide it, but only for the time e->quiet, since g may also have jumped. */
-VM_API void vmi_quieten_event(const rk45 *s, int method, ode_event *e, vm_real x)
+VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 {
-    vmi_weigh_rounding(s, method, e, x, 0, 0);
+    vmi_weigh_rounding(s, e, x, 0, 0);
     e->side = 0;
     e->quiet = VMI_QUIET * VM_FABS(s->h_done);
 }
 
 /* To be called when g has passed 0 before x in the direction that does not count, to `side`. Returns whether rounding
    could have made that side; then it stays unknown for a while, so that it is not left again by rounding. */
-VM_API int vmi_quieten_passing(const rk45 *s, int method, ode_event *e, vm_real x, int side)
+VM_API int vmi_quieten_passing(const rk45 *s, ode_event *e, vm_real x, int side)
 {
     ode_event look = *e;
-    if (vmi_weigh_rounding(s, method, &look, x, 0, side)) return 0;
-    vmi_quieten_event(s, method, e, x);
+    if (vmi_weigh_rounding(s, &look, x, 0, side)) return 0;
+    vmi_quieten_event(s, e, x);
     return 1;
 }
 
 /* Follows g from e->from to `to`, or to the first place at which the event happens. *at becomes that place, or
-   VMI_NONE if there is none; e->from and e->side are updated on the way. */
-VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to, vm_real *at)
+   VMI_NONE if there is none; e->from and e->side are updated on the way. Returns a status. */
+VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at)
 {
     const vm_real h = VM_FABS(s->h_done);
     vm_real start = e->from, gap = e->side ? VM_C(1.0) : VMI_FIRST_LOOK;
     *at = VMI_NONE;
     while (e->from < to) {
         const vm_real before = e->from, x = vmi_next_look(e, start, &gap, to);
-        const vm_real g = vmi_event_value(s, method, e, x);
+        const vm_real g = vmi_event_value(s, e, x);
         const int side = vmi_sign(g);
         if (g != g) return ODE_NOT_FINITE;
         if (side != e->side && vmi_counts_from(e, e->side)) {
-            const vm_real g_before = vmi_event_value(s, method, e, before);
+            const vm_real g_before = vmi_event_value(s, e, before);
             int status = ODE_OK;
             *at = x;
-            if (vmi_sign(g_before) == e->side) status = vmi_locate(s, method, e, before, g_before, x, g, at);
+            if (vmi_sign(g_before) == e->side) status = vmi_locate(s, e, before, g_before, x, g, at);
             e->from = *at;
             return status;
         }
         e->from = x;
         e->quiet = VMI_LARGER(e->quiet - (x - before) * h, VM_C(0.0));
-        if (e->side && side != e->side && vmi_quieten_passing(s, method, e, x, side)) {
+        if (e->side && side != e->side && vmi_quieten_passing(s, e, x, side)) {
             start = x;
             gap = VMI_FIRST_LOOK;
             continue;
@@ -1859,20 +2161,22 @@ VM_API int vmi_follow_event(const rk45 *s, int method, ode_event *e, vm_real to,
     return ODE_OK;
 }
 
-VM_API void vmi_record(const rk45 *s, int method, ode_event *e, vm_real x)
+/* Counts the event at x, and writes its time and state where there is room */
+VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 {
     e->t = vmi_time_inside(s, x);
     if (e->count < e->room) {
         if (e->times) e->times[e->count] = e->t;
-        if (e->states) vmi_state_inside(s, method, x, e->states + e->count * s->n);
+        if (e->states) vmi_state_inside(s, x, e->states + e->count * s->n);
     }
     e->count++;
-    vmi_quieten_event(s, method, e, x);
+    vmi_quieten_event(s, e, x);
 }
 
 /* Finds the first event before *cut that ends the step: *cut becomes its place and *owner its index. The others
-   are then looked at there, too, which may show an earlier one, so the search goes on until there is none. */
-VM_API int vmi_find_cut(const rk45 *s, int method, vm_real *cut, int *owner)
+   are then looked at there, too, which may show an earlier one, so the search goes on until there is none. Returns a
+   status. */
+VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
     for (pass = 0; found; pass++) {
@@ -1883,10 +2187,11 @@ VM_API int vmi_find_cut(const rk45 *s, int method, vm_real *cut, int *owner)
             int status;
             if (e->action == ODE_RECORD || i == *owner) continue;
             look = *e;
-            status = vmi_follow_event(s, method, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
+            status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
             if (status) return status;
             e->side_ahead = look.side;
-            if (!(at < (pass ? *cut - VMI_FIRST_LOOK : *cut))) continue;
+            if (pass == 0 && !(at < *cut)) continue;
+            if (pass > 0 && !(at < *cut - VMI_FIRST_LOOK)) continue;
             *cut = at;
             *owner = i;
             found = 1;
@@ -1896,52 +2201,53 @@ VM_API int vmi_find_cut(const rk45 *s, int method, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* All that an ODE_RECORD asks for up to `to` */
-VM_API int vmi_record_until(const rk45 *s, int method, ode_event *e, vm_real to)
+/* Records all that an ODE_RECORD event asks for up to `to`. Returns a status. */
+VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
         vm_real at;
-        const int status = vmi_follow_event(s, method, e, to, &at);
+        const int status = vmi_follow_event(s, e, to, &at);
         if (status || at == VMI_NONE) return status;
-        vmi_record(s, method, e, at);
+        vmi_record(s, e, at);
     }
 }
 
 /* Sets e->happens: whether e happens at x, where the step is cut. It does if its g has changed sign before x, or if
    g will change sign at once and is so small that rounding decides on which side of x. Events at one instant have
-   to happen together, since what one of them changes may keep the others from happening. */
-VM_API int vmi_happens_at_cut(const rk45 *s, int method, ode_event *e, vm_real x)
+   to happen together, since what one of them changes may keep the others from happening. Returns a status. */
+VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
     ode_event look;
     vm_real at;
-    int status = vmi_follow_event(s, method, e, x, &at);
+    int status = vmi_follow_event(s, e, x, &at);
     e->happens = at != VMI_NONE;
     if (status || e->happens || e->side == 0) return status;
     look = *e;
-    if (vmi_weigh_rounding(s, method, &look, x, 1, e->side)) return ODE_OK;
+    if (vmi_weigh_rounding(s, &look, x, 1, e->side)) return ODE_OK;
     if (!vmi_counts_from(e, e->side)) {
-        vmi_quieten_event(s, method, e, x);
+        vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
     /* also beyond the end of the step, where the continuous extension goes on; g need not exist there */
-    e->happens = vmi_follow_event(s, method, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
+    e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
 
-/* Ends the step at x, where events happen: counts all of them, then calls their `change` functions. */
-VM_API int vmi_cut_step(rk45 *s, int method, vm_real x)
+/* Ends the step at x, where events happen: counts all of them, then calls their `change` functions. Returns ODE_EVENT
+   if one of them stops the run. */
+VM_API int vmi_cut_step(rk45 *s, vm_real x)
 {
     const int n_events = s->options.n_events;
     int i;
     for (i = 0; i < n_events; i++) {
         ode_event *e = s->options.events + i;
         if (!e->happens) continue;
-        vmi_record(s, method, e, x);
+        vmi_record(s, e, x);
         if (e->action == ODE_STOP && s->event < 0) s->event = i;
     }
     if (x < 1) {
         const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
-        vmi_inside(s, method, x, s->y);
+        vmi_inside(s, x, s->y);
         s->t = t.hi;
         s->t_low = t.lo;
     }
@@ -1953,7 +2259,8 @@ VM_API int vmi_cut_step(rk45 *s, int method, vm_real x)
     return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
 }
 
-/* The step just made, inside which f is not finite, was too long: back to its beginning, to try a quarter of it */
+/* Goes back to the beginning of the step just made, inside which f is not finite, to try a quarter of it. Returns
+   ODE_NOT_FINITE if that is too short to be tried. */
 VM_API int vmi_take_back(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
@@ -1971,36 +2278,72 @@ VM_API int vmi_take_back(rk45 *s)
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
-/* The events of the step just made, up to the first instant with one that ends it */
-VM_API int vmi_events(rk45 *s, int method)
+/* Decides for each event whether it happens at `cut`, where event `owner` does. Returns a status. */
+VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
+{
+    int i, status = ODE_OK;
+    for (i = 0; i < s->options.n_events && status == ODE_OK; i++) {
+        ode_event *e = s->options.events + i;
+        e->happens = 1;
+        if (i != owner) status = vmi_happens_at_cut(s, e, cut);
+    }
+    return status;
+}
+
+/* Takes the sides at the end of a step that no event cuts over into the next */
+VM_API void vmi_pass_on_sides(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        e->happens = 0;
+        if (e->action == ODE_RECORD) continue;
+        e->side = e->side_ahead;
+        e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
+    }
+}
+
+/* Handles the events of the step just made, up to the first instant with one that ends it. Returns a status. */
+VM_API int vmi_events(rk45 *s)
 {
     const int n_events = s->options.n_events;
     ode_event *events = s->options.events;
     vm_real cut = VMI_NONE;
-    int i, owner = -1, status = method == VMI_RK87 ? vmi_rk87_extend(s) : (int)ODE_OK;
+    int i, owner = -1, status = vmi_extend(s);
     if (status == ODE_NOT_FINITE) return vmi_take_back(s);
     for (i = 0; i < n_events; i++) events[i].from = 0;
-    if (status == ODE_OK) status = vmi_find_cut(s, method, &cut, &owner);
+    if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
     for (i = 0; i < n_events && status == ODE_OK; i++)
-        if (events[i].action == ODE_RECORD)
-            status = vmi_record_until(s, method, events + i, VMI_SMALLER(cut, VM_C(1.0)));
+        if (events[i].action == ODE_RECORD) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
     if (status) return status;
-    for (i = 0; i < n_events && status == ODE_OK; i++) {
-        ode_event *e = events + i;
-        e->happens = i == owner;
-        if (cut != VMI_NONE && i != owner) status = vmi_happens_at_cut(s, method, e, cut);
-        if (cut == VMI_NONE && e->action != ODE_RECORD) {
-            e->side = e->side_ahead;
-            e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
-        }
+    if (cut == VMI_NONE) {
+        vmi_pass_on_sides(s);
+        return ODE_OK;
     }
-    return status || cut == VMI_NONE ? status : vmi_cut_step(s, method, cut);
+    status = vmi_meet_at_cut(s, cut, owner);
+    return status ? status : vmi_cut_step(s, cut);
 }
 
 #endif
-/* integrators/adaptive.h - adaptive runs with rk45 and rk87 */
-#ifndef VARMASS_INTEGRATORS_ADAPTIVE_H
-#define VARMASS_INTEGRATORS_ADAPTIVE_H
+/* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
+   Users call the functions of adaptive.h, which choose the pair.
+
+   Tests: tests/test_adaptive.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_LOOP_H
+#define VARMASS_INTEGRATORS_LOOP_H
+
+/* rk45_init for any pair. f and n are set once more where the caller's compiler sees them, so that it can inline f in
+   the steps. */
+VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                           const rk45_options *options_or_NULL, vm_real *work)
+{
+    const int status = vmi_init(s, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
+    if (status >= 0) {
+        s->f = f;
+        s->n = n;
+    }
+    return status;
+}
 
 /* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
 VM_API void vmi_forget_events(rk45 *s)
@@ -2009,13 +2352,14 @@ VM_API void vmi_forget_events(rk45 *s)
     for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
 }
 
-/* Go on from another time or state (after a jump), same n; step size and counters are kept. y may be s->y. If t is
-   s->t, events that have just happened are not found again, and t_low, the rest of the time, is kept. */
-VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
+/* rk45_restart for any pair */
+VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
 {
     if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
-    if (t != s->t) vmi_forget_events(s);
-    if (t != s->t) s->t_low = 0;
+    if (t != s->t) {
+        vmi_forget_events(s);
+        s->t_low = 0;
+    }
     s->t = t;
     s->t_old = t;
     s->t_old_low = s->t_low;
@@ -2026,13 +2370,14 @@ VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y)
     return ODE_OK;
 }
 
-/* k_1, and a step that is not too short to be tried */
-VMI_APART int vmi_prepare(rk45 *s, int method, vm_real t_end)
+/* Evaluates k_1 unless it is known, and makes s->h a step towards t_end that is not too short to be tried */
+VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
-    const vm_real left = vmi_time_left(s, t_end);
-    vm_real longest = VM_FABS(left), direction = left < 0 ? -1 : 1, *k1 = vmi_part(s, VMI_K), least;
+    const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
+    const vm_real direction = vmi_direction(s, t_end);
+    vm_real *k1 = vmi_part(s, VMI_K), least;
     int status = ODE_OK;
-    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(method)), k1);
+    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(&s->pair)), k1);
     if (s->k1 == VMI_K1_MISSING) {
         status = vmi_eval(s, s->t, s->y, k1);
         if (status) return status;
@@ -2043,124 +2388,209 @@ VMI_APART int vmi_prepare(rk45 *s, int method, vm_real t_end)
     s->k1 = VMI_K1_READY;
     s->t_old = s->t;
     s->t_old_low = s->t_low;
-    if (longest > s->options.h_max) longest = s->options.h_max;
-    if (s->h == 0) status = vmi_first_step(s, method, direction, longest);
+    if (s->h == 0) status = vmi_first_step(s, direction, longest);
     if (status) return status;
     least = vmi_least_step(&s->options, s->t);
-    s->h = direction * (VM_FABS(s->h) > least ? VM_FABS(s->h) : least);
+    s->h = direction * VMI_LARGER(VM_FABS(s->h), least);
     return ODE_OK;
 }
 
-/* Hairer's test [2, IV.2]: two stages at the end of the step, whose states differ by h dz and whose derivatives by dk,
-   show |dk|/|dz|, about h times the largest eigenvalue. Stiff: 15 times beyond the end of the stability region,
-   not 6 times within it in between. */
-VM_API void vmi_look_for_stiffness(rk45 *s, int method)
+/* A run has become stiff when 15 looks have found it beyond the end of the stability region, without 6 looks in
+   succession that have found it within. */
+enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
+
+/* Hairer's test of stiffness [2, IV.2]. A step evaluates f twice at its end, for states that differ by h dz; the
+   derivatives differ by dk, and |dk|/|dz| is about h times the largest eigenvalue. */
+VM_API void vmi_look_for_stiffness(rk45 *s)
 {
-    VM_TABLE vm_real rk45_dz[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
-                                   VM_C(1.4505935473851428), VM_C(-3.2618004650420125), VM_C(2.324710524099774)};
-    VM_TABLE vm_real rk87_dz[13] = {VM_C(3.0837949279563885408),
-                                    0,
-                                    0,
-                                    VM_C(109.26086808941762547),
-                                    VM_C(9.2906424974002934497),
-                                    VM_C(-8.0764000425924662677),
-                                    VM_C(-113.95303182233748757),
-                                    VM_C(-14.730474904623536115),
-                                    VM_C(30.118949054360752405),
-                                    VM_C(-37.696498610263199646),
-                                    VM_C(22.938283273988783952),
-                                    VM_C(-0.23613246330715421453),
-                                    0};
-    const int last = vmi_last_k(method), count = last - VMI_K;
-    const vm_real edge = method == VMI_RK45 ? VM_C(3.4) : VM_C(5.69);
+    const int last = vmi_last_k(&s->pair), count = last - VMI_K;
     vm_real dk = 0, dz = 0;
     int i, j;
     for (i = 0; i < s->n; i++) {
-        vm_real d = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]), sum = 0;
-        dk = VMI_LARGER(dk, d);
-        for (j = 0; j < count; j++)
-            sum += (method == VMI_RK45 ? VM_READ(rk45_dz[j]) : VM_READ(rk87_dz[j])) * vmi_part(s, VMI_K + j)[i];
+        const vm_real difference = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]);
+        vm_real sum = 0;
+        dk = VMI_LARGER(dk, difference);
+        for (j = 0; j < count; j++) sum += s->pair.end_difference(j) * vmi_part(s, VMI_K + j)[i];
         dz = VMI_LARGER(dz, VM_FABS(sum));
     }
-    if (dk > edge * dz) {
+    if (dk > s->pair.stiff_beyond * dz) {
         s->stiff_misses = 0;
-        if (s->stiff_hits < 15 && ++s->stiff_hits == 15) s->stiff = 1;
-    } else if (s->stiff_misses < 6 && ++s->stiff_misses == 6) s->stiff_hits = 0;
-    s->stiff_wait = s->stiff_hits ? 1 : (int)VMI_STIFF_WAIT;
+        if (s->stiff_hits < VMI_STIFF_HITS) s->stiff_hits++;
+        if (s->stiff_hits == VMI_STIFF_HITS) s->stiff = 1;
+    } else {
+        if (s->stiff_misses < VMI_STIFF_MISSES) s->stiff_misses++;
+        if (s->stiff_misses == VMI_STIFF_MISSES) s->stiff_hits = 0;
+    }
+    s->stiff_wait = VMI_STIFF_WAIT;
+    if (s->stiff_hits) s->stiff_wait = 1;
 }
 
-VMI_APART int vmi_after_step(rk45 *s, int method)
+/* What an accepted step calls for: the look for stiffness, if it is due, and the events within the step */
+VMI_APART int vmi_after_step(rk45 *s)
 {
-    if (s->stiff_wait <= 0) vmi_look_for_stiffness(s, method);
-    return s->options.n_events ? vmi_events(s, method) : (int)ODE_OK;
+    if (s->stiff_wait <= 0) vmi_look_for_stiffness(s);
+    if (s->options.n_events == 0) return ODE_OK;
+    return vmi_events(s);
 }
 
 /* Whether y is still before t_end, even if only by less than t resolves */
-VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end)
-{
-    return s->t != t_end || -s->t_low * s->h > 0;
-}
+VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
 
+/* Steps to t_end, or only one if `single`, with f and n those of s. Returns a status. */
 VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
 {
-    const int was_stiff = s->stiff, one = single || s->options.n_events; /* a step, then what it calls for */
+    const int was_stiff = s->stiff;
+    const int apart = single || s->options.n_events; /* vmi_after_step has to see each step */
+    vmi_rk_system sys;
     int status = ODE_OK;
+    sys.f = f;
+    sys.ctx = s->ctx;
+    sys.n = n;
+    sys.w = s->work;
+    sys.m = n;
     s->event = -1;
     while (status == ODE_OK && vmi_is_before(s, t_end)) {
-        status = vmi_prepare(s, method, t_end);
+        status = vmi_prepare(s, t_end);
         if (status) break;
-        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, f, n, t_end, one);
-        else status = vmi_advance(s, method, f, n, t_end, one, s->work, n);
-        if (status == ODE_OK) status = vmi_after_step(s, method);
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, sys, t_end, apart);
+        else status = vmi_advance(s, method, sys, t_end, apart);
+        if (status == ODE_OK) status = vmi_after_step(s);
         if (single && s->failure == VMI_NONE_FAILED) break;
     }
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
+/* rk45_step for any pair */
 VM_INLINE int vmi_step(rk45 *s, int method)
 {
-    const vm_real t_end = s && s->h < 0 ? -VM_MAX : VM_MAX;
-    if (!s || s->method != method) return ODE_BAD_ARGUMENT;
+    vm_real t_end = VM_MAX;
+    if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    if (s->h < 0) t_end = -VM_MAX;
     if (s->t == t_end) return ODE_STEP_TOO_SMALL;
     s->attempts = -1;
     return vmi_run(s, method, s->f, s->n, t_end, 1);
 }
 
-VM_INLINE int vmi_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+/* rk45_solve_with for any pair */
+VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
-    if (!VM_IS_FINITE(t_end) || s->method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
     return vmi_run(s, method, f, n, t_end, 0);
 }
 
-/* One accepted step, or less of it to a terminal event or a restart. */
+/* rk45_solve for any pair */
+VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return vmi_solve_with(s, method, s->f, s->n, t_end);
+}
+
+#endif
+/* integrators/adaptive.h - adaptive runs: rk45 and rk87, whose steps keep a tolerance
+   rk45 is Tsitouras' pair of orders 5 and 4 [1]: six evaluations of f in a step, and none for states between steps. It
+   is the pair to begin with, and the better one in float, for loose tolerances, for right-hand sides that are not
+   smooth, and for many events. rk87 is Verner's pair of orders 8 and 7 [4]: 13 evaluations in a step, and seven more
+   for states between steps. It is the pair for a smooth f in double and small errors.
+
+       static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x^3 as y = (x, x')
+       {
+           (void)t;
+           (void)ctx;
+           dydt[0] = y[1];
+           dydt[1] = -y[0] * y[0] * y[0];
+           return 0;
+       }
+       ...
+       double y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work);
+       if (rk45_solve(&s, 10.0) >= 0) printf("x(10) = %g\n", s.y[0]);
+
+   Tests: tests/test_adaptive.c, tests/test_dense.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_ADAPTIVE_H
+#define VARMASS_INTEGRATORS_ADAPTIVE_H
+
+#define RK45_WORK(n) (10 * (n)) /* how many numbers the work of an rk45 with n components has */
+#define RK87_WORK(n) (24 * (n)) /* how many numbers the work of an rk87 with n components has */
+
+/* All options and fields mean for rk87 what they mean for rk45. */
+typedef rk45_options rk87_options;
+typedef rk45 rk87;
+
+/* The options with their defaults in place of zeros, as rk45_init takes them. rtol becomes at least 16 eps. NULL means
+   all defaults. */
+VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
+{
+    const vmi_rk_pair pair = vmi_rk45_pair();
+    return vmi_defaults(vmi_least_rtol(&pair), options_or_NULL);
+}
+
+/* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers; f gets ctx. work has RK45_WORK(n)
+   numbers and must live as long as s. y0 is copied, and so are the options, but not what they point at. f is not
+   evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk45_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk45_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Begins a run by rk87, as rk45_init does by rk45. work has RK87_WORK(n) numbers; rtol is at least 256 eps. */
+VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                        const rk87_options *options_or_NULL, vm_real *work)
+{
+    return vmi_ode_init(s, vmi_rk87_pair(), f, ctx, n, t0, y0, options_or_NULL, work);
+}
+
+/* Goes on with rk45 from another time or state, such as after a jump. The step size and the counters are kept. y, n
+   numbers, may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
+   ODE_BAD_ARGUMENT. */
+VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* Goes on with rk87 from another time or state, as rk45_restart does with rk45. */
+VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
+
+/* One accepted step of rk45, or less of it, up to an event that ends it. The direction is the sign of s->h, which at
+   first is that of the option h0: forward unless it is negative. Returns a status. */
 VM_INLINE int rk45_step(rk45 *s) { return vmi_step(s, VMI_RK45); }
 
-/* To t_end exactly, forward or backward, at once if s->t is there; or to a terminal event. */
-VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
-{
-    return s ? vmi_solve(s, VMI_RK45, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
-}
-
-/* The same for an s that was initialised with this f and n: constants here are inlined however s came about. */
-VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
-{
-    return s ? vmi_solve(s, VMI_RK45, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
-}
-
+/* One accepted step of rk87, as rk45_step makes one of rk45. */
 VM_INLINE int rk87_step(rk87 *s) { return vmi_step(s, VMI_RK87); }
 
-VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
+/* Steps of rk45 to t_end exactly, forward or backward, or to a terminal event. Nothing happens if s->t is t_end. After
+   an error s->t and s->y are those of the last accepted step. Returns a status: ODE_MAX_STEPS after options.max_steps
+   attempts, and another call goes on. */
+VM_INLINE int rk45_solve(rk45 *s, vm_real t_end) { return vmi_solve(s, VMI_RK45, t_end); }
+
+/* Steps of rk87 to t_end exactly, as rk45_solve makes them of rk45. */
+VM_INLINE int rk87_solve(rk87 *s, vm_real t_end) { return vmi_solve(s, VMI_RK87, t_end); }
+
+/* Steps of rk45 to t_end with f and n given once more, so that f is inlined. That takes constants in the call, but s
+   may have been made anywhere. f and n have to be those of s, else the status is ODE_BAD_ARGUMENT. Everything else is
+   as in rk45_solve. */
+VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
-    return s ? vmi_solve(s, VMI_RK87, s->f, s->n, t_end) : (int)ODE_BAD_ARGUMENT;
+    return vmi_solve_with(s, VMI_RK45, f, n, t_end);
 }
 
+/* Steps of rk87 to t_end with f and n given once more, so that f is inlined, as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
-    return s ? vmi_solve(s, VMI_RK87, f, n, t_end) : (int)ODE_BAD_ARGUMENT;
+    return vmi_solve_with(s, VMI_RK87, f, n, t_end);
 }
 
-VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return rk45_restart(s, t, y); }
+/* The state y(t) at a time t within the last step of rk45, of order 4. y gets n numbers; f is not evaluated. A t that
+   is not from s->t_old to s->t is ODE_BAD_ARGUMENT. */
+VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
+
+/* The state y(t) at a time t within the last step of rk87, of order 8. y gets n numbers. The first use in a step
+   evaluates f seven times, unless t is s->t. A t that is not from s->t_old to s->t is ODE_BAD_ARGUMENT. f may stop the
+   run there, ODE_RHS_STOPPED, or not be finite, ODE_NOT_FINITE, though the step itself has succeeded. */
+VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
+{
+    if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
+    return vmi_interpolate(s, t, y);
+}
 
 #endif
 

@@ -19,79 +19,75 @@
            return rk45_solve(&s, 10.0) < 0; // the result is in s.y, at s.t
        }
 
-   METHODS, and which one when (times: bench/bench_integrators, x'' = -x^3 to t = 100, gcc -O2, one machine)
-     rk4    the classical method of order 4, fixed step: where every step must cost the same, as in a control loop.
-            rk4_solve_compensated keeps the roundings of millions of steps from adding up, for 10 % more time.
-     rk45   Tsitouras' pair of orders 5 and 4 [1]: 7 stages of which the last is the next step's first, PI step size
-            control [2], continuous extension of order 4 for nothing. The default: for float, for f that is not
-            smooth at loose tolerances, for many events or much dense output.
-     rk87   Verner's pair of orders 8 and 7 [4]: 13 stages, continuous extension of order 8 for 7 more evaluations.
-            The fastest for a smooth f in double; its roundings are larger: rtol >= 256 eps, no use in float.
-     microseconds to an error of   1e-4   1e-6   1e-8   1e-10
-       rk4                           29     79    235    720
-       rk45                          26     56    126    299
-       rk87                          16     25     38     61
-     Stiff equations want an implicit method, which is not here; the adaptive runs say so (ODE_STIFF).
+   METHODS, and when to take which
+     rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
+            time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
+     rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
+            and none for the solution between steps. It is the method to begin with, and the best one in float, for an
+            f that is not smooth, for loose tolerances, for many events and for output at many times.
+     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside it
+            is asked for. It is the fastest for a smooth f in double. Its roundings are larger: rtol is at least
+            256 eps, so that it has no use in float.
+     None of them is meant for stiff equations, which want an implicit method; rk45 and rk87 tell when an equation looks
+     stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
 
    CONVENTIONS
-     f gets t, the n values y, room for the n derivatives and the caller's ctx; it returns 0, or anything else to stop
-     the run. t may run backward. Lengths of time are in whatever unit t has.
-     Memory is the caller's: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made;
-     the functions of the other method refuse it.
+     The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
+     0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
+     The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
+     rk45 does. An rk45, its work and its events are all the state there is. An rk87 is an rk45 that rk87_init made; the
+     functions of the other method refuse it.
 
    STEP SIZE CONTROL
-     A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component, error
-     being the difference of the two orders (the higher one is kept). The next step is chosen by PI control; one whose
-     error was within 0.25 .. 0.75 of the tolerance (rk87: 0.1 .. 0.75) is followed by one of the same size. Options:
-     an rk45_options whose zero fields mean the defaults, a negative tolerance none; rk45_defaults() shows what they
-     come to. The tolerance is for each step: at the end of a long run the error is larger, in proportion to it.
-     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest
-     size misses the tolerance, the cause is taken to be a jump of f: the step is accepted, s.missed counts it, and
-     the run goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is
-     singular there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each
-     other directly, in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the
-     trouble begins.
+     The difference of the pair's two orders is the estimate of the error; the run goes on with the higher order. A step
+     is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after the step|) for every component i. PI control
+     chooses the next step. Its size stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
+     A zero in rk45_options means the default, and a negative tolerance means none. rk45_defaults() fills in the
+     defaults.
+     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
+     misses the tolerance, the run takes the cause to be a jump of f: it accepts the step, counts it in s.missed, and
+     goes on behind the jump. If another such step misses before three steps have kept the tolerance, f is singular
+     there, or too stiff for t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other directly,
+     in one call of rk45_solve without events, both are dropped, so that s.t and s.y are where the trouble begins.
 
    TIME
      A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
-     does not drift away from the motion, however far from 0 the run began and however many steps it takes. If a
-     step is so short that this would change its length by more than 1/64, or if it ends at an event, y belongs to a
-     time between two numbers of the type: s.t is then the nearest number, and the run carries the difference along.
+     does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
+     two exceptions: a step so short that this would change its length by more than 1/64, and a step that ends at an
+     event. Then y belongs to a time between two numbers of the type, s.t is the nearest of them, and the run keeps the
+     difference.
 
    EVENTS
-     An event happens when g(t, y) reaches zero or changes its sign. It is located on the continuous extension, and
-     is recorded, ends the run, or restarts it there. Every event happens once, also if several lie in one step, at
-     its end or at the same instant, and after rk45_restart. Events whose times rounding cannot tell apart happen
-     together: all are counted, and their `change` functions are called in the order of the list, before the run
-     stops or goes on. At a stop s.y is on the far side of the zero (or on it). If g stays 0 for a while, the event
-     happens when g reaches 0, not when it leaves 0; if g jumps, the event happens at the jump. After an event the
-     sign of g counts again once rounding cannot have caused it, so that a motion that is reversed on contact does
-     not touch twice. An even number of zeros between two looks at g is not seen: set `checks` to look more often,
-     or a smaller h_max.
+     An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,
+     and then records it, ends there, or restarts there (ODE_RECORD, ODE_STOP, ODE_RESTART). Every event happens once,
+     also if several lie in one step, at its end or at the same instant, and after rk45_restart.
+     Events whose times rounding cannot tell apart happen together: all are counted, and their `change` functions are
+     called in the order of the list, before the run stops or goes on. After a stop s.y is on the far side of the zero,
+     or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
+     happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
+     motion that is reversed on contact does not touch twice.
+     Two zeros between two looks at g are not seen, nor is any even number. Set `checks` to look more often, or a
+     smaller h_max.
 
-   RIGHT-HAND SIDES THAT ARE NOT SMOOTH (x'' = -x|x|^(alpha-1), ten periods; bench/bench_integrators)
-     The step size control finds the bad points and takes some short steps there: at alpha = 0.5 and tolerance 1e-7,
-     rk45 takes 4976 evaluations, against 2102 at alpha = 1, and rk87 takes 7321, against 1146. No error estimate is
-     right in a step in which f jumps: the error at the end is up to 3e4 tolerances with rk45 and rk87, whatever
-     the tolerance is, so run again with a tighter one and compare. If f has smooth branches (a sign,
-     x|x|), keep the branch in ctx and change it at an ODE_RESTART event: rk45 at alpha = 0 then takes 160
-     evaluations instead of 5102, and the error at the end is 3e-4 tolerances, not 6800. A restart does not pay if f
-     still chooses its branch itself. docs/toronto.md has the errors and evaluations of both methods on the Toronto
-     test set, whose class F has jumps.
+   RIGHT-HAND SIDES THAT ARE NOT SMOOTH
+     The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
+     right in a step in which f jumps: the error at the end may be thousands of tolerances, so run again with a tighter
+     tolerance and compare. If f has smooth branches, such as those of a sign or of |x|, keep the branch in ctx and
+     change it at an ODE_RESTART event: the run then needs far fewer evaluations, and its error is small again. This
+     helps only if f does not choose its branch itself. docs/toronto.md has errors and evaluations on the Toronto test
+     set, whose class F has jumps.
 
    STATUS
-     0 (ODE_OK) success, positive numbers information, negative ones errors; ode_strerror() names them. After an error
-     s.t and s.y are the last accepted step's, for f's own refusal too (its value is in s.rhs_status). Where f or the
-     state is not finite the step is shortened until it is too small; so a run ends next to where f ceases to exist.
-     A call that refuses its arguments changes nothing.
+     0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
+     an error s.t and s.y are those of the last accepted step, also if f itself refused (its value is in s.rhs_status).
+     Where f or the state is not finite the step is shortened until it is too small, so that a run ends next to the
+     place where f ceases to exist. A call that refuses its arguments changes nothing.
 
    SPEED
-     With f static and n <= 8 a constant, and rk45_init's status looked at before rk45_solve in the same function, f
-     is inlined and the state is in registers; where the compiler cannot see that s still has that f and n, say
-     rk45_solve_with. Otherwise f is called through a pointer, and the state is in work. gcc -O2, against hand-written
-     loops: rk4 0.61 to 0.95 times the loop; rk45 0.57 to 0.66 times a Dormand-Prince loop's time to an error of 1e-6,
-     1/3.1 to 1/3.5 of GSL's rkf45; rk87 0.37 to 0.45 times GSL's rk8pd to 1e-10 (Arenstorf's orbit: 0.49, 1e-8).
+     f is inlined, and the state is in registers, where f is static, n <= 8 is a constant, and the same function calls
+     rk45_init, looks at its status, and calls rk45_solve. Where the compiler cannot see which f and n s has, name them
+     once more: rk45_solve_with. Otherwise f is called through a pointer, and the state is in work.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -130,7 +126,5 @@
 #include "base/self_check.h"
 #include "integrators/rk4.h"
 #include "integrators/adaptive.h"
-#include "integrators/dense.h"
-#include "integrators/events.h"
 
 #endif

@@ -55,6 +55,7 @@ static rk45_options any_options(ode_event *e, vm_real *atol)
     o.atol_each = any_int ? atol : NULL;
     o.events = e;
     o.n_events = e ? 1 : 0;
+    o.work_size = any_long;
     if (e) {
         e->g = event;
         e->ctx = NULL;

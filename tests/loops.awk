@@ -7,7 +7,7 @@ FNR == 1 { header = FILENAME; where = ""; comment = 0 }
     comment = 0
     while (match(line, /\/\*([^*]|\*+[^*\/])*\*+\//)) line = substr(line, 1, RSTART - 1) substr(line, RSTART + RLENGTH)
     if (sub(/\/\*.*/, "", line)) comment = 1
-    if (match(line, /^(VM_API|VM_INLINE|VMI_APART|static) .*\(/) || match(line, /^#define [A-Za-z0-9_]+/)) {
+    if (match(line, /^(VM_API|VM_INLINE|VMI_APART|VMI_FOLDED|static) .*\(/) || match(line, /^#define [A-Za-z0-9_]+/)) {
         where = line
         sub(/^#define /, "", where)
         sub(/\(.*/, "", where)

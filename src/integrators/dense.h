@@ -1,35 +1,35 @@
-/* integrators/dense.h - the solution inside a step */
+/* integrators/dense.h - the solution inside the last step of an adaptive run
+   After each step of rk45 or rk87 its continuous extension, a polynomial in time, gives the state at any time within
+   the step, to about the accuracy of the step itself. Users call rk45_interpolate and rk87_interpolate of adaptive.h.
+
+   Tests: tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_DENSE_H
 #define VARMASS_INTEGRATORS_DENSE_H
 
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "ode.h"
-#include "pairs.h"
-#include "rk45_pair.h"
-#include "rk87_pair.h"
 #include "runs.h"
 
-/* y at t_old + x h, 0 <= x <= 1. The weights add up to x, so those of the differences to k_1 do as well, with less
-   rounding. Not inlined, so that it is contracted in one way only: the same x has the same y. */
-VMI_APART void vmi_inside(const rk45 *s, int method, vm_real x, vm_real *y)
+/* Makes the continuous extension of the last step ready, once for each step */
+VM_API int vmi_extend(rk45 *s)
 {
-    const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
-    vm_real b[21];
-    int i, j, count = method == VMI_RK45 ? vmi_rk45_weights(x, b) : vmi_rk87_weights(x, b);
-    for (i = 0; i < s->n; i++) {
-        vm_real sum = 0;
-        for (j = 1; j < count; j++) sum += b[j] * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-        y[i] = y_old[i] + s->h_done * (x * k1[i] + sum);
-    }
+    int status = ODE_OK;
+    if (!s->extended && s->pair.extend) status = s->pair.extend(s);
+    if (status == ODE_OK) s->extended = 1;
+    return status;
 }
 
-VM_API int vmi_within_last_step(const rk45 *s, int method, vm_real t)
+/* y at the fraction x of the last step, 0 <= x <= 1, whose continuous extension is ready */
+VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
+
+/* Whether t is within the last step, its ends included */
+VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
 {
-    return s->method == method && ((s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old));
+    return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
 }
 
-/* Where t, which is within the last step, is in it: 0 at its beginning, 1 at its end */
+/* The place of t, which is within the last step: 0 at the beginning of the step, 1 at its end */
 VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 {
     const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
@@ -37,28 +37,24 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
     return VMI_SMALLER(x, VM_C(1.0));
 }
 
-/* y(t) for t within the last step, to about the step's own accuracy; refuses other t. */
-VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y)
+/* y(t) for t within the last step of a run by `method`, whose continuous extension is ready */
+VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
-    if (!s || !y || !vmi_within_last_step(s, VMI_RK45, t)) return ODE_BAD_ARGUMENT;
+    if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
     if (t == s->t) vmi_copy(s->n, s->y, y);
-    else vmi_inside(s, VMI_RK45, vmi_place_of(s, t), y);
+    else vmi_inside(s, vmi_place_of(s, t), y);
     return ODE_OK;
 }
 
-VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
+/* y(t) for t within the last step of a run by any pair. At the end of the step nothing is evaluated. */
+VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
-    if (!s || !y || !vmi_within_last_step(s, VMI_RK87, t)) return ODE_BAD_ARGUMENT;
-    if (t == s->t) {
-        vmi_copy(s->n, s->y, y);
-        return ODE_OK;
-    }
-    if (!s->extended) {
-        int status = vmi_rk87_extend(s);
+    if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (t != s->t) {
+        const int status = vmi_extend(s);
         if (status) return status;
     }
-    vmi_inside(s, VMI_RK87, vmi_place_of(s, t), y);
-    return ODE_OK;
+    return vmi_interpolate_ready(s, s->pair.method, t, y);
 }
 
 #endif

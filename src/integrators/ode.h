@@ -1,33 +1,45 @@
-/* integrators/ode.h - right-hand sides and statuses */
+/* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
+   The type of every right-hand side f, and the statuses of all functions that begin with rk4_, rk45_, rk87_ or ode_.
+
+       static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
+       {
+           (void)t;
+           (void)ctx;
+           dydt[0] = y[1];
+           dydt[1] = -y[0];
+           return 0;
+       }
+
+   Tests: tests/test_rk4.c, tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_ODE_H
 #define VARMASS_INTEGRATORS_ODE_H
 
-#include <string.h>
-
-#include "../base/bits.h"
 #include "../base/real.h"
 
 enum {
-    ODE_OK = 0,
-    ODE_RTOL_RAISED = 1, /* an init: rtol was less than the type can hold: 16 eps is used, by rk87 256 eps */
-    ODE_EVENT = 2,       /* a terminal event: s->t, s->y are where it happened, s->event is its index */
-    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, held the steps short */
-    /* n or steps <= 0, a null pointer, a component without tolerance, h_min < 0 or above h_max, a time, state or
-       option that is not finite, a time outside the last step, an event without g, the other method's rk45 */
+    ODE_OK = 0,          /* success */
+    ODE_RTOL_RAISED = 1, /* from an init: rtol was below 16 eps (rk87: 256 eps), and the run takes that instead */
+    ODE_EVENT = 2,       /* a terminal event: s->t and s->y are where it happened, s->event is its index */
+    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not accuracy, kept the steps short */
+    /* A count n or steps that is not positive, a null pointer, a component without tolerance, h_min < 0 or above h_max,
+       a time, state or option that is not finite, a time outside the last step, an event without g, or an rk45 that the
+       init function of another method made */
     ODE_BAD_ARGUMENT = -1,
-    ODE_RHS_STOPPED = -2, /* f returned something else than 0 */
-    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step; an event function NaN */
-    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three
-       good steps between them: f is singular there, or too stiff for t. Or h_max is below what t can resolve. A
-       jump of f does not end a run: see s->missed. */
+    ODE_RHS_STOPPED = -2, /* f returned another number than 0; s->rhs_status is this number */
+    ODE_NOT_FINITE = -3,  /* f or the state became infinite or NaN, however short the step, or an event function NaN */
+    /* Two steps of the smallest size (h_min, or what t can resolve) missed the tolerance, with fewer than three good
+       steps between them: f is singular there, or too stiff for t. The status is also given if h_max is less than t can
+       resolve. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
-    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; call again to go on */
+    ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call goes on from there */
     ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
 };
 
-/* dydt = f(t, y) */
+/* A right-hand side writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx
+   is the pointer that the caller gave to the integrator. */
 typedef int (*ode_rhs)(vm_real t, const vm_real *y, vm_real *dydt, void *ctx);
 
+/* The text of a status of this header. */
 VM_API const char *ode_strerror(int status)
 {
     switch (status) {
@@ -43,21 +55,6 @@ VM_API const char *ode_strerror(int status)
     case ODE_WORK_TOO_SMALL: return "work is too small: it needs RK45_WORK(n) or RK87_WORK(n) numbers";
     default: return "unknown status";
     }
-}
-
-VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
-{
-    const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
-    vmi_signed_bits bits;
-    vm_real v;
-    memcpy(&bits, &x, sizeof x);
-    v = ((vm_real)(bits - VMI_BITS_OF_1) + middle / VM_EPSILON) * (p * (ln2 / 16 * VM_EPSILON));
-    v = 1 + v * (1 + v / 2);
-    v *= v;
-    v *= v;
-    v *= v;
-    v *= v;
-    return v;
 }
 
 #endif

@@ -1,4 +1,11 @@
-/* integrators/rk4.h - the classical Runge-Kutta method with fixed steps */
+/* integrators/rk4.h - rk4: the classical Runge-Kutta method of order 4 with fixed steps
+   Four evaluations of f in each step; the error at the end is proportional to h^4. It is the method where each step
+   must take the same time, as in a control loop; rk45 needs less time for the same error.
+
+       double y[2] = {1, 0}, t = 0, work[RK4_WORK(2)];
+       rk4_solve(spring, NULL, 2, &t, 10.0, 1000, y, work); // 1000 steps from t = 0 to 10
+
+   Tests: tests/test_rk4.c. */
 #ifndef VARMASS_INTEGRATORS_RK4_H
 #define VARMASS_INTEGRATORS_RK4_H
 
@@ -7,11 +14,9 @@
 #include "../base/sums.h"
 #include "ode.h"
 
-/* One step of size h (of either sign) from t: y becomes y(t + h). steps equal steps from *t to t_end, after which
-   *t == t_end. Error O(h^4). On failure y (and *t) are those of the last complete step. */
-#define RK4_WORK(n) (3 * (n))
+#define RK4_WORK(n) (3 * (n)) /* how many numbers the work of rk4 with n components has */
 
-/* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f does. */
+/* The four stages of a step of h from y: leaves k_1 + 2 k_2 + 2 k_3 in sum and k_4 in k. Returns what f returns. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -36,9 +41,10 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* steps steps of h from *t, the state y or, where low is not null, y + low; w has 3 m numbers */
-VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low,
-                          vm_real *w, ptrdiff_t m)
+/* Makes `steps` steps of h from *t. The state is y, or y + low_or_NULL; w has 3 m numbers, m >= n. y and *t become
+   those of the last complete step. Returns a status. */
+VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
+                          vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {
     const vm_real t0 = *t, h_6 = h / 6;
     vm_real *k = w, *sum = w + m, *z = w + 2 * m;
@@ -52,8 +58,8 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
         }
         VMI_EACH(i, n)
         {
-            if (low) {
-                sum[i] = (h_6 * sum[i] + h_6 * k[i]) + low[i];
+            if (low_or_NULL) {
+                sum[i] = (h_6 * sum[i] + h_6 * k[i]) + low_or_NULL[i];
                 z[i] = y[i] + sum[i];
             } else {
                 z[i] = (y[i] + h_6 * sum[i]) + h_6 * k[i];
@@ -64,60 +70,72 @@ VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, lo
             status = ODE_NOT_FINITE;
             break;
         }
-        if (low) VMI_EACH(i, n) low[i] = vmi_two_sum(y[i], sum[i]).lo;
+        if (low_or_NULL) VMI_EACH(i, n) low_or_NULL[i] = vmi_two_sum(y[i], sum[i]).lo;
         vmi_copy(n, z, y);
     }
     *t = t0 + (vm_real)step * h;
     return status;
 }
 
-/* The same in registers, where the compiler knows that n is small */
+/* vmi_rk4_run in registers, where the compiler knows that n is small */
 VM_INLINE int vmi_rk4_run_small(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
-                                vm_real *low)
+                                vm_real *low_or_NULL)
 {
     vm_real w[3 * VMI_SMALL], y_here[VMI_SMALL], low_here[VMI_SMALL];
+    vm_real *low_here_or_NULL = low_or_NULL ? low_here : NULL;
     int status;
     vmi_copy(n, y, y_here);
-    if (low) vmi_copy(n, low, low_here);
-    status = vmi_rk4_run(f, ctx, n, t, h, steps, y_here, low ? low_here : NULL, w, n);
+    if (low_or_NULL) vmi_copy(n, low_or_NULL, low_here);
+    status = vmi_rk4_run(f, ctx, n, t, h, steps, y_here, low_here_or_NULL, w, n);
     vmi_copy(n, y_here, y);
-    if (low) vmi_copy(n, low_here, low);
+    if (low_or_NULL) vmi_copy(n, low_here, low_or_NULL);
     return status;
 }
 
-VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low,
+/* Checks the arguments of an rk4 function, and makes the steps */
+VM_INLINE int vmi_rk4(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y, vm_real *low_or_NULL,
                       vm_real *work)
 {
     if (!f || n <= 0 || !y || !work || !VM_IS_FINITE(*t) || !VM_IS_FINITE(h)) return ODE_BAD_ARGUMENT;
-    if (VMI_IS_SMALL(n)) return vmi_rk4_run_small(f, ctx, n, t, h, steps, y, low);
-    return vmi_rk4_run(f, ctx, n, t, h, steps, y, low, work, n);
+    if (VMI_IS_SMALL(n)) return vmi_rk4_run_small(f, ctx, n, t, h, steps, y, low_or_NULL);
+    return vmi_rk4_run(f, ctx, n, t, h, steps, y, low_or_NULL, work, n);
 }
 
+/* rk4_solve and rk4_solve_compensated */
+VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
+                            vm_real *low_or_NULL, vm_real *work)
+{
+    int status;
+    if (!t || steps <= 0 || !VM_IS_FINITE(t_end)) return ODE_BAD_ARGUMENT;
+    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, low_or_NULL, work);
+    if (status == ODE_OK) *t = t_end;
+    return status;
+}
+
+/* One step of size h, of either sign, by the classical Runge-Kutta method. y, n numbers, is the state at time t and
+   becomes that at t + h. f gets ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED
+   or ODE_NOT_FINITE, and in the last three cases y is as it was. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
+/* Equal steps, as many as `steps`, from *t to t_end by the classical Runge-Kutta method. y, n numbers, becomes the
+   state at t_end, and *t becomes t_end exactly. Where f stops the run or something is not finite, y and *t are those
+   of the last complete step. Returns as rk4_step does. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
-    int status;
-    if (!t || steps <= 0 || !VM_IS_FINITE(t_end)) return ODE_BAD_ARGUMENT;
-    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, NULL, work);
-    if (status == ODE_OK) *t = t_end;
-    return status;
+    return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* The same with y + y_low as the state (y_low: n values, zero at first), so that the roundings of millions of steps
-   do not add up [3]. */
+/* Equal steps with compensated summation, so that roundings do not add up. They are those of rk4_solve, but the state
+   is y + y_low [3]. y_low has n numbers, which are zero at first. It pays where there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
-    int status;
-    if (!t || steps <= 0 || !VM_IS_FINITE(t_end) || !y_low) return ODE_BAD_ARGUMENT;
-    status = vmi_rk4(f, ctx, n, t, (t_end - *t) / (vm_real)steps, steps, y, y_low, work);
-    if (status == ODE_OK) *t = t_end;
-    return status;
+    if (!y_low) return ODE_BAD_ARGUMENT;
+    return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, y_low, work);
 }
 
 #endif

@@ -1,12 +1,122 @@
-/* integrators/rk87_pair.h - the pair of orders 8 and 7: error and dense output */
+/* integrators/rk87_pair.h - coefficients of rk87, the Runge-Kutta pair of orders 8 and 7
+   Verner's "most efficient" pair [4]: 13 stages, and a continuous extension of order 8 for seven more evaluations of f
+   in each step in which it is used. Its coefficients are up to 123, so that its roundings are larger than those of
+   rk45. Users call the functions of adaptive.h.
+
+   Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_PAIR_H
 #define VARMASS_INTEGRATORS_RK87_PAIR_H
 
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "ode.h"
+#include "options.h"
 #include "pairs.h"
 #include "runs.h"
+
+enum { VMI_RK87 = 87 }; /* the method */
+
+/* Stages 2 to 7 of [4]. Large coefficients of opposite sign belong to nearly equal times: there, here and in the late
+   stages, differences of k, which are exact, keep the roundings small. */
+VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k2 = k1 + m, *k3 = k2 + m, *k4 = k3 + m, *k5 = k4 + m,
+            *k6 = k5 + m, *k7 = k6 + m;
+    int i;
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.05) * k1[i];
+    VMI_EVAL(t + VMI_H(0.05), z, k2);
+    VMI_EACH(i, sys.n) z[i] = y[i] - VMI_H(0.0069931640625) * k1[i] + VMI_H(0.1135556640625) * k2[i];
+    VMI_EVAL(t + VMI_H(0.1065625), z, k3);
+    VMI_EACH(i, sys.n) z[i] = y[i] + VMI_H(0.0399609375) * k1[i] + VMI_H(0.1198828125) * k3[i];
+    VMI_EVAL(t + VMI_H(0.15984375), z, k4);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.36139756280045751241) * k1[i] - VM_C(1.3415240667004927718) * k3[i]) +
+           VMI_H(1.3701265039000352594) * k4[i];
+    VMI_EVAL(t + VMI_H(0.39), z, k5);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] + h * (VM_C(0.049047202797202797203) * k1[i] + VM_C(0.23509720422144047399) * k4[i]) +
+           VMI_H(0.18085559298135672881) * k5[i];
+    VMI_EVAL(t + VMI_H(0.465), z, k6);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.06169289044289044289) * k1[i] + VM_C(0.11236568314640276623) * k4[i] -
+                VM_C(0.03885046071451366767) * k5[i]) +
+           VMI_H(0.019791887125220458554) * k6[i];
+    VMI_EVAL(t + VMI_H(0.155), z, k7);
+    return 0;
+}
+
+/* Stages 8 to 13 of [4], and the new state, whose derivative is evaluated when the step is accepted */
+VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m;
+    vm_real *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m, *k4 = k1 + 3 * m, *k5 = k4 + m, *k6 = k5 + m, *k7 = k6 + m,
+            *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
+    int i;
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7676302402223268757) * k1[i] - VM_C(6.0618893773766691008) * k5[i] +
+                VM_C(5.6508231982227631386) * k6[i] + VM_C(3.121696419376232838) * k7[i]) -
+           VMI_H(62.5) * (k4[i] - k7[i]);
+    VMI_EVAL(t + VMI_H(0.943), z, k8);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.1809450665549707998) * k1[i] - VM_C(4.4344383191037250112) * k5[i] +
+                VM_C(4.2604081885861330248) * k6[i] + VM_C(2.2489058133185074338) * k7[i] -
+                VM_C(41.504734411143208416) * (k4[i] - k7[i])) +
+           VMI_H(0.0078714254899123106874) * k8[i];
+    VMI_EVAL(t + VMI_H(0.90180204173585695826), z, k9);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.2814059994414884055) * k1[i] - VM_C(4.7313620694495764773) * k5[i] +
+                VM_C(4.5149670165938078412) * k6[i] + VM_C(2.4019556115899850465) * k7[i] -
+                VM_C(45.047139960139866302) * (k4[i] - k7[i]) + VM_C(0.010592282971116611357) * k8[i]) -
+           VMI_H(0.0057468422638446162544) * k9[i];
+    VMI_EVAL(t + VMI_H(0.909), z, k10);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-1.7244701342624851918) * k1[i] - VM_C(5.9515183762223924552) * k5[i] +
+                VM_C(5.556523730698456236) * k6[i] + VM_C(3.0595218955025132032) * k7[i] -
+                VM_C(60.923490084830540165) * (k4[i] - k7[i]) + VM_C(0.014642028250414961593) * k8[i] +
+                VM_C(0.064604087723582036036) * k9[i]) -
+           VMI_H(0.07930323169008878984) * k10[i];
+    VMI_EVAL(t + VMI_H(0.94), z, k11);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.3016226677470790164) * k1[i] - VM_C(10.141422388456112486) * k5[i] +
+                VM_C(9.1393113322320579235) * k6[i] + VM_C(5.3646704686517598018) * k7[i] -
+                VM_C(118.01127235975250857) * (k4[i] - k7[i]) + VM_C(4.6232443788745804748) * k8[i] -
+                VM_C(3.3832777380682019237) * k9[i] + VM_C(4.5275921003246181895) * k10[i]) -
+           VMI_H(5.8284954858116229632) * k11[i];
+    VMI_EVAL(t_new, z, k12);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(-3.03951503376630903) * k1[i] - VM_C(9.2906424974002934497) * k5[i] +
+                VM_C(8.4305049817649111421) * k6[i] + VM_C(4.9401329484155058871) * k7[i] -
+                VM_C(109.26086808941762547) * (k4[i] - k7[i]) - VM_C(0.96372713421454793582) * k8[i] -
+                VM_C(5.0348840888021897912) * k9[i]) +
+           VMI_H(5.9581308240029231775) * k10[i];
+    VMI_EVAL(t_new, z, k13);
+    VMI_EACH(i, sys.n)
+    z[i] = y[i] +
+           h * (VM_C(0.044279894190079510747) * k1[i] + VM_C(0.35410493917244487448) * k6[i] +
+                VM_C(0.24796921549564378287) * k7[i] - VM_C(6.6543028207017138549) * k10[i] +
+                VM_C(25.084064965558562613) * (k9[i] - k10[i]) + VM_C(7.2440812351506999013) * k11[i] -
+                VM_C(15.694202038838084051) * (k8[i] - k11[i])) -
+           VMI_H(0.23613246330715421453) * k12[i];
+    return 0;
+}
+
+/* The stages of a step, for vmi_make_stages */
+VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
+{
+    const int stopped = vmi_rk87_early_stages(sys, t, h, evals);
+    if (stopped) return stopped;
+    return vmi_rk87_late_stages(sys, t, t_new, h, evals);
+}
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ...
    k13. The estimate of orders 8 and 7 hardly sees a jump between the stages at c = 0 and 0.9: its weights on either
@@ -23,15 +133,17 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest error of a component over its tolerance, NaN where anything is not finite: by the difference of orders
-   8 and 7, or by what a jump of f may do, whichever is larger */
-VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const vm_real *w, ptrdiff_t m)
+/* The largest error of a component over its tolerance, by the difference of orders 8 and 7, or by what a jump of f may
+   do, whichever is larger */
+VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
-    const vm_real *y = w + VMI_Y * m, *z = w + VMI_Z * m, *k1 = w + VMI_K * m, *k6 = k1 + 5 * m, *k7 = k6 + m,
-                  *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m, *k12 = k11 + m, *k13 = k12 + m;
+    const ptrdiff_t m = sys.m;
+    const vm_real *y = sys.w + VMI_Y * m, *z = sys.w + VMI_Z * m, *k1 = sys.w + VMI_K * m;
+    const vm_real *k6 = k1 + 5 * m, *k7 = k6 + m, *k8 = k7 + m, *k9 = k8 + m, *k10 = k9 + m, *k11 = k10 + m,
+                  *k12 = k11 + m, *k13 = k12 + m;
     vm_real worst = 0, bad = 0;
     int i;
-    VMI_EACH(i, n)
+    VMI_EACH(i, sys.n)
     {
         const vm_real smooth = VM_C(-0.000032721039010281377697) * k1[i] - VM_C(0.00050462506187777030476) * k6[i] +
                                VM_C(0.00012117235897847590476) * k7[i] - VM_C(20.142336771313868544) * k8[i] +
@@ -44,12 +156,33 @@ VM_INLINE vm_real vmi_rk87_error(const rk45_options *o, int n, vm_real h, const 
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* The seven further stages that the continuous extension of order 8 needs, once for a step. They may leave the domain
-   of f where the step's own did not: ODE_NOT_FINITE. */
-VM_API int vmi_rk87_extend(rk45 *s)
+/* For the test of stiffness: stage 13 and the new state are both at the end of the step. These are the weights of the
+   new state minus the coefficients of stage 13. */
+VM_API vm_real vmi_rk87_end_difference(int j)
 {
-    VM_TABLE vm_real c[7] = {
-        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
+                                    0,
+                                    0,
+                                    VM_C(109.26086808941762547),
+                                    VM_C(9.2906424974002934497),
+                                    VM_C(-8.0764000425924662677),
+                                    VM_C(-113.95303182233748757),
+                                    VM_C(-14.730474904623536115),
+                                    VM_C(30.118949054360752405),
+                                    VM_C(-37.696498610263199646),
+                                    VM_C(22.938283273988783952),
+                                    VM_C(-0.23613246330715421453),
+                                    0};
+    return VM_READ(weights[j]);
+}
+
+/* How many k_i a step itself makes, and how many the continuous extension adds */
+#define VMI_RK87_OWN 14
+#define VMI_RK87_EXTRA 7
+
+/* The coefficient of k_{j+1} in the stage of the continuous extension that comes after k_{14+stage} */
+VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
+{
     VM_TABLE vm_real a[7][20] = {
         {VM_C(0.046207006467549631017), 0, 0, 0, 0, VM_C(0.045039041608424808668), VM_C(0.23368166977134244108),
          VM_C(37.839013684210674108), VM_C(-15.949113289454246103), VM_C(23.028368351816102851),
@@ -69,210 +202,129 @@ VM_API int vmi_rk87_extend(rk45 *s)
         {VM_C(0.050201028703557135987), 0, 0, 0, 0, VM_C(0.15522090347954981149), VM_C(0.12642684240892349147),
          VM_C(-5.149206303539847017), VM_C(8.4683409990369292661), VM_C(-10.662130681081495275),
          VM_C(7.5418332249597283629), VM_C(-0.074369681138321424394), 0, VM_C(-0.020558876866183826193),
-         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521), 0},
+         VM_C(0.077537952647102980726), VM_C(0.10462592203525442963), VM_C(-0.11792133064519793521)},
         {VM_C(0.037373414464578256928), 0, 0, 0, 0, VM_C(0.35049307053383164068), VM_C(0.49226528193730254333),
          VM_C(8.5536954393593122423), VM_C(-10.353172990305913485), VM_C(13.833204272529149904),
          VM_C(-12.280924330784618637), VM_C(0.17191515956565097627), 0, VM_C(0.036415831143144963801),
-         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532), 0, 0},
-        {VM_C(0.039390583455282509434),
-         0,
-         0,
-         0,
-         0,
-         VM_C(0.35585161412344241831),
-         VM_C(0.41973822259526100294),
-         VM_C(0.87204497780719416629),
-         VM_C(0.89895208348765948613),
-         VM_C(-0.63058061610598835902),
-         VM_C(-1.1218872205954835507),
-         VM_C(0.04298219512400197177),
-         0,
-         VM_C(0.01332557566873915707),
-         VM_C(0.018762270539641480344),
-         VM_C(-0.18594111329221055705),
-         VM_C(0.17736142719246027452),
-         0,
-         0,
-         0}};
-    const vm_real *k1 = vmi_part(s, VMI_K);
+         VM_C(0.029619205802887630549), VM_C(-0.26517939386270670026), VM_C(0.094295039617380665532)},
+        {VM_C(0.039390583455282509434), 0, 0, 0, 0, VM_C(0.35585161412344241831), VM_C(0.41973822259526100294),
+         VM_C(0.87204497780719416629), VM_C(0.89895208348765948613), VM_C(-0.63058061610598835902),
+         VM_C(-1.1218872205954835507), VM_C(0.04298219512400197177), 0, VM_C(0.01332557566873915707),
+         VM_C(0.018762270539641480344), VM_C(-0.18594111329221055705), VM_C(0.17736142719246027452)}};
+    return VM_READ(a[stage][j]);
+}
+
+/* The seven further stages that the continuous extension of order 8 needs. They may leave the domain of f where the
+   step's own did not: ODE_NOT_FINITE. */
+VM_API int vmi_rk87_extend(rk45 *s)
+{
+    VM_TABLE vm_real c[7] = {
+        VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
+    const vm_real *k1 = vmi_part(s, VMI_K), *y_old = vmi_part(s, VMI_Y_OLD);
     vm_real *z = vmi_part(s, VMI_Z);
     int i, j, stage;
-    for (stage = 0; stage < 7; stage++) {
+    for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
+        vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
         int status;
         for (i = 0; i < s->n; i++) {
             vm_real sum = 0;
-            for (j = 1; j < 14 + stage; j++) sum += VM_READ(a[stage][j]) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
-            z[i] = vmi_part(s, VMI_Y_OLD)[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
+            for (j = 1; j < VMI_RK87_OWN + stage; j++)
+                sum += vmi_rk87_extra_coefficient(stage, j) * (vmi_part(s, VMI_K + j)[i] - k1[i]);
+            z[i] = y_old[i] + s->h_done * (VM_READ(c[stage]) * k1[i] + sum);
         }
-        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, vmi_part(s, VMI_K + 14 + stage));
+        status = vmi_eval(s, s->t_old + VM_READ(c[stage]) * s->h_done, z, k);
         if (status) return status;
-        if (!vmi_all_finite(s->n, vmi_part(s, VMI_K + 14 + stage))) return ODE_NOT_FINITE;
+        if (!vmi_all_finite(s->n, k)) return ODE_NOT_FINITE;
     }
-    s->extended = 1;
     return ODE_OK;
 }
 
-/* The same of order 8 [4]: b_j/x in Bernstein's polynomials of degree 7, which keep the coefficients small */
-VM_API int vmi_rk87_weights(vm_real x, vm_real *b)
+/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7, which keep the coefficients small [4] */
+VM_API vm_real vmi_rk87_bernstein(int i, int j)
+{
+    VM_TABLE vm_real c[8][21] = {
+        {VM_C(1.0)},
+        {VM_C(-0.43416495007921699754), 0, 0, 0, 0, VM_C(22.599667701739659115), VM_C(15.825878858282545737),
+         VM_C(-1001.6345768873305842), VM_C(1600.9139385497353343), VM_C(-2025.6045200650977012),
+         VM_C(1463.9659668459635268), VM_C(-15.07043425264423982), 0, VM_C(-2.1233733390382044607),
+         VM_C(2.0499551075579231761), VM_C(-14.649321001586286937), VM_C(-5.4474375904092477119),
+         VM_C(-9.4832565472422686612), VM_C(-12.916982247390083982), VM_C(-8.5341205186269588664),
+         VM_C(-8.4572196638341962641)},
+        {VM_C(0.69319890739505714536), 0, 0, 0, 0, VM_C(-28.322636845067825264), VM_C(-19.833504880369087028),
+         VM_C(1255.2809513415663983), VM_C(-2006.3172919246540112), VM_C(2538.5533084238865914),
+         VM_C(-1834.6896502962782204), VM_C(18.886757189012005795), 0, VM_C(2.6943768290163844672),
+         VM_C(-3.0569914252730377376), VM_C(21.845770438002692514), VM_C(8.1234803348592602041),
+         VM_C(9.4063330192350021072), VM_C(18.54462542925865921), VM_C(8.8787596622304847795),
+         VM_C(10.312513797179645635)},
+        {VM_C(-0.3338485911070980487), 0, 0, 0, 0, VM_C(25.558764868971263012), VM_C(17.898047082901598187),
+         VM_C(-1132.7840290910181075), VM_C(1810.5302905715595678), VM_C(-2290.8279152212470487),
+         VM_C(1655.6509775545015219), VM_C(-17.043688014358484614), 0, VM_C(-2.3369125341274148978),
+         VM_C(2.6643387606508049922), VM_C(-19.039809026959079785), VM_C(-7.0800668096793834609),
+         VM_C(-5.8665758746530908169), VM_C(-18.840844904715375167), VM_C(-7.4879415981794647994),
+         VM_C(-9.6607871725402081249)},
+        {VM_C(0.28379400641185437856), 0, 0, 0, 0, VM_C(-12.759481686923881245), VM_C(-8.9350876365402469061),
+         VM_C(565.50999817576301139), VM_C(-903.85541729421673952), VM_C(1143.6302568613132692),
+         VM_C(-826.5363540196210053), VM_C(8.5085733294123855395), 0, VM_C(1.0603712833693789051),
+         VM_C(-1.4442533272143088419), VM_C(10.320875086467535406), VM_C(3.837879100734673622),
+         VM_C(2.5580949193757614888), VM_C(11.224293673899100669), VM_C(2.4797359224550151757),
+         VM_C(5.1167216053141960113)},
+        {VM_C(0.0072914402964293461022), 0, 0, 0, 0, VM_C(3.7687355910342448606), VM_C(2.6391340660294149651),
+         VM_C(-167.03324707890411572), VM_C(266.9694713223930137), VM_C(-337.79115467001014473),
+         VM_C(244.13193663420704719), VM_C(-2.5131556220142955157), 0, VM_C(-0.17281686321712024563),
+         VM_C(0.3583670958947128915), VM_C(-2.5609510202503622271), VM_C(-0.95230494665234715357),
+         VM_C(-0.5896647722763897408), VM_C(-2.8631165722737584704), VM_C(-0.47177361047292321216),
+         VM_C(-1.9267509937834059465)},
+        {VM_C(0.050605593360090869425), 0, 0, 0, 0, VM_C(0.40469135905422271369), VM_C(0.28339338913787860899),
+         VM_C(-17.936230901529238915), VM_C(28.667502817781214415), VM_C(-36.272420327154601678),
+         VM_C(26.215180884558610231), VM_C(-0.26986567235103338803), 0, VM_C(-0.14285714285714285714)},
+        {VM_C(0.044279894190079510747), 0, 0, 0, 0, VM_C(0.35410493917244487448), VM_C(0.24796921549564378287),
+         VM_C(-15.694202038838084051), VM_C(25.084064965558562613), VM_C(-31.738367786260276468),
+         VM_C(22.938283273988783952), VM_C(-0.23613246330715421453)}};
+    return VM_READ(c[i][j]);
+}
+
+/* The weights of the continuous extension, of order 8 [4] */
+VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
-    VM_TABLE vm_real c[8][21] = {{VM_C(1.0), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
-                                 {VM_C(-0.43416495007921699754),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(22.599667701739659115),
-                                  VM_C(15.825878858282545737),
-                                  VM_C(-1001.6345768873305842),
-                                  VM_C(1600.9139385497353343),
-                                  VM_C(-2025.6045200650977012),
-                                  VM_C(1463.9659668459635268),
-                                  VM_C(-15.07043425264423982),
-                                  0,
-                                  VM_C(-2.1233733390382044607),
-                                  VM_C(2.0499551075579231761),
-                                  VM_C(-14.649321001586286937),
-                                  VM_C(-5.4474375904092477119),
-                                  VM_C(-9.4832565472422686612),
-                                  VM_C(-12.916982247390083982),
-                                  VM_C(-8.5341205186269588664),
-                                  VM_C(-8.4572196638341962641)},
-                                 {VM_C(0.69319890739505714536),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(-28.322636845067825264),
-                                  VM_C(-19.833504880369087028),
-                                  VM_C(1255.2809513415663983),
-                                  VM_C(-2006.3172919246540112),
-                                  VM_C(2538.5533084238865914),
-                                  VM_C(-1834.6896502962782204),
-                                  VM_C(18.886757189012005795),
-                                  0,
-                                  VM_C(2.6943768290163844672),
-                                  VM_C(-3.0569914252730377376),
-                                  VM_C(21.845770438002692514),
-                                  VM_C(8.1234803348592602041),
-                                  VM_C(9.4063330192350021072),
-                                  VM_C(18.54462542925865921),
-                                  VM_C(8.8787596622304847795),
-                                  VM_C(10.312513797179645635)},
-                                 {VM_C(-0.3338485911070980487),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(25.558764868971263012),
-                                  VM_C(17.898047082901598187),
-                                  VM_C(-1132.7840290910181075),
-                                  VM_C(1810.5302905715595678),
-                                  VM_C(-2290.8279152212470487),
-                                  VM_C(1655.6509775545015219),
-                                  VM_C(-17.043688014358484614),
-                                  0,
-                                  VM_C(-2.3369125341274148978),
-                                  VM_C(2.6643387606508049922),
-                                  VM_C(-19.039809026959079785),
-                                  VM_C(-7.0800668096793834609),
-                                  VM_C(-5.8665758746530908169),
-                                  VM_C(-18.840844904715375167),
-                                  VM_C(-7.4879415981794647994),
-                                  VM_C(-9.6607871725402081249)},
-                                 {VM_C(0.28379400641185437856),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(-12.759481686923881245),
-                                  VM_C(-8.9350876365402469061),
-                                  VM_C(565.50999817576301139),
-                                  VM_C(-903.85541729421673952),
-                                  VM_C(1143.6302568613132692),
-                                  VM_C(-826.5363540196210053),
-                                  VM_C(8.5085733294123855395),
-                                  0,
-                                  VM_C(1.0603712833693789051),
-                                  VM_C(-1.4442533272143088419),
-                                  VM_C(10.320875086467535406),
-                                  VM_C(3.837879100734673622),
-                                  VM_C(2.5580949193757614888),
-                                  VM_C(11.224293673899100669),
-                                  VM_C(2.4797359224550151757),
-                                  VM_C(5.1167216053141960113)},
-                                 {VM_C(0.0072914402964293461022),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(3.7687355910342448606),
-                                  VM_C(2.6391340660294149651),
-                                  VM_C(-167.03324707890411572),
-                                  VM_C(266.9694713223930137),
-                                  VM_C(-337.79115467001014473),
-                                  VM_C(244.13193663420704719),
-                                  VM_C(-2.5131556220142955157),
-                                  0,
-                                  VM_C(-0.17281686321712024563),
-                                  VM_C(0.3583670958947128915),
-                                  VM_C(-2.5609510202503622271),
-                                  VM_C(-0.95230494665234715357),
-                                  VM_C(-0.5896647722763897408),
-                                  VM_C(-2.8631165722737584704),
-                                  VM_C(-0.47177361047292321216),
-                                  VM_C(-1.9267509937834059465)},
-                                 {VM_C(0.050605593360090869425),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(0.40469135905422271369),
-                                  VM_C(0.28339338913787860899),
-                                  VM_C(-17.936230901529238915),
-                                  VM_C(28.667502817781214415),
-                                  VM_C(-36.272420327154601678),
-                                  VM_C(26.215180884558610231),
-                                  VM_C(-0.26986567235103338803),
-                                  0,
-                                  VM_C(-0.14285714285714285714),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0},
-                                 {VM_C(0.044279894190079510747),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  VM_C(0.35410493917244487448),
-                                  VM_C(0.24796921549564378287),
-                                  VM_C(-15.694202038838084051),
-                                  VM_C(25.084064965558562613),
-                                  VM_C(-31.738367786260276468),
-                                  VM_C(22.938283273988783952),
-                                  VM_C(-0.23613246330715421453),
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0,
-                                  0}};
+    const int count = VMI_RK87_OWN + VMI_RK87_EXTRA;
     const vm_real u = 1 - x;
-    vm_real up[8];
-    vm_real power = x;
+    vm_real powers[8], power = x; /* of u, and of x */
     int i, j;
-    for (up[0] = 1, i = 1; i < 8; i++) up[i] = up[i - 1] * u;
-    for (j = 0; j < 21; j++) b[j] = 0;
-    for (i = 0; i < 8; i++, power *= x)
-        for (j = 0; j < 21; j++) b[j] += VM_READ(binomial[i]) * power * up[7 - i] * VM_READ(c[i][j]);
-    return 21;
+    powers[0] = 1;
+    for (i = 1; i < 8; i++) powers[i] = powers[i - 1] * u;
+    for (j = 0; j < count; j++) b[j] = 0;
+    for (i = 0; i < 8; i++) {
+        const vm_real bernstein = VM_READ(binomial[i]) * power * powers[7 - i];
+        for (j = 0; j < count; j++) b[j] += bernstein * vmi_rk87_bernstein(i, j);
+        power *= x;
+    }
+}
+
+/* The continuous extension. Not inlined, so that it is contracted in one way only: the same x has the same y. */
+VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
+{
+    vm_real b[VMI_RK87_OWN + VMI_RK87_EXTRA];
+    vmi_rk87_weights(x, b);
+    vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
+}
+
+/* The descriptor of rk87 */
+VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
+{
+    vmi_rk_pair pair;
+    pair.method = VMI_RK87;
+    pair.order = 8;
+    pair.stages = 13;
+    pair.last_is_first = 0;
+    pair.derivatives = VMI_RK87_OWN + VMI_RK87_EXTRA;
+    pair.rounding = 256;
+    pair.keep_from = VM_C(0.1);
+    pair.stiff_beyond = VM_C(5.69);
+    pair.end_difference = vmi_rk87_end_difference;
+    pair.inside = vmi_rk87_inside;
+    pair.extend = vmi_rk87_extend;
+    return pair;
 }
 
 #endif

@@ -99,9 +99,7 @@ typedef struct VM_TAG(vmi_step_motion) {
 VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 {
     const vmi_step_motion *m = (const vmi_step_motion *)step;
-    int status;
-    if (m->s->method == VMI_RK45) status = rk45_interpolate(m->s, t, m->buffer);
-    else status = rk87_interpolate(m->s, t, m->buffer);
+    const int status = vmi_interpolate(m->s, t, m->buffer);
     *x = VM_NAN;
     *v = VM_NAN;
     if (status) return;

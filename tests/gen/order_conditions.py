@@ -44,9 +44,9 @@ def table(name, text):
     return [[mpf(x) for x in re.findall(r"VM_C\((" + NUMBER + r")\)|\b(0)\b", row) for x in x if x] for row in rows]
 
 
-def stages(name):
-    """rows of A, the last being b, and the c of each row"""
-    return [terms(s) for s in re.findall(r"z\[i\] =(.*?);", body(name), re.S)]
+def stages(*names):
+    """rows of A, the last being b"""
+    return [terms(s) for name in names for s in re.findall(r"z\[i\] =(.*?);", body(name), re.S)]
 
 
 @lru_cache(None)
@@ -138,7 +138,8 @@ def rk45_weights(x):
 
 
 def rk87_weights(x):
-    c, u = table("c[8][21]", body("vmi_rk87_weights")), 1 - x
+    c, u = table("c[8][21]", body("vmi_rk87_bernstein")), 1 - x
+    c = [row + [mpf(0)] * (21 - len(row)) for row in c]
     return {j + 1: x * sum(binomial(7, i) * x**i * u**(7 - i) * c[i][j] for i in range(8)) for j in range(21)}
 
 
@@ -152,8 +153,8 @@ def main():
         check(f"rk45, continuous extension at {x}", [pair.residual(rk45_weights(x), r, x) for r in range(1, 6)], 4,
               mpf("2e-14"))
 
-    rows = stages("vmi_rk87_stages")
-    extra = [{j + 1: a for j, a in enumerate(row)} for row in table("a[7][20]", body("vmi_rk87_extend"))]
+    rows = stages("vmi_rk87_early_stages", "vmi_rk87_late_stages")
+    extra = [{j + 1: a for j, a in enumerate(row)} for row in table("a[7][20]", body("vmi_rk87_extra_coefficient"))]
     pair = Method([{}] + rows + extra)
     check("rk87", [pair.residual(rows[-1], r) for r in range(1, 10)], 8, mpf("1e-16"))
     error = terms(body("vmi_rk87_error"))

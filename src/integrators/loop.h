@@ -1,0 +1,171 @@
+/* integrators/loop.h - the loop of an adaptive run by any pair: beginning, restart, one step, steps to a time
+   Users call the functions of adaptive.h, which choose the pair.
+
+   Tests: tests/test_adaptive.c, tests/test_events.c. */
+#ifndef VARMASS_INTEGRATORS_LOOP_H
+#define VARMASS_INTEGRATORS_LOOP_H
+
+#include "../base/arrays.h"
+#include "../base/real.h"
+#include "events.h"
+#include "ode.h"
+#include "pair_list.h"
+#include "pairs.h"
+#include "runs.h"
+#include "steps.h"
+
+/* rk45_init for any pair. f and n are set once more where the caller's compiler sees them, so that it can inline f in
+   the steps. */
+VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
+                           const rk45_options *options_or_NULL, vm_real *work)
+{
+    const int status = vmi_init(s, &pair, f, ctx, n, t0, y0, options_or_NULL, work);
+    if (status >= 0) {
+        s->f = f;
+        s->n = n;
+    }
+    return status;
+}
+
+/* Forgets which events have just happened. At another time the sign of g alone gives the side of each event. */
+VM_API void vmi_forget_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) s->options.events[i].quiet = 0;
+}
+
+/* rk45_restart for any pair */
+VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
+{
+    if (!s || !y || !VM_IS_FINITE(t) || !vmi_all_finite(s->n, y)) return ODE_BAD_ARGUMENT;
+    if (t != s->t) {
+        vmi_forget_events(s);
+        s->t_low = 0;
+    }
+    s->t = t;
+    s->t_old = t;
+    s->t_old_low = s->t_low;
+    if (y != s->y) vmi_copy(s->n, y, s->y);
+    s->k1 = VMI_K1_MISSING;
+    s->failure = VMI_NONE_FAILED;
+    s->next_miss = s->steps;
+    return ODE_OK;
+}
+
+/* Evaluates k_1 unless it is known, and makes s->h a step towards t_end that is not too short to be tried */
+VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
+{
+    const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
+    const vm_real direction = vmi_direction(s, t_end);
+    vm_real *k1 = vmi_part(s, VMI_K), least;
+    int status = ODE_OK;
+    if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(&s->pair)), k1);
+    if (s->k1 == VMI_K1_MISSING) {
+        status = vmi_eval(s, s->t, s->y, k1);
+        if (status) return status;
+        if (!vmi_all_finite(s->n, k1)) return ODE_NOT_FINITE;
+        status = vmi_watch_events(s);
+        if (status) return status;
+    }
+    s->k1 = VMI_K1_READY;
+    s->t_old = s->t;
+    s->t_old_low = s->t_low;
+    if (s->h == 0) status = vmi_first_step(s, direction, longest);
+    if (status) return status;
+    least = vmi_least_step(&s->options, s->t);
+    s->h = direction * VMI_LARGER(VM_FABS(s->h), least);
+    return ODE_OK;
+}
+
+/* A run has become stiff when 15 looks have found it beyond the end of the stability region, without 6 looks in
+   succession that have found it within. */
+enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
+
+/* Hairer's test of stiffness [2, IV.2]. A step evaluates f twice at its end, for states that differ by h dz; the
+   derivatives differ by dk, and |dk|/|dz| is about h times the largest eigenvalue. */
+VM_API void vmi_look_for_stiffness(rk45 *s)
+{
+    const int last = vmi_last_k(&s->pair), count = last - VMI_K;
+    vm_real dk = 0, dz = 0;
+    int i, j;
+    for (i = 0; i < s->n; i++) {
+        const vm_real difference = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]);
+        vm_real sum = 0;
+        dk = VMI_LARGER(dk, difference);
+        for (j = 0; j < count; j++) sum += s->pair.end_difference(j) * vmi_part(s, VMI_K + j)[i];
+        dz = VMI_LARGER(dz, VM_FABS(sum));
+    }
+    if (dk > s->pair.stiff_beyond * dz) {
+        s->stiff_misses = 0;
+        if (s->stiff_hits < VMI_STIFF_HITS) s->stiff_hits++;
+        if (s->stiff_hits == VMI_STIFF_HITS) s->stiff = 1;
+    } else {
+        if (s->stiff_misses < VMI_STIFF_MISSES) s->stiff_misses++;
+        if (s->stiff_misses == VMI_STIFF_MISSES) s->stiff_hits = 0;
+    }
+    s->stiff_wait = VMI_STIFF_WAIT;
+    if (s->stiff_hits) s->stiff_wait = 1;
+}
+
+/* What an accepted step calls for: the look for stiffness, if it is due, and the events within the step */
+VMI_APART int vmi_after_step(rk45 *s)
+{
+    if (s->stiff_wait <= 0) vmi_look_for_stiffness(s);
+    if (s->options.n_events == 0) return ODE_OK;
+    return vmi_events(s);
+}
+
+/* Whether y is still before t_end, even if only by less than t resolves */
+VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
+
+/* Steps to t_end, or only one if `single`, with f and n those of s. Returns a status. */
+VM_INLINE int vmi_run(rk45 *s, int method, ode_rhs f, int n, vm_real t_end, int single)
+{
+    const int was_stiff = s->stiff;
+    const int apart = single || s->options.n_events; /* vmi_after_step has to see each step */
+    vmi_rk_system sys;
+    int status = ODE_OK;
+    sys.f = f;
+    sys.ctx = s->ctx;
+    sys.n = n;
+    sys.w = s->work;
+    sys.m = n;
+    s->event = -1;
+    while (status == ODE_OK && vmi_is_before(s, t_end)) {
+        status = vmi_prepare(s, t_end);
+        if (status) break;
+        if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, method, sys, t_end, apart);
+        else status = vmi_advance(s, method, sys, t_end, apart);
+        if (status == ODE_OK) status = vmi_after_step(s);
+        if (single && s->failure == VMI_NONE_FAILED) break;
+    }
+    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
+}
+
+/* rk45_step for any pair */
+VM_INLINE int vmi_step(rk45 *s, int method)
+{
+    vm_real t_end = VM_MAX;
+    if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    if (s->h < 0) t_end = -VM_MAX;
+    if (s->t == t_end) return ODE_STEP_TOO_SMALL;
+    s->attempts = -1;
+    return vmi_run(s, method, s->f, s->n, t_end, 1);
+}
+
+/* rk45_solve_with for any pair */
+VM_INLINE int vmi_solve_with(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
+{
+    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    s->attempts = s->options.max_steps;
+    return vmi_run(s, method, f, n, t_end, 0);
+}
+
+/* rk45_solve for any pair */
+VM_INLINE int vmi_solve(rk45 *s, int method, vm_real t_end)
+{
+    if (!s) return ODE_BAD_ARGUMENT;
+    return vmi_solve_with(s, method, s->f, s->n, t_end);
+}
+
+#endif
