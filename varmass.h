@@ -3273,19 +3273,15 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     }
 }
 
-/* (e^z - 1)/z and (e^z - 1 - z)/z^2, to a few eps */
-VM_API void vmi_broken_rotor_exp_quotients(vm_real z, vm_real *phi1, vm_real *phi2)
+/* (e^z - 1 - z)/z^2 to a few eps, where ratio = (e^z - 1)/z is given: for |z| <= 1 by its series */
+VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
+    vm_real sum = 0;
     int n;
-    if (VM_FABS(z) > 1) {
-        *phi1 = (vmi_exp(z, 0) - 1) / z;
-        *phi2 = (*phi1 - 1) / z;
-        return;
-    }
-    *phi2 = 0;
-    for (n = terms; n >= 2; n--) *phi2 = (1 + z * *phi2) / (vm_real)n;
-    *phi1 = 1 + z * *phi2;
+    if (VM_FABS(z) > 1) return (ratio - 1) / z;
+    for (n = terms; n >= 2; n--) sum = (1 + z * sum) / (vm_real)n;
+    return sum;
 }
 
 /* w - sin w to a few eps, where sine = sin w is given */
@@ -3335,11 +3331,9 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     const vm_real w2 = a->omega * a->omega, sum = w2 + a->k * a->k;
     const vm_real y0 = z[VMI_BROKEN_ROTOR_Y], v0 = z[VMI_BROKEN_ROTOR_Y_RATE];
     const vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], rate0 = z[VMI_BROKEN_ROTOR_PSI_RATE];
-    vm_real E0, E1, E2, g0, g1, g2;
-    vmi_broken_rotor_exp_quotients(-a->k * t, &E1, &E2);
-    E0 = vmi_exp(-a->k * t, 0);
-    E1 *= t;
-    E2 *= t * t;
+    const vm_real exponent = -a->k * t, ratio = vmi_exp_ratio(exponent);
+    const vm_real E0 = vmi_exp(exponent, 0), E1 = ratio * t, E2 = vmi_broken_rotor_exp_rest(exponent, ratio) * (t * t);
+    vm_real g0, g1, g2;
     g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
     g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
     g2 = (w2 * E2 + (a->k * g->late - g->c1)) / sum;
