@@ -100,7 +100,7 @@
        vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
-       vm_inertia_possible            Whether a body can have this inertia
+       vm_inertia_is_possible         Whether a body can have this inertia
        vm_parallel_axes               Inertia about a point d away from the mass centre, along parallel axes, (40)
 
      mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
@@ -1185,7 +1185,7 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     return c > b.z ? c : b.z;
 }
 
-VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
+VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 /* m a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
@@ -1212,7 +1212,7 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
 /* x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
-VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_finite(vmi_quat_vector(q)); }
+VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
 /* 1 if all four numbers are 0, which stands for the identity */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
@@ -1301,7 +1301,7 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
-       if (vm_inertia_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
+       if (vm_inertia_is_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
 
    The other functions are internal: they turn, add and invert tensors for the chapters on jumps, streams and scenes.
    Tests: tests/test_momenta.c, tests/test_jumps.c. */
@@ -1314,9 +1314,9 @@ typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
 } vm_inertia;
 
-VM_API int vmi_inertia_finite(const vm_inertia *i)
+VM_API int vmi_inertia_is_finite(const vm_inertia *i)
 {
-    return vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz));
+    return vmi_vec3_is_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_is_finite(vmi_vec3(i->xy, i->xz, i->yz));
 }
 
 /* i a */
@@ -1383,7 +1383,7 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 }
 
 /* |xx| + |yy| + |zz|, which is the trace of an inertia that a body has */
-VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
+VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
 /* Six numbers of a state as an inertia, and back */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
@@ -1409,12 +1409,12 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
 }
 
 /* What roundings may add to an inertia whose entries are sums of terms of the size of i, kg m^2 */
-VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_trace(i); }
+VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* 1 if a body can have the inertia i to within slack (kg m^2): tr(i)/2 E - i, the second moments integral of r r^T
    dm, must have no negative eigenvalue. By elimination, after slack, which exceeds the rounding errors, has been
    added */
-VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
+VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
     vm_real x, y, z, yz; /* pivots, and the entry left beside the last two */
@@ -1431,9 +1431,9 @@ VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
 /* Whether a body can have this inertia: 1 if it can, 0 if not, and for NaN and a null pointer. A body's principal
    moments are not negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace
    count as rounding errors. Rods and points are bodies. */
-VM_API int vm_inertia_possible(const vm_inertia *inertia)
+VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
-    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
+    return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
 /* Inertia about a point d away from the mass centre, along parallel axes, (40): own + mass P(d), where own is about
@@ -1518,7 +1518,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 
 /* 1 if these are moments of a body: none is larger than the sum of the two others, to within slack (kg m^2). Then
    none is below -slack either. */
-VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
+VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
@@ -1620,7 +1620,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* of the trace */
-    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
+    return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
 /* 1 if a body can have the inertia i, whose moments are positive, at some time of an integration. A cheap test is
@@ -1760,21 +1760,21 @@ VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 
 /* ---- checks ---- */
 
-VM_API int vmi_body_finite(const vm_body *b)
+VM_API int vmi_body_is_finite(const vm_body *b)
 {
-    return VM_IS_FINITE(b->mass) && vmi_vec3_finite(b->r) && vmi_vec3_finite(b->v) && vmi_vec3_finite(b->omega) &&
-           vmi_inertia_finite(&b->inertia) && vmi_quat_is_finite(b->q);
+    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->r) && vmi_vec3_is_finite(b->v) && vmi_vec3_is_finite(b->omega) &&
+           vmi_inertia_is_finite(&b->inertia) && vmi_quat_is_finite(b->q);
 }
 
 VM_API int vmi_body2_is_finite(const vm_body2 *b)
 {
-    return VM_IS_FINITE(b->mass) && VM_IS_FINITE(b->inertia) && vmi_vec3_finite(vmi_vec3(b->x, b->y, b->angle)) &&
-           vmi_vec3_finite(vmi_vec3(b->vx, b->vy, b->omega));
+    return VM_IS_FINITE(b->mass) && VM_IS_FINITE(b->inertia) && vmi_vec3_is_finite(vmi_vec3(b->x, b->y, b->angle)) &&
+           vmi_vec3_is_finite(vmi_vec3(b->vx, b->vy, b->omega));
 }
 
-VM_API int vmi_impulse_finite(const vm_impulse *j)
+VM_API int vmi_impulse_is_finite(const vm_impulse *j)
 {
-    return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
+    return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
 /* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
@@ -1789,9 +1789,9 @@ VM_API int vmi_first_error(int a, int b)
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
 VM_API int vmi_check_body(const vm_body *b)
 {
-    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
     if (!(b->mass > 0)) return VM_BAD_MASS;
-    return vm_inertia_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
+    return vm_inertia_is_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
 }
 
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
@@ -1863,7 +1863,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
     sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
+    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vmi_norm2(body->omega) +
                                    (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
@@ -1881,7 +1881,7 @@ VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_ve
 VM_API int vmi_balance_is_finite(const vm_balance *b)
 {
     return VM_IS_FINITE(b->energy) && VM_IS_FINITE(b->momentum_scale) && VM_IS_FINITE(b->angular_momentum_scale) &&
-           vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
+           vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
 /* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less
@@ -2006,7 +2006,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     lump.inertia = vmi_inertia_along(&body->inertia, &turn);
     lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
-    lump.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
+    lump.noise = vmi_inertia_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
     return lump;
 }
 
@@ -2103,7 +2103,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
-    if (!external_or_NULL || vmi_impulse_finite(external_or_NULL)) return status;
+    if (!external_or_NULL || vmi_impulse_is_finite(external_or_NULL)) return status;
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
@@ -2130,9 +2130,9 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
    the moments are not possible within the rounding errors. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
-    if (!vmi_inertia_finite(&lump->inertia)) return VM_NOT_FINITE;
+    if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
     *p = vmi_principal_axes(&lump->inertia);
-    if (!vmi_inertia_is_possible(p, vmi_slack(&lump->sizes))) return VM_BAD_INERTIA;
+    if (!vmi_moments_are_possible(p, vmi_inertia_slack(&lump->sizes))) return VM_BAD_INERTIA;
     if (vmi_clamp_moments(p, &lump->sizes)) lump->inertia = vmi_inertia_from(p);
     return VM_OK;
 }
@@ -2175,7 +2175,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     b.v = vmi_add(frame.v, lump.v);
     if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
     b.omega = vmi_add(frame.omega, b.omega);
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
 }
@@ -2325,7 +2325,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     vm_impulse impulse;
     if (!external_or_NULL) return status;
     impulse = vmi_impulse_to_space(external_or_NULL);
-    return vmi_impulse_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
+    return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
 /* vmi_jump_total for bodies of the plane, with the moment of the total clamped */
@@ -2456,7 +2456,7 @@ VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 /* *result becomes b, if all numbers are finite */
 VM_API int vmi_put_body(const vm_body *b, vm_body *result)
 {
-    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
     *result = *b;
     return VM_OK;
 }
@@ -2615,7 +2615,7 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     const vmi_bodies list = vmi_bodies_in_space(1, &unturned);
     vmi_principal p;
     int status;
-    if (!vmi_vec3_finite(part->v)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(part->v)) return VM_NOT_FINITE;
     unturned.omega = whole->omega;
     *frame = vmi_frame_of(whole, &list, VMI_SEPARATE);
     status = vmi_jump_total(frame, whole, VMI_SEPARATE, &list, external_or_NULL, rest);
@@ -2635,7 +2635,7 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     own.turn = vmi_rotation(part->q);
     lump = vmi_lump_of(&own, part);
     lump.h = vmi_part_spin_momentum(frame, rest, rest_omega);
-    lump.noise = rest->noise + vmi_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
+    lump.noise = rest->noise + vmi_inertia_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
     status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
     if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
@@ -2660,8 +2660,8 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
     vm_body b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    if (rest_v_or_NULL && !vmi_vec3_finite(*rest_v_or_NULL)) return VM_NOT_FINITE;
-    if (rest_omega_or_NULL && !vmi_vec3_finite(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    if (rest_v_or_NULL && !vmi_vec3_is_finite(*rest_v_or_NULL)) return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !vmi_vec3_is_finite(*rest_omega_or_NULL)) return VM_NOT_FINITE;
     status = vmi_check_jump(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
@@ -2670,7 +2670,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
     if (status) return status;
     if (rest_omega_or_NULL) status = vmi_turn_part(&frame, &rest, *rest_omega_or_NULL, &b);
     if (status < 0) return status;
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *moving = b;
     return status;
 }
@@ -4068,7 +4068,7 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* a bound that is not reached: the rotations converge quadratically */
-    const vm_real power = vmi_power_of_two(vmi_trace(i));
+    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
     memset(b, 0, sizeof *b);
@@ -4093,7 +4093,7 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const vm_inertia sizes = vmi_inertia_sizes(i, &same);
-    const vm_real power = vmi_power_of_two(vmi_trace(i));
+    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     int k;
     for (k = 0; k < 3; k++) {
         const vm_vec3 axis = vmi_vec3_two_high_words(&b->axis[k]);
@@ -4635,7 +4635,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < largest_factor)) return VM_NOT_FINITE;
     vmi_torque_free_at(motion, elapsed, &w, &turn);
     turn = vmi_quat_times(motion->start, turn);
-    if (!vmi_vec3_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
     *q = turn;
     *omega = w;
     return VM_OK;
@@ -4656,7 +4656,7 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
     b.r = vmi_add(b.r, vmi_scale(t - motion->t0, b.v));
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
 }
@@ -4879,40 +4879,40 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 
 /* VM_OK if the gyration is finite and has no negative moment. Only the body has to satisfy the triangle inequality:
    for motion in a plane a tensor with zz alone is enough, as long as the body itself is not that flat. */
-VM_API int vmi_gyration_is_valid(const vm_inertia *i)
+VM_API int vmi_check_gyration(const vm_inertia *i)
 {
-    if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
+    if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
     if (!(i->xx >= 0 && i->yy >= 0 && i->zz >= 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
 
 /* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
-VM_API int vmi_stream_is_valid(const vm_stream *s)
+VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
     if (!vmi_stream_motion_is_known(s->motion)) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
-        !vmi_vec3_finite(s->spin))
+    if (!VM_IS_FINITE(s->rate) || !vmi_vec3_is_finite(s->at) || !vmi_vec3_is_finite(s->velocity) ||
+        !vmi_vec3_is_finite(s->spin))
         return VM_NOT_FINITE;
-    status = vmi_gyration_is_valid(&s->gyration);
+    status = vmi_check_gyration(&s->gyration);
     if (!s->from) return status;
-    if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
-    return vmi_first_error(status, vmi_gyration_is_valid(&s->from->gyration));
+    if (!vmi_vec3_is_finite(s->from->at)) return VM_NOT_FINITE;
+    return vmi_first_error(status, vmi_check_gyration(&s->from->gyration));
 }
 
 /* The first error of n streams in the table's order, else VM_OK */
-VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
+VM_API int vmi_check_streams(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
     if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
-    for (k = 0; k < n; k++) status = vmi_first_error(status, vmi_stream_is_valid(s + k));
+    for (k = 0; k < n; k++) status = vmi_first_error(status, vmi_check_stream(s + k));
     return status;
 }
 
 VM_API int vmi_reactive_finite(const vm_reactive *r)
 {
-    return vmi_vec3_finite(r->force) && vmi_vec3_finite(r->moment) && vmi_vec3_finite(r->torque) &&
-           vmi_vec3_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_finite(&r->inertia_rate);
+    return vmi_vec3_is_finite(r->force) && vmi_vec3_is_finite(r->moment) && vmi_vec3_is_finite(r->torque) &&
+           vmi_vec3_is_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_is_finite(&r->inertia_rate);
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
@@ -4928,8 +4928,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     vm_reactive r;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(n, streams));
-    if (!vmi_vec3_finite(centre)) status = vmi_first_error(status, VM_NOT_FINITE);
+    status = vmi_first_error(vmi_check_body(body), vmi_check_streams(n, streams));
+    if (!vmi_vec3_is_finite(centre)) status = vmi_first_error(status, VM_NOT_FINITE);
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;
@@ -4982,7 +4982,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, sum));
     angular = vmi_times(&turn, angular);
-    if (!vmi_vec3_finite(linear) || !vmi_vec3_finite(angular)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(linear) || !vmi_vec3_is_finite(angular)) return VM_NOT_FINITE;
     *acceleration = linear;
     *angular_acceleration = angular;
     return VM_OK;
@@ -5280,8 +5280,8 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
-    int status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(flow->n, flow->streams));
-    if (!vmi_vec3_finite(flow->centre) || !vmi_vec3_finite(flow->force) || !vmi_vec3_finite(flow->moment))
+    int status = vmi_first_error(vmi_check_body(body), vmi_check_streams(flow->n, flow->streams));
+    if (!vmi_vec3_is_finite(flow->centre) || !vmi_vec3_is_finite(flow->force) || !vmi_vec3_is_finite(flow->moment))
         status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
@@ -5349,7 +5349,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
     b.omega = vmi_times(&turn, seen.omega);
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
 }
@@ -5853,7 +5853,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !vmi_vec3_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(t) || !vmi_vec3_is_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
@@ -5866,7 +5866,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     vmi_sincos(angle, &sine, &cosine);
     later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
                      omega0.z);
-    if (!vmi_vec3_finite(later)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(later)) return VM_NOT_FINITE;
     *omega = later;
     return VM_OK;
 }
@@ -6548,7 +6548,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 {
     vm_real s, c, sine, cosine, result[3]; /* of psi, of theta */
     if (!rates) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_finite(omega)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
     vmi_sincos(psi, &s, &c);
     vmi_sincos(theta, &sine, &cosine);
     if (sine == 0) return VM_SINGULAR;
@@ -10929,12 +10929,12 @@ typedef struct VM_TAG(vm_effect) vm_effect;
 typedef struct VM_TAG(vm_event) vm_event;
 
 /* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
-typedef struct VM_TAG(vm_mass_now) {
+typedef struct VM_TAG(vm_mass_law_values) {
     vm_real mass; /* kg (on an axle kg m^2) */
     vm_real by_t; /* kg/s */
     vm_real by_x; /* kg/m (on an axle kg m^2/rad) */
     vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad) */
-} vm_mass_now;
+} vm_mass_law_values;
 
 /* The place of an effect in the list of effects on its body */
 enum {
@@ -10965,7 +10965,7 @@ struct VM_TAG(vm_effect) {
     int other, other_coordinate; /* against what: another body, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force: N or N m */
-    vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
+    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
     vm_moving_point point;                                          /* of vm_effect_link: NULL, or the far end */
     const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* NULL, or of vm_effect_varying */
@@ -11055,7 +11055,7 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* n_events of them */
     ode_event *located; /* room for n_events, for the integrator, which locates the events */
     int n_events;
-    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET numbers join the state */
+    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET_STATES numbers join the state */
     /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
        another number than 0 */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
@@ -11363,7 +11363,7 @@ VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
     vmi_principal p = vmi_principal_axes(i);
     int k, null_axes = 0;
     for (k = 0; k < 3; k++)
-        if (!(p.moment[k] > vmi_slack(i))) {
+        if (!(p.moment[k] > vmi_inertia_slack(i))) {
             p.moment[k] = dummy;
             null_axes++;
         }
@@ -12095,7 +12095,7 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 
 /* Gives the body the mass of a law. M' = by_t + by_x v + by_v v'; the last term is not known before the acceleration
    is, so that (M'(v) (v - u)) v' goes to the other side of the equation, into extra_mass. */
-VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
+VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
     vm_load *load = e->load;
@@ -12109,14 +12109,14 @@ VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scen
 
 VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    const vm_mass_now now = e->law(t, y[e->x], y[e->v], e->ctx);
+    const vm_mass_law_values now = e->law(t, y[e->x], y[e->v], e->ctx);
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
    the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
    with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
-VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
+VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_law : NULL);
@@ -12140,7 +12140,7 @@ enum {
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_real x = y[e->x], v = y[e->v], c = e->p[VMI_MASS_COEFFICIENT];
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     now.mass = s->bodies[e->body].start.mass;
     if (e->variant == VM_MASS_OF_T) {
         now.mass += c * t;
@@ -12189,7 +12189,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 /* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
     if (status) s->status = status;
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
@@ -12339,7 +12339,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
-    return e->stream->from ? (int)VM_STORED_STREAM : vmi_stream_is_valid(e->stream);
+    return e->stream->from ? (int)VM_STORED_STREAM : vmi_check_stream(e->stream);
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
@@ -12512,7 +12512,7 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     const vm_band band = vmi_band_of(e);
     const vm_band_now wound = vm_band_at(y[e->x], &band);
     const vm_real u = band.speed / wound.radius;
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;
@@ -12680,7 +12680,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
    A scene's state y holds the numbers of each body one after the other, and at the end, where the scene keeps a budget,
-   the VM_BUDGET numbers of it. scene.h has a table of the numbers of each body.
+   the VM_BUDGET_STATES numbers of it. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
@@ -12689,7 +12689,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #ifndef VARMASS_SCENES_STATE_H
 #define VARMASS_SCENES_STATE_H
 
-enum { VM_BUDGET = 15 }; /* how many numbers a budget adds to the state */
+enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state */
 
 /* How many numbers of work vm_scene_run needs for a state of so many numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
@@ -12701,7 +12701,7 @@ VM_API int vm_scene_size(const vm_scene *scene)
     int i, size = 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
-    if (scene->budget) size += VM_BUDGET;
+    if (scene->budget) size += VM_BUDGET_STATES;
     return size;
 }
 
@@ -12848,7 +12848,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
         status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
-    if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
+    if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
     if (s->status) vmi_scene_refuse(s, before, dydt);
     return 0;
 }
@@ -12877,7 +12877,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
-    if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
@@ -12959,7 +12959,7 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
     if (status) return status;
     if (!vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion)) return VM_BAD_MOTION;
     if (!(e->motions >> s->bodies[e->jump_body].motion & 1)) return VM_BAD_MOTION;
-    if (!vmi_impulse_finite(&e->external)) return VM_NOT_FINITE;
+    if (!vmi_impulse_is_finite(&e->external)) return VM_NOT_FINITE;
     if (e->jump_kind == VMI_JUMP_ATTACHES) return VM_OK;
     part = s->bodies[e->other];
     part.start = e->part;
@@ -13160,7 +13160,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
    in. The difference, the defect, shows the error of a run, and what constraints take.
 
        vm_budget budget, now;
-       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET numbers more
+       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET_STATES numbers more
        ...                                              // vm_scene_start, vm_scene_run
        vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
 
@@ -13170,7 +13170,7 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* Places of the sums in the VM_BUDGET numbers of the state */
+/* Places of the sums in the VM_BUDGET_STATES numbers of the state */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -13225,7 +13225,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
-    for (i = 0; i < VM_BUDGET; i++) rates[i] = 0;
+    for (i = 0; i < VM_BUDGET_STATES; i++) rates[i] = 0;
     for (i = 0; i < s->n_bodies; i++)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
@@ -13263,11 +13263,11 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     s->budget->rates = functions.rates;
     s->budget->totals = functions.totals;
     vmi_scene_totals(s, y, s->budget);
-    for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
+    for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be called
-   before vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene
+   before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it is; the scene
    keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
@@ -13291,7 +13291,7 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
     if (!start || !y || !budget) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start;
-    sums = y + vm_scene_size(scene) - VM_BUDGET;
+    sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
     b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
@@ -13925,7 +13925,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
                                 const rk45_options *options_or_NULL)
 {
     rk45_options o = rk45_defaults(options_or_NULL);
-    const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET : n;
+    const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET_STATES : n;
     vm_real *atol = work + RK45_WORK(n);
     int i;
     for (i = 0; i < n_bodies; i++) atol[i] = o.atol_each ? o.atol_each[i] : o.atol;

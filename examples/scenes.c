@@ -24,7 +24,7 @@ static int length; /* of it without ".csv" */
 
 static int write_row(vm_real t, const vm_real *y, vm_scene *scene, void *file)
 {
-    const int n = vm_scene_size(scene) - VM_BUDGET;
+    const int n = vm_scene_size(scene) - VM_BUDGET_STATES;
     int i;
     fprintf((FILE *)file, "%.6g", (double)t);
     for (i = 0; i < n; i++) fprintf((FILE *)file, ",%.6g", (double)y[i]);

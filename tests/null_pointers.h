@@ -106,7 +106,7 @@ static void null_bodies(void)
     NUMBER(1, vm_kinetic_energy2(IN(0, vm_body2, &whole2)));
     NUMBER(1, vm_body_from_body2(IN(0, vm_body2, &whole2)).mass);
     NUMBER(1, vm_parallel_axes(IN(0, vm_inertia, &i), 1, aside).zz);
-    ANSWER(1, vm_inertia_possible(IN(0, vm_inertia, &i)));
+    ANSWER(1, vm_inertia_is_possible(IN(0, vm_inertia, &i)));
     STATUS(3, vm_balance_between(1, IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, zero, X(2, vm_balance)));
     STATUS(4, vm_combine_inertia(1, IN(0, vm_inertia, &i), 1, IN(1, vm_inertia, &little), aside, X(2, vm_inertia),
                                  X(3, vm_vec3)));
@@ -436,9 +436,9 @@ static vm_real null_force(vm_real t, vm_real x, vm_real v, void *ctx)
     return t - x - v;
 }
 
-static vm_mass_now null_mass(vm_real t, vm_real x, vm_real v, void *ctx)
+static vm_mass_law_values null_mass(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    const vm_mass_now now = {2, 0, 0, 0};
+    const vm_mass_law_values now = {2, 0, 0, 0};
     (void)t;
     (void)x;
     (void)v;
@@ -565,7 +565,7 @@ static int run_from_0(vm_scene *s, vm_real *t, vm_real *y, vm_real *work)
 static void null_scenes(void)
 {
     vm_scene_body body = vm_scene_body_line(2, 0, 1);
-    vm_real y[2 + VM_BUDGET] = {0}, z[2 + VM_BUDGET], work[VM_SCENE_WORK(2 + VM_BUDGET)], t;
+    vm_real y[2 + VM_BUDGET_STATES] = {0}, z[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)], t;
     vm_scene_fault culprit;
     vm_budget book, totals;
     vm_scene s;

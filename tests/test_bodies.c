@@ -103,13 +103,13 @@ static void test_combined_inertia(void)
         about_a = vmi_inertia_plus(a.inertia, 1, vm_parallel_axes(&b.inertia, b.mass, d));
         own = vm_parallel_axes(&about_a, -M, centre);
         off = fabs((double)(own.xx - whole.xx)) + fabs((double)(own.yz - whole.yz));
-        check_error("combined (40)", "", "eps", off / eps / (double)vmi_trace(&about_a), 4, i, 0);
+        check_error("combined (40)", "", "eps", off / eps / (double)vmi_inertia_trace(&about_a), 4, i, 0);
         if (vm_split_inertia(M, &whole, b.mass, &b.inertia, vmi_sub(d, centre), &rest, &back)) {
             FAIL("split");
             continue;
         }
         off = fabs((double)(rest.xx - a.inertia.xx)) + fabs((double)(rest.xz - a.inertia.xz));
-        check_error("split", "", "eps", off / eps / (double)vmi_trace(&whole), 5, i, 0);
+        check_error("split", "", "eps", off / eps / (double)vmi_inertia_trace(&whole), 5, i, 0);
         check_error("centre (15)", "split", "eps", size_of(vmi_add(back, centre)) / eps, 12, i, 0);
     }
 }
@@ -119,17 +119,17 @@ static void test_possible_inertia(void)
 {
     const vm_inertia point = {0, 0, 0, 0, 0, 0}, needle = {0, 1, 1, 0, 0, 0}, plate = {1, 2, 3, 0, 0, 0};
     vm_inertia bent = plate;
-    CHECK(vm_inertia_possible(&point) && vm_inertia_possible(&needle) && vm_inertia_possible(&plate));
+    CHECK(vm_inertia_is_possible(&point) && vm_inertia_is_possible(&needle) && vm_inertia_is_possible(&plate));
     bent.zz = 3 + 24 * 4 * VM_EPSILON;
-    CHECK(vm_inertia_possible(&bent));
+    CHECK(vm_inertia_is_possible(&bent));
     bent.zz = 3 + 24 * 16 * VM_EPSILON;
-    CHECK(!vm_inertia_possible(&bent));
+    CHECK(!vm_inertia_is_possible(&bent));
     bent = plate;
     bent.xz = R(0.1); /* takes a plate's moments 1 and 3 further apart than they can be */
-    CHECK(!vm_inertia_possible(&bent));
+    CHECK(!vm_inertia_is_possible(&bent));
     bent = needle;
     bent.xx = R(-1e-3);
-    CHECK(!vm_inertia_possible(&bent));
+    CHECK(!vm_inertia_is_possible(&bent));
 }
 
 int main(int argc, char **argv)

@@ -41,7 +41,7 @@ static void set_sizes(jump *x)
     x->L = size_of(x->moment_O) + size_of(x->moment_S);
     for (i = 0; i < 3; i++) {
         x->K += (double)b[i]->mass * (size_of(b[i]->v) + size_of(x->S.omega) * size_of(vmi_sub(b[i]->r, x->S.r)));
-        trace += (double)vmi_trace(&b[i]->inertia);
+        trace += (double)vmi_inertia_trace(&b[i]->inertia);
         w += size_of(b[i]->omega);
         far = fmax(far, size_of(b[i]->r));
     }

@@ -114,7 +114,7 @@ static void check_energy(const char *what, const char *region, const vm_body *wh
     int i;
     for (i = -1; i < n; i++) {
         const vm_body *b = i < 0 ? whole : pieces + i;
-        const double trace = (double)vmi_trace(&b->inertia);
+        const double trace = (double)vmi_inertia_trace(&b->inertia);
         size += (double)b->mass * size_of(b->v) * size_of(b->v) +
                 trace * size_of(b->omega) * (size_of(b->omega) + size_of(whole->omega));
     }
@@ -368,7 +368,7 @@ static void test_lost_inertia(void)
         CHECK(vm_separate(&whole, &part, NULL, &rest) == VM_OK);
         check_error("omega kept", "I_S1 lost", "eps", size_of(vmi_sub(rest.omega, whole.omega)) / eps, 1, own, 0);
         check_error("I_S1", "I_S1 lost", "eps",
-                    fabs((double)(rest.inertia.xx - ball.xx)) / eps / (double)vmi_trace(&whole.inertia), 8, own, 0);
+                    fabs((double)(rest.inertia.xx - ball.xx)) / eps / (double)vmi_inertia_trace(&whole.inertia), 8, own, 0);
         /* as printed: |I_S Omega - I_S2 Omega| against I_S1 Omega, with each product rounded */
         left = vmi_sub(vmi_spin_momentum(&whole), vmi_spin_momentum(&part));
         left = vmi_sub(left, vmi_scale(R(own), whole.omega));

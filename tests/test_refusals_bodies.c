@@ -253,7 +253,7 @@ static void test_not_finite(vm_real bad)
     REFUSED(VM_NOT_FINITE, vm_balance_between(1, &in.a, 1, &in.b, NULL, nowhere, &out.sum));
     REFUSED(VM_NOT_FINITE, vm_combine_inertia(1, &i, 1, &i, nowhere, &out.inertia, &out.centre));
     i.yz = bad;
-    CHECK(!vm_inertia_possible(&i));
+    CHECK(!vm_inertia_is_possible(&i));
 }
 
 /* Null pointers where others than those of the trials may be null, and counts below 0 */
@@ -295,7 +295,7 @@ static void test_null(void)
     CHECK(isnan(vm_energy_gain(&in.a, -1, &in.b, NULL, &in.b)) &&
           isnan(vm_energy_gain(&in.a, 1, NULL, NULL, &in.b)) && isnan(vm_energy_loss(NULL, 0, NULL, NULL, &in.b)));
     CHECK(vm_energy_gain(&in.a, 0, NULL, NULL, &in.a) == 0 && isnan(vm_energy_gain(NULL, 0, NULL, NULL, &in.b)));
-    CHECK(isnan(vm_parallel_axes(NULL, 1, d).xx) && !vm_inertia_possible(NULL));
+    CHECK(isnan(vm_parallel_axes(NULL, 1, d).xx) && !vm_inertia_is_possible(NULL));
 }
 
 static void test_impossible_parts(void)
@@ -439,10 +439,10 @@ static void test_single_moments(void)
         vm_real numbers[6] = {0, 0, 0, 0, 0, 0};
         vm_inertia one;
         memcpy(&one, numbers, sizeof one);
-        CHECK(vm_inertia_possible(&one));
+        CHECK(vm_inertia_is_possible(&one));
         numbers[i] = 1;
         memcpy(&one, numbers, sizeof one);
-        CHECK(!vm_inertia_possible(&one));
+        CHECK(!vm_inertia_is_possible(&one));
     }
 }
 
@@ -451,14 +451,14 @@ static void test_negative_moments(void)
 {
     const vm_real tiny = VM_MIN * VM_EPSILON;
     vm_inertia i = {1, -1, 0, 0, 0, 0};
-    CHECK(!vm_inertia_possible(&i));
+    CHECK(!vm_inertia_is_possible(&i));
     i.xx = tiny;
     i.yy = -tiny;
-    CHECK(!vm_inertia_possible(&i));
+    CHECK(!vm_inertia_is_possible(&i));
     i.xx = 0;
     i.yy = tiny;
     i.zz = -tiny;
-    CHECK(!vm_inertia_possible(&i));
+    CHECK(!vm_inertia_is_possible(&i));
 }
 
 /* Finite numbers whose products are not */

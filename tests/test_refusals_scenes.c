@@ -663,9 +663,9 @@ static vm_real no_force(vm_real t, vm_real x, vm_real v, void *ctx)
 }
 
 /* A mass that is *ctx from 1 s on */
-static vm_mass_now no_law(vm_real t, vm_real x, vm_real v, void *ctx)
+static vm_mass_law_values no_law(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    vm_mass_now now = {2, 0, 0, 0};
+    vm_mass_law_values now = {2, 0, 0, 0};
     (void)x;
     (void)v;
     if (t >= 1) now.mass = *(const vm_real *)ctx;
@@ -775,7 +775,7 @@ static void test_sizes_of_scenes(void)
     s.y_size--;
     CHECK(vm_scene_run(&s, &t, 2, y, work, NULL) == VM_SHORT_ARRAY && t == 1 && work[0] == 7);
     s.y_size++;
-    vm_scene_keep_budget(&s, &book); /* needs VM_BUDGET numbers more */
+    vm_scene_keep_budget(&s, &book); /* needs VM_BUDGET_STATES numbers more */
     CHECK(vm_scene_start(&s, 0, y, NULL) == VM_SHORT_ARRAY);
     s.y_size = s.work_size = 0;
     vm_scene_keep_budget(&s, NULL); /* not checked */

@@ -224,7 +224,7 @@ static void check_jumps(void)
     stage_event(&s, vm_then_attach(vm_event_at(2), 1, 2));
     stage_event(&s, vm_then_attach(vm_event_at(2), 0, 1));
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 13 + 13 + 6 + VM_BUDGET);
+    CHECK(vm_scene_size(&s.scene) == 13 + 13 + 6 + VM_BUDGET_STATES);
     run(&s, (double)(vm_real)1.5, VM_OK);
     CHECK(!s.bodies[1].away && s.bodies[0].mass == 4);
     vm_scene_budget_at(&s.scene, s.t, s.y, &b);

@@ -171,9 +171,9 @@ static void check_mass_runs_out(void)
 /* ---- Mass laws that are switched ---- */
 
 /* The mass 1 + t/2, by a function */
-static vm_mass_now growing(vm_real t, vm_real x, vm_real v, void *ctx)
+static vm_mass_law_values growing(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    const vm_mass_now now = {1 + t / 2, REAL(0.5), 0, 0};
+    const vm_mass_law_values now = {1 + t / 2, REAL(0.5), 0, 0};
     (void)x;
     (void)v;
     (void)ctx;
@@ -366,7 +366,7 @@ static void check_winding(int by_layer)
     stage s;
     reel(&s, by_layer, phi);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 2 + VM_BUDGET);
+    CHECK(vm_scene_size(&s.scene) == 2 + VM_BUDGET_STATES);
     run(&s, 100, VM_STOPPED);
     agrees(by_layer ? "layers" : "winding", "omega", s.y[1],
            (0.8 * 9 + 1.5 * line * radius_integral(phi, 2, by_layer)) /

@@ -57,7 +57,7 @@ static void check_space(int first, int second)
     stage_stream(&s, 0, streams);
     stage_stream(&s, 0, streams + 1);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 13 + 10 + VM_BUDGET);
+    CHECK(vm_scene_size(&s.scene) == 13 + 10 + VM_BUDGET_STATES);
     run(&s, 3, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &got);
     agrees("stream", "mass", got.mass, (double)wanted.mass, 6, 1e-12);
@@ -151,7 +151,7 @@ static void check_plane(int motion)
                        vm_scene_body_plane(4, 3, stage_vec(0, 0, 0), REAL(0.3), stage_vec(1, -0.5, 0), REAL(0.5))));
     stage_stream(&s, 0, &stream);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 6 + 4 + VM_BUDGET);
+    CHECK(vm_scene_size(&s.scene) == 6 + 4 + VM_BUDGET_STATES);
     run(&s, 3, VM_OK);
     CHECK(rk45_init(&r, vm_flow2_rhs, &flow, VM_FLOW2_STATES, 0, y, &o, work) >= 0 && rk45_solve(&r, 3) >= 0);
     agrees("plane", "x", s.y[0], (double)r.y[0], 1, 1e-9);

@@ -20,7 +20,7 @@ static void check_vessel(void)
     stage s;
     vessel_on_hook(&s);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 2 + VM_BUDGET);
+    CHECK(vm_scene_size(&s.scene) == 2 + VM_BUDGET_STATES);
     agrees("vessel", "hook, t = 0", (vm_real)hook_force(0), 76329, 76329, 1e-13);
     agrees("vessel", "hook, t = 2", (vm_real)hook_force(2), 64930.4644962190676, 64930, 1e-13);
     agrees("vessel", "hook, t = 5-", (vm_real)hook_force(5), 48189.2267010684027, 48189, 1e-13);
@@ -76,7 +76,7 @@ static void check_wagon(void)
     stage s;
     wagon(&s);
     begin(&s);
-    CHECK(vm_scene_size(&s.scene) == 3 + VM_BUDGET);
+    CHECK(vm_scene_size(&s.scene) == 3 + VM_BUDGET_STATES);
     run(&s, 60, VM_OK);
     agrees("wagon", "v(60)", s.y[1], 18.3141818181818182, 18, 1e-10);
     agrees("wagon", "x(60)", s.y[0], 702.264741224327747, 702, 1e-10);

@@ -33,10 +33,10 @@ static inline void chain_over_drum(stage *s, int heaped)
 }
 
 /* G omega^2 is constant, G = M l^2 + mu l^3/3, l = 3 - R phi: wound links stop without impact */
-static inline vm_mass_now winding_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
+static inline vm_mass_law_values winding_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const double l = 3 - 0.3 * (double)phi;
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     (void)omega;
     (void)ctx;

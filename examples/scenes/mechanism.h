@@ -6,10 +6,10 @@
 
 static const double crank_r = 0.5, crank_mass = 800, crank_mu = 600, crank_J = 300;
 
-static inline vm_mass_now crank_inertia(vm_real t, vm_real theta, vm_real omega, void *ctx)
+static inline vm_mass_law_values crank_inertia(vm_real t, vm_real theta, vm_real omega, void *ctx)
 {
     const double x1 = crank_r * sin((double)theta), x = crank_r * (1 - cos((double)theta));
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     (void)omega;
     (void)ctx;

@@ -27,9 +27,9 @@ static inline mill_now mill_at(const mill_data *a, double s1)
     return m;
 }
 
-static inline vm_mass_now mill_mass(vm_real t, vm_real s1, vm_real v1, void *ctx)
+static inline vm_mass_law_values mill_mass(vm_real t, vm_real s1, vm_real v1, void *ctx)
 {
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     (void)v1;
     now.mass = REAL(mill_at((const mill_data *)ctx, (double)s1).G);

@@ -31,10 +31,10 @@ static inline void figure21(stage *s, double b) /* (355), corrected */
 
 static inline void example1(stage *s) { oscillator(s, 1, 0.1, 3, 1); } /* (398) */
 
-static inline vm_mass_now squared(vm_real t, vm_real x, vm_real v, void *ctx)
+static inline vm_mass_law_values squared(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_real c = REAL(0.1), root = 1 + c * t;
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)x;
     (void)v;
     (void)ctx;

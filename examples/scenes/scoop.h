@@ -8,9 +8,9 @@ static const double scoop_L = 3, scoop_m1 = 750;
 
 static inline double soil(double phi) { return scoop_m1 * ((phi < 0.6 ? phi : 0.6) + 0.6); }
 
-static inline vm_mass_now scoop_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
+static inline vm_mass_law_values scoop_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     const int full = *(const int *)ctx;
     (void)t;
     (void)omega;

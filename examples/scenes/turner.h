@@ -31,10 +31,10 @@ static inline int turner_next(vm_real t, vm_real *y, void *ctx)
     return VM_OK;
 }
 
-static inline vm_mass_now turner_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
+static inline vm_mass_law_values turner_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const turner_data *a = (const turner_data *)ctx;
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     (void)omega;
     now.mass = REAL(a->J + turner_load(a, (double)phi) * a->rho2);

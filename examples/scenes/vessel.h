@@ -45,10 +45,10 @@ static inline double vessel_weight(double phi, double px, double py)
 
 /* ---- By a hook about the lip: F_B(t) pours uniformly, tan phi = t/4 ---- */
 
-static inline vm_mass_now vessel_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
+static inline vm_mass_law_values vessel_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const metal f = metal_at((double)phi);
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     (void)omega;
     (void)ctx;
@@ -91,12 +91,12 @@ static inline void vessel_on_hook(stage *s)
 
 /* ---- By a motor about the trunnion: T0 - kappa phi'; what leaves has the lip's velocity ---- */
 
-static inline vm_mass_now trunnion_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
+static inline vm_mass_law_values trunnion_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const metal f = metal_at((double)phi);
     const double px = trunnion_x, py = trunnion_y, pp = px * px + py * py, L = f.L;
     const double ep = -px * cos((double)phi) - py * sin((double)phi);
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     (void)omega;
     (void)ctx;

@@ -123,21 +123,21 @@ VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 
 /* ---- checks ---- */
 
-VM_API int vmi_body_finite(const vm_body *b)
+VM_API int vmi_body_is_finite(const vm_body *b)
 {
-    return VM_IS_FINITE(b->mass) && vmi_vec3_finite(b->r) && vmi_vec3_finite(b->v) && vmi_vec3_finite(b->omega) &&
-           vmi_inertia_finite(&b->inertia) && vmi_quat_is_finite(b->q);
+    return VM_IS_FINITE(b->mass) && vmi_vec3_is_finite(b->r) && vmi_vec3_is_finite(b->v) && vmi_vec3_is_finite(b->omega) &&
+           vmi_inertia_is_finite(&b->inertia) && vmi_quat_is_finite(b->q);
 }
 
 VM_API int vmi_body2_is_finite(const vm_body2 *b)
 {
-    return VM_IS_FINITE(b->mass) && VM_IS_FINITE(b->inertia) && vmi_vec3_finite(vmi_vec3(b->x, b->y, b->angle)) &&
-           vmi_vec3_finite(vmi_vec3(b->vx, b->vy, b->omega));
+    return VM_IS_FINITE(b->mass) && VM_IS_FINITE(b->inertia) && vmi_vec3_is_finite(vmi_vec3(b->x, b->y, b->angle)) &&
+           vmi_vec3_is_finite(vmi_vec3(b->vx, b->vy, b->omega));
 }
 
-VM_API int vmi_impulse_finite(const vm_impulse *j)
+VM_API int vmi_impulse_is_finite(const vm_impulse *j)
 {
-    return vmi_vec3_finite(j->linear) && vmi_vec3_finite(j->couple) && vmi_vec3_finite(j->at);
+    return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
 /* Of two statuses, VM_OK or errors, the one that is returned if both apply: VM_BAD_ARGUMENT before VM_NOT_FINITE
@@ -152,9 +152,9 @@ VM_API int vmi_first_error(int a, int b)
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
 VM_API int vmi_check_body(const vm_body *b)
 {
-    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
     if (!(b->mass > 0)) return VM_BAD_MASS;
-    return vm_inertia_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
+    return vm_inertia_is_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
 }
 
 /* VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA */
@@ -226,7 +226,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
     sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_trace(&body->inertia) * vmi_norm2(body->omega) +
+    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vmi_norm2(body->omega) +
                                    (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
@@ -244,7 +244,7 @@ VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_ve
 VM_API int vmi_balance_is_finite(const vm_balance *b)
 {
     return VM_IS_FINITE(b->energy) && VM_IS_FINITE(b->momentum_scale) && VM_IS_FINITE(b->angular_momentum_scale) &&
-           vmi_vec3_finite(b->momentum) && vmi_vec3_finite(b->angular_momentum);
+           vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
 /* Balance of momentum, angular momentum and energy across an instant. *balance is what the n_after bodies have less

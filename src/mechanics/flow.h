@@ -296,8 +296,8 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
-    int status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(flow->n, flow->streams));
-    if (!vmi_vec3_finite(flow->centre) || !vmi_vec3_finite(flow->force) || !vmi_vec3_finite(flow->moment))
+    int status = vmi_first_error(vmi_check_body(body), vmi_check_streams(flow->n, flow->streams));
+    if (!vmi_vec3_is_finite(flow->centre) || !vmi_vec3_is_finite(flow->force) || !vmi_vec3_is_finite(flow->moment))
         status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     if (!vmi_inertia_factor(&body->inertia, &factors)) return VM_BAD_INERTIA;
@@ -365,7 +365,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
     b.omega = vmi_times(&turn, seen.omega);
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
 }

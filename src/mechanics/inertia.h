@@ -4,7 +4,7 @@
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
-       if (vm_inertia_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
+       if (vm_inertia_is_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
 
    The other functions are internal: they turn, add and invert tensors for the chapters on jumps, streams and scenes.
    Tests: tests/test_momenta.c, tests/test_jumps.c. */
@@ -20,9 +20,9 @@ typedef struct VM_TAG(vm_inertia) {
     vm_real xx, yy, zz, xy, xz, yz;
 } vm_inertia;
 
-VM_API int vmi_inertia_finite(const vm_inertia *i)
+VM_API int vmi_inertia_is_finite(const vm_inertia *i)
 {
-    return vmi_vec3_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_finite(vmi_vec3(i->xy, i->xz, i->yz));
+    return vmi_vec3_is_finite(vmi_vec3(i->xx, i->yy, i->zz)) && vmi_vec3_is_finite(vmi_vec3(i->xy, i->xz, i->yz));
 }
 
 /* i a */
@@ -89,7 +89,7 @@ VM_API vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 }
 
 /* |xx| + |yy| + |zz|, which is the trace of an inertia that a body has */
-VM_API vm_real vmi_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
+VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
 /* Six numbers of a state as an inertia, and back */
 VM_API vm_inertia vmi_get_inertia(const vm_real *y)
@@ -115,12 +115,12 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
 }
 
 /* What roundings may add to an inertia whose entries are sums of terms of the size of i, kg m^2 */
-VM_API vm_real vmi_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_trace(i); }
+VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* 1 if a body can have the inertia i to within slack (kg m^2): tr(i)/2 E - i, the second moments integral of r r^T
    dm, must have no negative eigenvalue. By elimination, after slack, which exceeds the rounding errors, has been
    added */
-VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
+VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
     vm_real x, y, z, yz; /* pivots, and the entry left beside the last two */
@@ -137,9 +137,9 @@ VM_API int vmi_inertia_within(const vm_inertia *i, vm_real slack)
 /* Whether a body can have this inertia: 1 if it can, 0 if not, and for NaN and a null pointer. A body's principal
    moments are not negative, and none is larger than the sum of the two others; violations up to 32 eps of the trace
    count as rounding errors. Rods and points are bodies. */
-VM_API int vm_inertia_possible(const vm_inertia *inertia)
+VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
-    return inertia && vmi_inertia_finite(inertia) && vmi_inertia_within(inertia, vmi_slack(inertia));
+    return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
 /* Inertia about a point d away from the mass centre, along parallel axes, (40): own + mass P(d), where own is about
@@ -224,7 +224,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 
 /* 1 if these are moments of a body: none is larger than the sum of the two others, to within slack (kg m^2). Then
    none is below -slack either. */
-VM_API int vmi_inertia_is_possible(const vmi_principal *p, vm_real slack)
+VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
@@ -326,7 +326,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* of the trace */
-    return vmi_inertia_finite(i) && vmi_inertia_within(i, slack * (i->xx + i->yy + i->zz));
+    return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
 /* 1 if a body can have the inertia i, whose moments are positive, at some time of an integration. A cheap test is

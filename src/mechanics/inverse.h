@@ -45,7 +45,7 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     const vmi_bodies list = vmi_bodies_in_space(1, &unturned);
     vmi_principal p;
     int status;
-    if (!vmi_vec3_finite(part->v)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(part->v)) return VM_NOT_FINITE;
     unturned.omega = whole->omega;
     *frame = vmi_frame_of(whole, &list, VMI_SEPARATE);
     status = vmi_jump_total(frame, whole, VMI_SEPARATE, &list, external_or_NULL, rest);
@@ -65,7 +65,7 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     own.turn = vmi_rotation(part->q);
     lump = vmi_lump_of(&own, part);
     lump.h = vmi_part_spin_momentum(frame, rest, rest_omega);
-    lump.noise = rest->noise + vmi_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
+    lump.noise = rest->noise + vmi_inertia_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
     status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
     if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
@@ -90,8 +90,8 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
     vm_body b;
     int status;
     if (!whole || !part || !moving) return VM_BAD_ARGUMENT;
-    if (rest_v_or_NULL && !vmi_vec3_finite(*rest_v_or_NULL)) return VM_NOT_FINITE;
-    if (rest_omega_or_NULL && !vmi_vec3_finite(*rest_omega_or_NULL)) return VM_NOT_FINITE;
+    if (rest_v_or_NULL && !vmi_vec3_is_finite(*rest_v_or_NULL)) return VM_NOT_FINITE;
+    if (rest_omega_or_NULL && !vmi_vec3_is_finite(*rest_omega_or_NULL)) return VM_NOT_FINITE;
     status = vmi_check_jump(whole, &parts, external_or_NULL);
     if (status) return status;
     b = *part;
@@ -100,7 +100,7 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
     if (status) return status;
     if (rest_omega_or_NULL) status = vmi_turn_part(&frame, &rest, *rest_omega_or_NULL, &b);
     if (status < 0) return status;
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *moving = b;
     return status;
 }

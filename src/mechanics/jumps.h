@@ -64,7 +64,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     lump.inertia = vmi_inertia_along(&body->inertia, &turn);
     lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
-    lump.noise = vmi_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
+    lump.noise = vmi_inertia_trace(&body->inertia) * (vmi_norm1(body->omega) + vmi_norm1(frame->omega));
     return lump;
 }
 
@@ -161,7 +161,7 @@ VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_
 VM_API int vmi_check_jump(const vm_body *body, const vmi_bodies *others, const vm_impulse *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body(body), vmi_check_bodies(others));
-    if (!external_or_NULL || vmi_impulse_finite(external_or_NULL)) return status;
+    if (!external_or_NULL || vmi_impulse_is_finite(external_or_NULL)) return status;
     return vmi_first_error(status, VM_NOT_FINITE);
 }
 
@@ -188,9 +188,9 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
    the moments are not possible within the rounding errors. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
-    if (!vmi_inertia_finite(&lump->inertia)) return VM_NOT_FINITE;
+    if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
     *p = vmi_principal_axes(&lump->inertia);
-    if (!vmi_inertia_is_possible(p, vmi_slack(&lump->sizes))) return VM_BAD_INERTIA;
+    if (!vmi_moments_are_possible(p, vmi_inertia_slack(&lump->sizes))) return VM_BAD_INERTIA;
     if (vmi_clamp_moments(p, &lump->sizes)) lump->inertia = vmi_inertia_from(p);
     return VM_OK;
 }
@@ -233,7 +233,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     b.v = vmi_add(frame.v, lump.v);
     if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
     b.omega = vmi_add(frame.omega, b.omega);
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
 }

@@ -54,7 +54,7 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
     vm_impulse impulse;
     if (!external_or_NULL) return status;
     impulse = vmi_impulse_to_space(external_or_NULL);
-    return vmi_impulse_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
+    return vmi_impulse_is_finite(&impulse) ? status : vmi_first_error(status, VM_NOT_FINITE);
 }
 
 /* vmi_jump_total for bodies of the plane, with the moment of the total clamped */

@@ -46,7 +46,7 @@ VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 /* *result becomes b, if all numbers are finite */
 VM_API int vmi_put_body(const vm_body *b, vm_body *result)
 {
-    if (!vmi_body_finite(b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
     *result = *b;
     return VM_OK;
 }

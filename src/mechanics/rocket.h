@@ -132,7 +132,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t) || !vmi_vec3_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(t) || !vmi_vec3_is_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
     if (!(jet->axial > 0 && jet->transverse > 0)) return VM_BAD_INERTIA;
     change = jet->rate * t / jet->transverse;
     tau = change * jet->gyration_transverse;
@@ -145,7 +145,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     vmi_sincos(angle, &sine, &cosine);
     later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
                      omega0.z);
-    if (!vmi_vec3_finite(later)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(later)) return VM_NOT_FINITE;
     *omega = later;
     return VM_OK;
 }

@@ -209,40 +209,40 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 
 /* VM_OK if the gyration is finite and has no negative moment. Only the body has to satisfy the triangle inequality:
    for motion in a plane a tensor with zz alone is enough, as long as the body itself is not that flat. */
-VM_API int vmi_gyration_is_valid(const vm_inertia *i)
+VM_API int vmi_check_gyration(const vm_inertia *i)
 {
-    if (!vmi_inertia_finite(i)) return VM_NOT_FINITE;
+    if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
     if (!(i->xx >= 0 && i->yy >= 0 && i->zz >= 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
 
 /* VM_OK if the motion exists, all numbers are finite and the gyrations are possible */
-VM_API int vmi_stream_is_valid(const vm_stream *s)
+VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
     if (!vmi_stream_motion_is_known(s->motion)) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(s->rate) || !vmi_vec3_finite(s->at) || !vmi_vec3_finite(s->velocity) ||
-        !vmi_vec3_finite(s->spin))
+    if (!VM_IS_FINITE(s->rate) || !vmi_vec3_is_finite(s->at) || !vmi_vec3_is_finite(s->velocity) ||
+        !vmi_vec3_is_finite(s->spin))
         return VM_NOT_FINITE;
-    status = vmi_gyration_is_valid(&s->gyration);
+    status = vmi_check_gyration(&s->gyration);
     if (!s->from) return status;
-    if (!vmi_vec3_finite(s->from->at)) return VM_NOT_FINITE;
-    return vmi_first_error(status, vmi_gyration_is_valid(&s->from->gyration));
+    if (!vmi_vec3_is_finite(s->from->at)) return VM_NOT_FINITE;
+    return vmi_first_error(status, vmi_check_gyration(&s->from->gyration));
 }
 
 /* The first error of n streams in the table's order, else VM_OK */
-VM_API int vmi_streams_are_valid(int n, const vm_stream *s)
+VM_API int vmi_check_streams(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
     if (n < 0 || (n > 0 && !s)) return VM_BAD_ARGUMENT;
-    for (k = 0; k < n; k++) status = vmi_first_error(status, vmi_stream_is_valid(s + k));
+    for (k = 0; k < n; k++) status = vmi_first_error(status, vmi_check_stream(s + k));
     return status;
 }
 
 VM_API int vmi_reactive_finite(const vm_reactive *r)
 {
-    return vmi_vec3_finite(r->force) && vmi_vec3_finite(r->moment) && vmi_vec3_finite(r->torque) &&
-           vmi_vec3_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_finite(&r->inertia_rate);
+    return vmi_vec3_is_finite(r->force) && vmi_vec3_is_finite(r->moment) && vmi_vec3_is_finite(r->torque) &&
+           vmi_vec3_is_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_is_finite(&r->inertia_rate);
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
@@ -258,8 +258,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     vm_reactive r;
     int status, k;
     if (!body || !result) return VM_BAD_ARGUMENT;
-    status = vmi_first_error(vmi_check_body(body), vmi_streams_are_valid(n, streams));
-    if (!vmi_vec3_finite(centre)) status = vmi_first_error(status, VM_NOT_FINITE);
+    status = vmi_first_error(vmi_check_body(body), vmi_check_streams(n, streams));
+    if (!vmi_vec3_is_finite(centre)) status = vmi_first_error(status, VM_NOT_FINITE);
     for (k = 0; !status && k < n; k++)
         if (streams[k].from) status = VM_STORED_STREAM;
     if (status) return status;
@@ -312,7 +312,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, sum));
     angular = vmi_times(&turn, angular);
-    if (!vmi_vec3_finite(linear) || !vmi_vec3_finite(angular)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(linear) || !vmi_vec3_is_finite(angular)) return VM_NOT_FINITE;
     *acceleration = linear;
     *angular_acceleration = angular;
     return VM_OK;

@@ -431,7 +431,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < largest_factor)) return VM_NOT_FINITE;
     vmi_torque_free_at(motion, elapsed, &w, &turn);
     turn = vmi_quat_times(motion->start, turn);
-    if (!vmi_vec3_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
     *q = turn;
     *omega = w;
     return VM_OK;
@@ -452,7 +452,7 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
     b.r = vmi_add(b.r, vmi_scale(t - motion->t0, b.v));
-    if (!vmi_body_finite(&b)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
 }

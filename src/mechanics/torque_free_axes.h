@@ -134,7 +134,7 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* a bound that is not reached: the rotations converge quadratically */
-    const vm_real power = vmi_power_of_two(vmi_trace(i));
+    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
     memset(b, 0, sizeof *b);
@@ -159,7 +159,7 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const vm_inertia sizes = vmi_inertia_sizes(i, &same);
-    const vm_real power = vmi_power_of_two(vmi_trace(i));
+    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
     int k;
     for (k = 0; k < 3; k++) {
         const vm_vec3 axis = vmi_vec3_two_high_words(&b->axis[k]);

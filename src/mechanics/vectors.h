@@ -67,7 +67,7 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     return c > b.z ? c : b.z;
 }
 
-VM_API int vmi_vec3_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
+VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 /* m a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
@@ -94,7 +94,7 @@ VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
 /* x, y, z of q */
 VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
-VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_finite(vmi_quat_vector(q)); }
+VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
 /* 1 if all four numbers are 0, which stands for the identity */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }

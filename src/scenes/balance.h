@@ -5,7 +5,7 @@
    in. The difference, the defect, shows the error of a run, and what constraints take.
 
        vm_budget budget, now;
-       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET numbers more
+       vm_scene_keep_budget(&scene, &budget);           // before vm_scene_start; y has VM_BUDGET_STATES numbers more
        ...                                              // vm_scene_start, vm_scene_run
        vm_scene_budget_at(&scene, t, y, &now);          // now.momentum_defect, now.energy_defect
 
@@ -25,7 +25,7 @@
 #include "start.h"
 #include "state.h"
 
-/* Places of the sums in the VM_BUDGET numbers of the state */
+/* Places of the sums in the VM_BUDGET_STATES numbers of the state */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -80,7 +80,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
-    for (i = 0; i < VM_BUDGET; i++) rates[i] = 0;
+    for (i = 0; i < VM_BUDGET_STATES; i++) rates[i] = 0;
     for (i = 0; i < s->n_bodies; i++)
         if (!s->bodies[i].away) vmi_scene_enter(s->bodies + i, y, rates);
 }
@@ -118,11 +118,11 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     s->budget->rates = functions.rates;
     s->budget->totals = functions.totals;
     vmi_scene_totals(s, y, s->budget);
-    for (i = 0; i < VM_BUDGET; i++) sums[i] = 0;
+    for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. With NULL it keeps one no longer. To be called
-   before vm_scene_start; the state then has VM_BUDGET numbers more. *budget_or_NULL must stay where it is; the scene
+   before vm_scene_start; the state then has VM_BUDGET_STATES numbers more. *budget_or_NULL must stay where it is; the scene
    keeps in it what was there at the start. A budget may be given up between two runs, but not begun. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
@@ -146,7 +146,7 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
     if (!start || !y || !budget) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     b = *start;
-    sums = y + vm_scene_size(scene) - VM_BUDGET;
+    sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
     b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));

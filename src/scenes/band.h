@@ -118,7 +118,7 @@ VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_s
     const vm_band band = vmi_band_of(e);
     const vm_band_now wound = vm_band_at(y[e->x], &band);
     const vm_real u = band.speed / wound.radius;
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     (void)t;
     now.mass = s->bodies[e->body].start.mass + wound.inertia;
     now.by_x = wound.rate * wound.radius * wound.radius;

@@ -27,7 +27,7 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
 {
     if (b->status) return b->status;
     if (b->motion < VM_LINE || b->motion > VM_FREE || !b->put) return VM_BAD_MOTION;
-    if (!vmi_body_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
+    if (!vmi_body_is_finite(&b->start) || !VM_IS_FINITE(b->angle)) return VM_NOT_FINITE;
     if (!(b->start.mass > 0)) return VM_BAD_MASS;
     if (b->check) return (b->check)(&b->start);
     return VM_OK;
@@ -109,7 +109,7 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
     if (status) return status;
     if (!vmi_scene_can_jump(s->bodies[e->jump_body].motion, s->bodies[e->other].motion)) return VM_BAD_MOTION;
     if (!(e->motions >> s->bodies[e->jump_body].motion & 1)) return VM_BAD_MOTION;
-    if (!vmi_impulse_finite(&e->external)) return VM_NOT_FINITE;
+    if (!vmi_impulse_is_finite(&e->external)) return VM_NOT_FINITE;
     if (e->jump_kind == VMI_JUMP_ATTACHES) return VM_OK;
     part = s->bodies[e->other];
     part.start = e->part;

@@ -97,7 +97,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
         status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
-    if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET);
+    if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
     if (s->status) vmi_scene_refuse(s, before, dydt);
     return 0;
 }

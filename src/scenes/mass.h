@@ -49,7 +49,7 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
 
 /* Gives the body the mass of a law. M' = by_t + by_x v + by_v v'; the last term is not known before the acceleration
    is, so that (M'(v) (v - u)) v' goes to the other side of the equation, into extra_mass. */
-VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_now *now,
+VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
     vm_load *load = e->load;
@@ -63,14 +63,14 @@ VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scen
 
 VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    const vm_mass_now now = e->law(t, y[e->x], y[e->v], e->ctx);
+    const vm_mass_law_values now = e->law(t, y[e->x], y[e->v], e->ctx);
     vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
    the mass that joins or leaves is u + (1 - reactive) v. VM_BAD_ARGUMENT at the start where law is NULL. A run ends
    with VM_BAD_MASS where the mass is not positive, with VM_NO_EFFECTIVE_MASS where M + M'(v) (v - u) is not. */
-VM_API vm_effect vm_effect_mass_law(int body, vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
+VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, law ? vmi_apply_mass_law : NULL);
@@ -94,7 +94,7 @@ enum {
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_real x = y[e->x], v = y[e->v], c = e->p[VMI_MASS_COEFFICIENT];
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     now.mass = s->bodies[e->body].start.mass;
     if (e->variant == VM_MASS_OF_T) {
         now.mass += c * t;

@@ -21,7 +21,7 @@
 /* A law that fails at t sets the status of the scene, so that a step that leads there is refused */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_mass_now now = {0, 0, 0, 0};
+    vm_mass_law_values now = {0, 0, 0, 0};
     const int status = vm_law_at((const vm_law *)e->ctx, t, &now.mass, &now.by_t);
     if (status) s->status = status;
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);

@@ -262,7 +262,7 @@ VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
     vmi_principal p = vmi_principal_axes(i);
     int k, null_axes = 0;
     for (k = 0; k < 3; k++)
-        if (!(p.moment[k] > vmi_slack(i))) {
+        if (!(p.moment[k] > vmi_inertia_slack(i))) {
             p.moment[k] = dummy;
             null_axes++;
         }

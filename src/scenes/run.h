@@ -174,7 +174,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
                                 const rk45_options *options_or_NULL)
 {
     rk45_options o = rk45_defaults(options_or_NULL);
-    const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET : n;
+    const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET_STATES : n;
     vm_real *atol = work + RK45_WORK(n);
     int i;
     for (i = 0; i < n_bodies; i++) atol[i] = o.atol_each ? o.atol_each[i] : o.atol;

@@ -120,12 +120,12 @@ typedef struct VM_TAG(vm_effect) vm_effect;
 typedef struct VM_TAG(vm_event) vm_event;
 
 /* What a mass law M(t, x, v) returns: the mass and its partial derivatives */
-typedef struct VM_TAG(vm_mass_now) {
+typedef struct VM_TAG(vm_mass_law_values) {
     vm_real mass; /* kg (on an axle kg m^2) */
     vm_real by_t; /* kg/s */
     vm_real by_x; /* kg/m (on an axle kg m^2/rad) */
     vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad) */
-} vm_mass_now;
+} vm_mass_law_values;
 
 /* The place of an effect in the list of effects on its body */
 enum {
@@ -156,7 +156,7 @@ struct VM_TAG(vm_effect) {
     int other, other_coordinate; /* against what: another body, or VM_GROUND */
     vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their places */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* of vm_effect_force: N or N m */
-    vm_mass_now (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
+    vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* of vm_effect_mass_law */
     vm_moving_point point;                                          /* of vm_effect_link: NULL, or the far end */
     const vm_stream *stream;                                        /* of vm_effect_stream_mass and its like */
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* NULL, or of vm_effect_varying */
@@ -246,7 +246,7 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* n_events of them */
     ode_event *located; /* room for n_events, for the integrator, which locates the events */
     int n_events;
-    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET numbers join the state */
+    vm_budget *budget; /* by vm_scene_keep_budget: the budget at the start; VM_BUDGET_STATES numbers join the state */
     /* called when a run starts and after each step, or at the times that follow; the run stops where it returns
        another number than 0 */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);

@@ -1,7 +1,7 @@
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
    A scene's state y holds the numbers of each body one after the other, and at the end, where the scene keeps a budget,
-   the VM_BUDGET numbers of it. scene.h has a table of the numbers of each body.
+   the VM_BUDGET_STATES numbers of it. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
@@ -17,7 +17,7 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-enum { VM_BUDGET = 15 }; /* how many numbers a budget adds to the state */
+enum { VM_BUDGET_STATES = 15 }; /* how many numbers a budget adds to the state */
 
 /* How many numbers of work vm_scene_run needs for a state of so many numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
@@ -29,7 +29,7 @@ VM_API int vm_scene_size(const vm_scene *scene)
     int i, size = 0;
     if (!scene || (scene->n_bodies > 0 && !scene->bodies)) return VM_BAD_ARGUMENT;
     for (i = 0; i < scene->n_bodies; i++) size += vmi_scene_body_size(scene->bodies + i);
-    if (scene->budget) size += VM_BUDGET;
+    if (scene->budget) size += VM_BUDGET_STATES;
     return size;
 }
 

@@ -136,7 +136,7 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     if (!e->stream) return VM_BAD_ARGUMENT;
-    return e->stream->from ? (int)VM_STORED_STREAM : vmi_stream_is_valid(e->stream);
+    return e->stream->from ? (int)VM_STORED_STREAM : vmi_check_stream(e->stream);
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,

@@ -58,7 +58,7 @@ static void check_kinetics(const vm_body *b)
     const vm_real T = vm_kinetic_energy(b);
     if (!tame_body(b)) return;
     HOLDS(finite3(p) && finite3(L) && is_finite(T));
-    if (b->mass > 0 && vm_inertia_possible(&b->inertia))
+    if (b->mass > 0 && vm_inertia_is_possible(&b->inertia))
         HOLDS(T >= 0 || T >= -R(64) * VM_EPSILON * b->inertia.xx * R(size3(b->omega) * size3(b->omega)));
     HOLDS(is_nan(vm_kinetic_energy(NULL)) && is_nan3(vm_momentum(NULL)) &&
           is_nan3(vm_angular_momentum(NULL, origin)));
@@ -116,7 +116,7 @@ static void check_separate(void)
         HOLDS(UNTOUCHED(rest) && status >= VM_BAD_INERTIA);
         return;
     }
-    HOLDS(finite_body(&rest) && rest.mass > 0 && vm_inertia_possible(&whole.inertia));
+    HOLDS(finite_body(&rest) && rest.mass > 0 && vm_inertia_is_possible(&whole.inertia));
     same = whole;
     HOLDS(vm_separate(&same, &part, external, &same) == status && same_body(&same, &rest));
     HOLDS(vm_separate_all(&whole, 1, &part, external, &again) == status && same_body(&again, &rest));
@@ -161,7 +161,7 @@ static void check_attach(void)
     }
     HOLDS(finite_body(&whole) && whole.mass >= body.mass);
     if (!tame_all || !tame_body(&whole)) return;
-    HOLDS(vm_inertia_possible(&whole.inertia));
+    HOLDS(vm_inertia_is_possible(&whole.inertia));
     check_balance(n + 1, before, 1, &whole, external, status == VM_NULL_AXIS);
     check_parts(n + 1, before, 1, &whole, 1);
     if (!external && status == VM_OK) { /* Carnot's loss */
@@ -198,9 +198,9 @@ static void check_inertia(void)
         HOLDS(UNTOUCHED(whole) && UNTOUCHED(centre));
         return;
     }
-    HOLDS(ma > 0 && mb > 0 && vm_inertia_possible(&a) && vm_inertia_possible(&b));
+    HOLDS(ma > 0 && mb > 0 && vm_inertia_is_possible(&a) && vm_inertia_is_possible(&b));
     if (!tame(ma) || !tame(mb) || !tame3(d)) return;
-    HOLDS(vm_inertia_possible(&whole) && size3(centre) <= size3(d) * (1 + 4 * EPS));
+    HOLDS(vm_inertia_is_possible(&whole) && size3(centre) <= size3(d) * (1 + 4 * EPS));
     scale = trace_of(&moved);
     check_tensors(&back, &a, 8 * EPS * scale);
     add_inertia(sum, 1, &a);
@@ -362,7 +362,7 @@ static void check_separate2(const jump2 *j)
     if (status == VM_OK) check_momentum2(j, &rest);
     in_space = vm_body_from_body2(&rest);
     if (is_finite(rest.inertia) && (rest.inertia == 0 || rest.inertia > VM_MIN / VM_EPSILON))
-        HOLDS(vm_inertia_possible(&in_space.inertia));
+        HOLDS(vm_inertia_is_possible(&in_space.inertia));
 }
 
 static void check_attach2(const jump2 *j)

@@ -53,7 +53,7 @@ static void check_hit(void)
     vm_lagrange_impulse(6, &impulse, body.r, dr, turn, Q);
     vmi_set3(rates, body.v);
     vmi_set3(rates + 3, body.omega);
-    if (tame_body(&body) && body.mass > 0 && vm_inertia_possible(&body.inertia))
+    if (tame_body(&body) && body.mass > 0 && vm_inertia_is_possible(&body.inertia))
         check_quadratic(&body, matrix, rates, p);
     STAIN(after);
     status = vm_lagrange_impact(6, matrix, rates, Q, after, work);

@@ -20,7 +20,7 @@ static void check_free(void)
         HOLDS(!is_finite(t0) || (vm_torque_free_rotation(&body, t, &later) < 0 && UNTOUCHED(later)));
         return;
     }
-    HOLDS(body.mass > 0 && vm_inertia_possible(&body.inertia) && finite_body(&body) && is_finite(t0));
+    HOLDS(body.mass > 0 && vm_inertia_is_possible(&body.inertia) && finite_body(&body) && is_finite(t0));
     STAIN(q);
     STAIN(omega);
     status = vm_torque_free_at(&motion, t, &later);

@@ -2,7 +2,7 @@
    came in balances with what is there; a run ends, where it is told to or with a status. */
 #include "bodies.h"
 
-enum { BODIES = 4, EFFECTS = 6, EVENTS = 3, STATE = (13 + 10) * BODIES + VM_BUDGET };
+enum { BODIES = 4, EFFECTS = 6, EVENTS = 3, STATE = (13 + 10) * BODIES + VM_BUDGET_STATES };
 
 static vm_real push(vm_real t, vm_real x, vm_real v, void *ctx) { return *(const vm_real *)ctx * (1 + t) - x - v; }
 
@@ -13,9 +13,9 @@ static void callback(const vm_effect *effect, vm_real t, const vm_real *y, vm_sc
     scene->bodies[effect->body].load.force[0] += *(const vm_real *)effect->ctx;
 }
 
-static vm_mass_now mass_law(vm_real t, vm_real x, vm_real v, void *ctx)
+static vm_mass_law_values mass_law(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    vm_mass_now now;
+    vm_mass_law_values now;
     (void)x;
     (void)v;
     now.mass = 2 + *(const vm_real *)ctx * t;

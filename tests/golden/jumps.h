@@ -65,7 +65,7 @@ static void try_bodies(void)
         fold3(vm_momentum(&a));
         fold3(vm_angular_momentum(&a, d));
         fold(vm_kinetic_energy(&a));
-        fold_int(vm_inertia_possible(&a.inertia));
+        fold_int(vm_inertia_is_possible(&a.inertia));
         fold_inertia(vm_parallel_axes(&a.inertia, a.mass, d));
         fold_int(vm_combine_inertia(a.mass, &a.inertia, b.mass, &b.inertia, d, &sum, &centre));
         fold_inertia(sum);

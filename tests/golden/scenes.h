@@ -189,9 +189,9 @@ static void try_scene_of_parts_on_a_line(void)
 
 /* ---- on axles ---- */
 
-static vm_mass_now swelling(vm_real t, vm_real x, vm_real v, void *ctx)
+static vm_mass_law_values swelling(vm_real t, vm_real x, vm_real v, void *ctx)
 {
-    vm_mass_now now;
+    vm_mass_law_values now;
     (void)ctx;
     now.mass = 2 + t / 8 + x / 64 + v * v / 128;
     now.by_t = VM_C(0.125);
