@@ -8,8 +8,9 @@ cc=${CC:-cc} build=$1/errors
 . tests/check.sh
 
 generate() { # the program, from the signatures as they are
-    awk -f tests/errors/generate.awk tests/errors/valid.txt tests/errors/exceptions.txt tests/errors/objects.h jacobi.h ateb.h \
-        integrators.h varmass.h >"$build/errors.c" 2>"$build/unused"
+    folder=tests/errors
+    awk -f $folder/generate.awk $folder/valid.txt $folder/exceptions.txt $folder/objects.h jacobi.h ateb.h integrators.h \
+        varmass.h >"$build/errors.c" 2>"$build/unused"
 }
 
 # print_failures PRECISION FILE: the lines of the program, with the file of src/ that has the function
@@ -32,7 +33,7 @@ print_failures() {
 try() {
     precision=$1
     shift
-    if ! $cc -std=c99 -Wall -Wextra "$@" -I. "$build/errors.c" -o "$build/errors_$precision" -lm >"$build/log" 2>&1; then
+    if ! $cc -std=c99 "$@" -I. "$build/errors.c" -o "$build/errors_$precision" -lm >"$build/log" 2>&1; then
         failed=$((failed + 1))
         echo "FAILED: the generated program does not compile, $precision"
         grep -m 5 error "$build/log"

@@ -2,8 +2,8 @@
 #   valid.txt        valid values that the types alone do not tell
 #   exceptions.txt   the arguments for which the table of errors does not hold, each with its reason
 #   objects.h        for its functions judge_TYPE, which give an object that was returned a status
-#   jacobi.h ateb.h integrators.h varmass.h   for structs and statuses, and, but for integrators.h, which has statuses of its
-#                    own, for all public functions
+#   jacobi.h ateb.h integrators.h varmass.h   for all public functions, structs and statuses; of integrators.h, which has
+#                    statuses of its own, for its structs alone
 # Every function gets a struct of its arguments, a function that fills it with valid values, and a function that makes
 # the call; every struct gets a table of its fields. What is done with them stands in trials.h.
 # usage: awk -f generate.awk valid.txt exceptions.txt objects.h jacobi.h ateb.h integrators.h varmass.h
@@ -127,7 +127,7 @@ FILENAME ~ /valid\.txt$/ {
 
 FILENAME ~ /exceptions\.txt$/ {
     if ($0 ~ /^#/ || NF == 0) next
-    if (NF < 6) bad_lines = bad_lines "\nexceptions.txt, line " FNR ": no reason is given"
+    if (NF < 6) bad_lines = bad_lines "exceptions.txt, line " FNR ": no reason is given\n"
     reason = $0
     sub(/^[^ ]+ +[^ ]+ +[^ ]+ +[^ ]+ +/, "", reason)
     gsub(/"/, "'", reason)
@@ -153,7 +153,6 @@ line ~ /^ *VM_[A-Z_0-9]+ = -?[0-9]+,? *$/ && FILENAME ~ /varmass\.h$/ {
     number = trim(parts[2])
     sub(/,$/, "", number)
     if (number < 0) statuses = statuses sprintf("    {%s, \"%s\"},\n", status, status)
-    if (status == "VM_BAD_STIFFNESS") in_statuses = 0
 }
 line ~ /^typedef [^({]*\(\*[a-z0-9_]+\)\(/ {
     match(line, /\(\*[a-z0-9_]+\)/)
@@ -185,7 +184,8 @@ function_open {
 
 # ---- valid values ----
 
-# the struct whose name begins the name of a function, such as vm_drum of vm_drum_rhs; valid.txt may give another beginning
+# the struct whose name begins the name of a function, such as vm_drum of vm_drum_rhs; valid.txt may give another
+# beginning
 function subject_of(name,    i, begin, length_of_best, best) {
     best = ""
     length_of_best = 0
@@ -198,6 +198,7 @@ function subject_of(name,    i, begin, length_of_best, best) {
     return best
 }
 
+# Is there a line of valid.txt for it? Its value is then in "found".
 function looked_up(key) {
     if (!(key in value)) return 0
     found = value[key]
@@ -205,223 +206,247 @@ function looked_up(key) {
     return 1
 }
 
+# the value of an argument: that of the function, of the functions of a struct, of the name, of the type
 function has_value(name, type, argument,    subject) {
     subject = subject_of(name)
     return looked_up(name " " argument) || (subject != "" && looked_up(subject " " argument)) ||
         looked_up(type " " argument) || looked_up(type " *")
 }
 
+# adds a statement to those that fill an object or the arguments of a function
 function put(text) { filling = filling "    " text "\n" }
 
-# statements that fill the value at "place"
-function fill_struct(type, place) {
-    put("fill_" type "(&" place ");")
-}
-
-function fill_field(struct, i, place,    kind, type, name, known) {
+# statements that give the field of a valid object its value, at the place p->name
+function fill_field(struct, i,    kind, type, name, known, place) {
     kind = field_kind[struct, i]
     type = field_type[struct, i]
     name = field_name[struct, i]
-    if (field_count[struct, i] != 1) return
+    place = "p->" name
+    if (field_count[struct, i] != 1 || kind == "UNKNOWN") return
     known = looked_up(struct " ." name) || looked_up(type " " name)
-    if (kind == "CODE" || kind == "LONG" || kind == "INTEGER" || kind == "REAL") known = known || looked_up(type " *")
+    if (!known && kind != "POINTER" && kind != "STRUCT") known = looked_up(type " *")
     if (known && found == "none") return
-    if (known && kind == "REAL") put(place " = R(" found ");")
-    else if (known && kind != "POINTER" && kind != "UNKNOWN") put(place " = " found ";")
-    else if (known && kind == "POINTER" && found == "object") {
-        objects = objects "static " type " object_" ++n_objects "[2];\n"
-        put("fill_" type "(object_" n_objects ");")
-        put("fill_" type "(object_" n_objects " + 1);")
-        put(place " = object_" n_objects ";")
-    }
-    else if (known && kind == "POINTER") put(place " = " found ";")
-    else if (kind == "STRUCT") fill_struct(type, place)
+    if (known && found == "object") fill_pointer(type, place)
+    else if (known && kind == "REAL") put(place " = R(" found ");")
+    else if (known) put(place " = " found ";")
+    else if (kind == "STRUCT") put("fill_" type "(&" place ");")
 }
 
-# ---- writing ----
+# a pointer to an object in memory of its own
+function fill_pointer(type, place) {
+    n_objects++
+    objects = objects "static " type " object_" n_objects "[2];\n"
+    put("fill_" type "(object_" n_objects ");")
+    put("fill_" type "(object_" n_objects " + 1);")
+    put(place " = object_" n_objects ";")
+}
 
-# a name as a string, and the type that a field or pointer leads to
+# ---- one struct: the table of its fields, and the function that fills a valid object ----
+
+# one line of a table of fields
 function entry(struct, name, kind, type, count, output) {
-    return sprintf("    {\"%s\", %s, %s, offsetof(%s, %s), %s, %d},\n", name, kind,
-        (type in is_struct) ? "&type_" type : (type == "vm_real" ? "&type_vm_real" : "NULL"), struct, name, count, output)
+    return sprintf("    {\"%s\", %s, %s, offsetof(%s, %s), %s, %d},\n", name, kind, table_of(type), struct, name, count,
+        output)
 }
 
 function write_struct(type,    i, n) {
     printf "static const field fields_%s[] = {\n", type
     for (i = 1; i <= fields[type]; i++)
         printf "%s", entry(type, field_name[type, i], field_kind[type, i], field_type[type, i], field_count[type, i], 0)
-    printf "};\nstatic const type type_%s = {\"%s\", sizeof(%s), fields_%s, %d};\n\n", type, type, type, type, fields[type]
+    printf "};\nstatic const type type_%s = {\"%s\", sizeof(%s), fields_%s, %d};\n\n", type, type, type, type,
+        fields[type]
     filling = ""
     if (looked_up(type " *") && found != "none") put("*p = " found ";")
     else {
         put("memset(p, 0, sizeof *p);")
-        for (i = 1; i <= fields[type]; i++) fill_field(type, i, "p->" field_name[type, i])
+        for (i = 1; i <= fields[type]; i++) fill_field(type, i)
         if (looked_up(type " prepare")) put(found ";")
     }
     fillers = fillers "static inline void fill_" type "(" type " *p)\n{\n" filling "}\n\n"
     fill_prototypes = fill_prototypes "static inline void fill_" type "(" type " *p);\n"
 }
 
-# the numbers in {1, 2, 3}
-function list_length(text,    parts) {
-    return split(text, parts, ",")
+# ---- one argument: its type in A_kind, A_type, A_count and A_output, its value in the statements of filling ----
+
+function table_of(type) {
+    if (type in is_struct) return "&type_" type
+    return type == "vm_real" ? "&type_vm_real" : "NULL"
 }
 
-function write_pointer(name, argument, type,    store, subject, given, count, output) {
-    subject = subject_of(name)
-    if (D_const) given = has_value(name, type, argument)
-    else given = looked_up(name " " argument)
-    store = "store_" name "_" argument
-    count = 1
-    output = 0
-    if (given && found == "none") return 1
-    if (given && found == "output") given = 0
-    else if (!D_const && !given && type == subject) {
-        given = 1
-        found = "object"
-    } else if (D_const && !given && (type in is_struct)) {
-        given = 1
-        found = "object"
-    } else if (D_const && !given && argument ~ /_or_NULL$/) return 1
-    else if (D_const && !given) return 0
-    if (!given) {
-        store = "room[" rooms "].bytes"
-        put("a->" argument " = (" type " *)(void *)" store ";")
-        outputs = outputs sprintf("    {\"%s\", %s, ROOM_FOR(%s), %s},\n", argument, store, type,
-            (type in is_struct) ? "&type_" type : (type == "vm_real" ? "&type_vm_real" : "NULL"))
-        rooms++
-        output = 1
-    } else if (type == "vm_real") {
-        count = list_length(found)
-        stores = stores "static vm_real " store "[ROOM];\n"
-        put("{")
-        put("    const vm_real numbers[] = " found ";")
-        put("    memset(" store ", 0, sizeof " store ");")
-        put("    memcpy(" store ", numbers, sizeof numbers);")
-        put("    a->" argument " = " store ";")
-        put("}")
-    } else {
-        stores = stores "static " type " " store "[4];\n"
-        if (found ~ /^vm_[a-z0-9_]+$/ && (found in is_struct)) found = "object"
-        if (found == "object") {
-            put("fill_" type "(" store ");")
-            put("fill_" type "(" store " + 1);")
-        } else {
-            put(store "[0] = " found ";")
-            put(store "[1] = " found ";")
-        }
-        put("a->" argument " = " store ";")
+function add_output(argument, memory, size, type) {
+    outputs = outputs sprintf("    {\"%s\", %s, %s, %s},\n", argument, memory, size, table_of(type))
+}
+
+# a pointer to what the function writes
+function argument_of_output(argument, type,    memory) {
+    memory = "room[" rooms++ "].bytes"
+    put("a->" argument " = (" type " *)(void *)" memory ";")
+    add_output(argument, memory, "ROOM_FOR(" type ")", type)
+    A_output = 1
+}
+
+# a pointer to the numbers {1, 2, 3}
+function argument_of_numbers(name, argument, numbers,    memory, parts) {
+    memory = "memory_" name "_" argument
+    storage = storage "static vm_real " memory "[ROOM];\n"
+    put("{")
+    put("    const vm_real numbers[] = " numbers ";")
+    put("    memset(" memory ", 0, sizeof " memory ");")
+    put("    memcpy(" memory ", numbers, sizeof numbers);")
+    put("    a->" argument " = " memory ";")
+    put("}")
+    A_count = split(numbers, parts, ",")
+    if (!D_const) add_output(argument, memory, "sizeof " memory, "")
+}
+
+# a pointer to objects, all of them equal: text is a value, or "object" for the type's own
+function argument_of_objects(name, argument, type, text,    memory, i) {
+    memory = "memory_" name "_" argument
+    storage = storage "static " type " " memory "[2];\n"
+    for (i = 0; i < 2; i++) {
+        if (text == "object") put("fill_" type "(" memory " + " i ");")
+        else put(memory "[" i "] = " text ";")
     }
-    if (given && !D_const)
-        outputs = outputs sprintf("    {\"%s\", %s, sizeof %s, %s},\n", argument, store, store,
-            (type in is_struct) ? "&type_" type : "NULL")
-    P_kind = "POINTER"
-    P_type = type
-    P_count = count
-    P_output = output
-    return 1
+    put("a->" argument " = " memory ";")
+    if (!D_const) add_output(argument, memory, "sizeof " memory, type)
 }
 
-# an argument of type void *: the object that the function belongs to, or whatever a callback wants
-function write_user(name, argument, has_callback,    type) {
+# Returns 0 where a value has to be given in valid.txt and is not.
+function argument_of_pointer(name, argument, type,    text) {
+    text = ""
+    if (D_const ? has_value(name, type, argument) : looked_up(name " " argument)) text = found
+    else if (type == subject_of(name) || (D_const && (type in is_struct))) text = "object"
+    else if (!D_const) text = "output"
+    else if (argument ~ /_or_NULL$/) text = "none"
+    if (text == "none") return 1
+    if (text == "output") argument_of_output(argument, type)
+    else if (type == "vm_real" && text != "") argument_of_numbers(name, argument, text)
+    else if (text != "") argument_of_objects(name, argument, type, text)
+    return text != ""
+}
+
+# An argument of type void *: the object that the function belongs to, or whatever a callback wants
+function argument_of_void(name, argument, has_callback,    type) {
     if (looked_up(name " " argument)) type = found
-    else if (has_callback) type = ""
-    else type = subject_of(name)
-    if (type == "" || type == "none") return has_callback
-    stores = stores "static " type " store_" name "_" argument "[2];\n"
-    put("fill_" type "(store_" name "_" argument ");")
-    put("a->" argument " = store_" name "_" argument ";")
-    P_kind = "POINTER"
-    P_type = type
-    P_count = 1
-    P_output = 0
-    outputs = outputs sprintf("    {\"%s\", store_%s_%s, sizeof(%s), &type_%s},\n", argument, name, argument, type, type)
+    else type = has_callback ? "" : subject_of(name)
+    if (type == "") return has_callback
+    A_kind = "POINTER"
+    A_type = type
+    argument_of_objects(name, argument, type, "object")
     return 1
 }
 
-function write_function(name,    parts, n, i, members, table, call, has_callback, text, ok, type, list, judge) {
+function argument_of_value(name, argument, type, kind,    known) {
+    known = has_value(name, type, argument)
+    if (kind == "REAL") put("a->" argument " = R(" (known ? found : "0.5") ");")
+    else if (known) put("a->" argument " = " found ";")
+    else if (kind == "STRUCT") put("fill_" type "(&a->" argument ");")
+    else if (kind == "INTEGER" || kind == "LONG") put("a->" argument " = " (argument ~ /^n($|_)/ ? 1 : 0) ";")
+    else return 0
+    return 1
+}
+
+# after declare(); returns 0 where no value is known
+function write_argument(name, has_callback) {
+    A_kind = D_kind
+    A_type = D_type
+    A_count = 1
+    A_output = 0
+    if (D_kind == "POINTER") return argument_of_pointer(name, D_name, D_type)
+    if (D_kind == "USER") return argument_of_void(name, D_name, has_callback)
+    return argument_of_value(name, D_name, D_type, D_kind)
+}
+
+# ---- one function ----
+
+# a parameter as a member of a struct: axis[3] is a pointer
+function member_of(text) {
+    if (sub(/\[[^\]]*\]$/, "", text)) sub(/[A-Za-z0-9_]+$/, "*&", text)
+    sub(/^const vm_real /, "vm_real ", text)
+    return text
+}
+
+# the statement that calls a function, and keeps what comes of it
+function call_of(name, arguments,    type, call) {
+    type = result[name]
+    call = name "(" arguments ")"
+    if (type == "void") return "    o->kind = NOTHING;\n    " call ";\n"
+    if (type == "vm_real") return "    o->kind = NUMBER;\n    o->number = " call ";\n"
+    if (type ~ /char/) return "    o->kind = TEXT;\n    o->text = " call ";\n"
+    if (type == "int" && name ~ /(_is_|_are_|_possible$|_valid$)/)
+        return "    o->kind = ANSWER;\n    o->status = " call ";\n"
+    if (type == "int" && name !~ /^vm_/) return "    o->kind = MINUS_ONE;\n    o->status = " call ";\n"
+    if (type == "int" || type == "long") return "    o->kind = STATUS;\n    o->status = " call ";\n"
+    call = "    const " type " returned = " call ";\n"
+    if (type in has_judge) return call "    o->kind = STATUS;\n    o->status = judge_" type "(&returned);\n"
+    return call "    o->kind = NUMBER;\n    keep_struct(o, &type_" type ", &returned);\n"
+}
+
+# fields of arguments that valid.txt sets for this function, such as: vm_broken_rotor_orbit rotor.s 0
+function write_fields_of_arguments(name,    key, place, argument) {
+    for (key in value) {
+        if (index(key, name " ") != 1 || key !~ /\./) continue
+        place = substr(key, length(name) + 2)
+        argument = place
+        sub(/\..*/, "", argument)
+        put("memory_" name "_" argument "[0]" substr(place, length(argument) + 1) " = " value[key] ";")
+        is_used[key] = 1
+    }
+    if (looked_up(name " prepare")) put(found ";")
+}
+
+function write_function(name,    parts, n, i, members, table, arguments, has_callback) {
     n = split_parameters(parameters[name], parts)
-    filling = stores = outputs = ""
-    rooms = 0
+    filling = storage = outputs = members = table = arguments = ""
+    rooms = has_callback = 0
     for (i = 1; i <= n; i++) {
         declare(parts[i])
         if (D_kind == "CODE") has_callback = 1
     }
     for (i = 1; i <= n; i++) {
         declare(parts[i])
-        text = D_text
-        if (text ~ /\[[^\]]*\]$/) {
-            sub(/\[[^\]]*\]$/, "", text)
-            sub(/[A-Za-z0-9_]+$/, "*&", text)
-            D_kind = "POINTER"
-        }
-        sub(/^const vm_real$/, "vm_real", text)
-        members = members "    " text ";\n"
-        call = call (i > 1 ? ", " : "") "a->" D_name
-        P_kind = D_kind
-        P_type = D_type
-        P_count = 1
-        P_output = 0
-        ok = 1
-        if (D_kind == "REAL") put("a->" D_name " = R(" (has_value(name, "vm_real", D_name) ? found : "0.5") ");")
-        else if (D_kind == "INTEGER" || D_kind == "LONG")
-            put("a->" D_name " = " (has_value(name, D_type, D_name) ? found : (D_name ~ /^n($|_)/ ? 1 : 0)) ";")
-        else if (D_kind == "CODE") {
-            if (has_value(name, D_type, D_name)) put("a->" D_name " = " found ";")
-            else ok = 0
-        } else if (D_kind == "STRUCT") {
-            if (has_value(name, D_type, D_name)) put("a->" D_name " = " found ";")
-            else fill_struct(D_type, "a->" D_name)
-        } else if (D_kind == "POINTER") ok = write_pointer(name, D_name, D_type)
-        else if (D_kind == "USER") ok = write_user(name, D_name, has_callback)
-        else ok = 0
-        if (!ok) {
-            missing = missing sprintf("no valid value: %s, argument %s: add a line to tests/errors/valid.txt\n", name, D_name)
+        if (D_text ~ /\]$/) D_kind = "POINTER"
+        if (!write_argument(name, has_callback)) {
+            missing = missing "no valid value for " name ", argument " D_name ": tests/errors/valid.txt needs a line\\n"
             return
         }
-        table = table entry("arguments_" name, D_name, P_kind, P_type, P_count, P_output)
+        members = members "    " member_of(D_text) ";\n"
+        arguments = arguments (i > 1 ? ", " : "") "a->" D_name
+        table = table entry("arguments_" name, D_name, A_kind, A_type, A_count, A_output)
     }
-    for (key in value)
-        if (index(key, name " ") == 1 && key ~ /\./) {
-            place = substr(key, length(name) + 2)
-            argument = place
-            sub(/[.-].*/, "", argument)
-            put("store_" name "_" argument "[0]" substr(place, length(argument) + (1)) " = " value[key] ";")
-            is_used[key] = 1
-        }
-    if (looked_up(name " prepare")) put(found ";")
-    if (members == "") members = "    int nothing;\n"
+    write_fields_of_arguments(name)
+    if (n == 0) members = "    int nothing;\n"
+    if (n == 0) table = "    {NULL, REAL, NULL, 0, 0, 0},\n"
     printf "typedef struct arguments_%s {\n%s} arguments_%s;\n", name, members, name
-    printf "static arguments_%s given_%s;\n%s", name, name, stores
-    printf "static void fill_%s(void)\n{\n    arguments_%s *a = &given_%s;\n    memset(a, 0, sizeof *a);\n%s}\n", name, name, name, filling
-    printf "static void call_%s(outcome *o)\n{\n    arguments_%s *a = &given_%s;\n    (void)a;\n", name, name, name
-    type = result[name]
-    call = name "(" call ")"
-    if (type == "void") printf "    o->kind = NOTHING;\n    %s;\n", call
-    else if (type == "vm_real") printf "    o->kind = NUMBER;\n    o->number = %s;\n", call
-    else if (type ~ /char/) printf "    o->kind = TEXT;\n    o->text = %s;\n", call
-    else if ((type == "int" || type == "long") && name ~ /(_is_|_are_|_possible$|_valid$)/)
-        printf "    o->kind = ANSWER;\n    o->status = %s;\n", call
-    else if (type == "int" && name !~ /^vm_/) printf "    o->kind = MINUS_ONE;\n    o->status = %s;\n", call
-    else if (type == "int" || type == "long") printf "    o->kind = STATUS;\n    o->status = %s;\n", call
-    else {
-        printf "    const %s returned = %s;\n", type, call
-        if (type in has_judge) printf "    o->kind = STATUS;\n    o->status = judge_%s(&returned);\n", type
-        else printf "    o->kind = NUMBER;\n    keep_struct(o, &type_%s, &returned);\n", type
-    }
-    print "}"
-    if (table == "") table = "    {NULL, REAL, NULL, 0, 0, 0},\n"
+    printf "static arguments_%s given_%s;\n%s", name, name, storage
+    printf "static void fill_%s(void)\n{\n    arguments_%s *a = &given_%s;\n", name, name, name
+    printf "    memset(a, 0, sizeof *a);\n%s}\n", filling
+    printf "static void call_%s(outcome *o)\n{\n    arguments_%s *a = &given_%s;\n", name, name, name
+    printf "    (void)a;\n%s}\n", call_of(name, arguments)
     printf "static const field fields_%s[] = {\n%s};\n", name, table
     printf "static const type type_%s = {\"\", sizeof(arguments_%s), fields_%s, %d};\n", name, name, name, n
     printf "static const output outputs_%s[] = {\n%s    {NULL, NULL, 0, NULL},\n};\n\n", name, outputs
-    trials = trials sprintf("    {\"%s\", &type_%s, &given_%s, fill_%s, call_%s, outputs_%s},\n", name, name, name, name, name, name)
+    trials = trials sprintf("    {\"%s\", &type_%s, &given_%s, fill_%s, call_%s, outputs_%s},\n", name, name, name, name,
+        name, name)
 }
 
-function write_all(    i, j, n, parts) {
+# ---- the program ----
+
+function read_fields(    i, j, n, parts) {
     for (i = 1; i <= n_structs; i++) {
         n = split(struct_text[structs[i]], parts, ";")
         for (j = 1; j < n; j++) add_fields(structs[i], parts[j])
     }
+}
+
+function complain(    key) {
+    printf "%s", bad_lines >"/dev/stderr"
+    for (key in value)
+        if (!is_used[key]) print "valid.txt, line " value_line[key] " is not needed: " key >"/dev/stderr"
+}
+
+END {
+    read_fields()
     print "/* Written by tests/errors/generate.awk. */"
     print "#include \"tests/errors/trials.h\"\n"
     for (i = 1; i <= n_structs; i++) print "static const type type_" structs[i] ";"
@@ -432,15 +457,11 @@ function write_all(    i, j, n, parts) {
     printf "static const trial trials[] = {\n%s};\n\n", trials
     printf "static exception exceptions[] = {\n%s    {NULL, NULL, NULL, NULL, 0, 0},\n};\n\n", exceptions
     printf "static const status_name status_names[] = {\n%s    {0, \"VM_OK\"},\n};\n\n", statuses
-    gsub(/\n/, "\\n\" \\\n    \"", missing)
-    printf "#define MISSING \"%s\"\n", missing
-    printf "#define FUNCTIONS %d\n", n_functions
     printf "static const type *const types[] = {"
     for (i = 1; i <= n_structs; i++) printf "&type_%s,%s", structs[i], i % 5 ? " " : "\n    "
-    print "NULL};"
+    print "NULL};\n"
+    printf "#define MISSING \"%s\"\n", missing
+    printf "#define FUNCTIONS %d\n", n_functions
     print "#include \"tests/errors/main.h\""
-    for (key in value) if (!is_used[key]) unused = unused "valid.txt, line " value_line[key] " is not needed: " key "\n"
-    printf "%s%s", substr(bad_lines, 2), unused >"/dev/stderr"
+    complain()
 }
-
-END { write_all() }

@@ -400,7 +400,8 @@ int main(void)
     failed += FUNCTIONS - (long)n;
     for (e = exceptions; e->function; e++) {
         if (e->used) continue;
-        fprintf(stderr, "exceptions.txt, line %d is not needed: %s %s %s\n", e->line, e->function, e->argument, e->mistake);
+        fprintf(stderr, "exceptions.txt, line %d is not needed: %s %s %s\n", e->line, e->function, e->argument,
+                e->mistake);
     }
     for (i = 0; types[i]; i++) {}
     fprintf(stderr, "%ld passed, %ld failed, %ld functions, %ld structs\n", passed, failed, (long)n, (long)i);
