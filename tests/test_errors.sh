@@ -9,8 +9,8 @@ cc=${CC:-cc} build=$1/errors
 
 generate() { # the program, from the signatures as they are
     folder=tests/errors
-    awk -f $folder/generate.awk $folder/valid.txt $folder/exceptions.txt $folder/objects.h jacobi.h ateb.h integrators.h \
-        varmass.h >"$build/errors.c" 2>"$build/unused"
+    awk -f $folder/generate.awk $folder/valid.txt $folder/exceptions.txt $folder/objects.h jacobi.h ateb.h \
+        integrators.h varmass.h >"$build/errors.c" 2>"$build/unused"
 }
 
 # print_failures PRECISION FILE: the lines of the program, with the file of src/ that has the function

@@ -2,8 +2,8 @@
 #   valid.txt        valid values that the types alone do not tell
 #   exceptions.txt   the arguments for which the table of errors does not hold, each with its reason
 #   objects.h        for its functions judge_TYPE, which give an object that was returned a status
-#   jacobi.h ateb.h integrators.h varmass.h   for all public functions, structs and statuses; of integrators.h, which has
-#                    statuses of its own, for its structs alone
+#   jacobi.h ateb.h integrators.h varmass.h   for all public functions, structs and statuses; of integrators.h, which
+#                    has statuses of its own, for its structs alone
 # Every function gets a struct of its arguments, a function that fills it with valid values, and a function that makes
 # the call; every struct gets a table of its fields. What is done with them stands in trials.h.
 # usage: awk -f generate.awk valid.txt exceptions.txt objects.h jacobi.h ateb.h integrators.h varmass.h
@@ -274,6 +274,7 @@ function table_of(type) {
 }
 
 function add_output(argument, memory, size, type) {
+    n_outputs++
     outputs = outputs sprintf("    {\"%s\", %s, %s, %s},\n", argument, memory, size, table_of(type))
 }
 
@@ -398,7 +399,7 @@ function write_fields_of_arguments(name,    key, place, argument) {
 function write_function(name,    parts, n, i, members, table, arguments, has_callback) {
     n = split_parameters(parameters[name], parts)
     filling = storage = outputs = members = table = arguments = ""
-    rooms = has_callback = 0
+    rooms = n_outputs = has_callback = 0
     for (i = 1; i <= n; i++) {
         declare(parts[i])
         if (D_kind == "CODE") has_callback = 1
@@ -407,13 +408,14 @@ function write_function(name,    parts, n, i, members, table, arguments, has_cal
         declare(parts[i])
         if (D_text ~ /\]$/) D_kind = "POINTER"
         if (!write_argument(name, has_callback)) {
-            missing = missing "no valid value for " name ", argument " D_name ": tests/errors/valid.txt needs a line\\n"
+            missing = missing "FAILED: no valid value for " name ", argument " D_name ": tests/errors/valid.txt needs a line\\n"
             return
         }
         members = members "    " member_of(D_text) ";\n"
         arguments = arguments (i > 1 ? ", " : "") "a->" D_name
         table = table entry("arguments_" name, D_name, A_kind, A_type, A_count, A_output)
     }
+    if (n_outputs > 8) bad_lines = bad_lines "main.h has no room for " n_outputs " outputs of " name "\n"
     write_fields_of_arguments(name)
     if (n == 0) members = "    int nothing;\n"
     if (n == 0) table = "    {NULL, REAL, NULL, 0, 0, 0},\n"
@@ -426,8 +428,8 @@ function write_function(name,    parts, n, i, members, table, arguments, has_cal
     printf "static const field fields_%s[] = {\n%s};\n", name, table
     printf "static const type type_%s = {\"\", sizeof(arguments_%s), fields_%s, %d};\n", name, name, name, n
     printf "static const output outputs_%s[] = {\n%s    {NULL, NULL, 0, NULL},\n};\n\n", name, outputs
-    trials = trials sprintf("    {\"%s\", &type_%s, &given_%s, fill_%s, call_%s, outputs_%s},\n", name, name, name, name,
-        name, name)
+    trials = trials sprintf("    {\"%s\", &type_%s, &given_%s, fill_%s, call_%s, outputs_%s},\n", name, name, name,
+        name, name, name)
 }
 
 # ---- the program ----

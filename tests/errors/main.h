@@ -64,7 +64,7 @@ static exception *exception_for(const trial *t, const search *s)
 
 /* ---- One call ---- */
 
-static unsigned char kept[8][ROOM_BYTES]; /* the outputs as they were */
+static unsigned char kept[ROOMS][ROOM_BYTES]; /* the outputs as they were */
 
 static void keep_outputs(const trial *t)
 {
@@ -132,8 +132,8 @@ static int call(const trial *t, outcome *o)
 
 /* What the function did with valid arguments */
 static outcome valid_outcome;
-static unsigned char valid_outputs[8][ROOM_BYTES];
-static int valid_changes[8]; /* whether an output was changed */
+static unsigned char valid_outputs[ROOMS][ROOM_BYTES];
+static int valid_changes[ROOMS]; /* whether an output was changed */
 
 /* Did the call do the same as with valid arguments? Then it does not use what was spoiled. */
 static int did_the_same(const trial *t, const outcome *o)

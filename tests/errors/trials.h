@@ -1,9 +1,9 @@
 /* trials.h - what the program that generate.awk writes is made of: tables of types and functions, and the search for
    all mistakes that can be made in the arguments of a function
 
-   A mistake is one number, pointer or choice of the arguments that is spoiled, as deep as it may lie: fields of structs,
-   and of what pointers point to, count as well. The search walks over the arguments of a function in a fixed order and
-   counts the mistakes that it could make; it makes the one whose turn it is. */
+   A mistake is one number, pointer or choice of the arguments that is spoiled, as deep as it may lie: fields of
+   structs, and of what pointers point to, count as well. The search walks over the arguments of a function in a fixed
+   order and counts the mistakes that it could make; it makes the one whose turn it is. */
 #ifndef ERRORS_TRIALS_H
 #define ERRORS_TRIALS_H
 
@@ -83,7 +83,7 @@ typedef struct status_name {
 } status_name;
 
 /* Memory for outputs: numbers in lists, and structs */
-enum { ROOM = 1024, ROOMS = 6, ROOM_BYTES = 65536, STAIN = 0x55 };
+enum { ROOM = 1024, ROOMS = 8, ROOM_BYTES = 65536, STAIN = 0x55 };
 static union room {
     double alignment;
     void *pointer;
