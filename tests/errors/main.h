@@ -72,8 +72,8 @@ static void keep_outputs(const trial *t)
     for (k = 0; t->outputs[k].memory; k++) memcpy(kept[k], t->outputs[k].memory, t->outputs[k].size);
 }
 
-/* A field named status tells why a call was refused, so it may change: it is made as it was. */
-static void restore_status(const output *o, unsigned char *before)
+/* A field named status tells why a call was refused, so it may change: what was kept gets the same status. */
+static void follow_status(const output *o, unsigned char *before)
 {
     int i;
     if (!o->type) return;
@@ -84,6 +84,12 @@ static void restore_status(const output *o, unsigned char *before)
     }
 }
 
+static void follow_statuses(const trial *t)
+{
+    int k;
+    for (k = 0; t->outputs[k].memory; k++) follow_status(t->outputs + k, kept[k]);
+}
+
 /* The first output that a call has changed; working memory is none, nor is what tells where a fault is. */
 static const char *touched_output(const trial *t)
 {
@@ -91,7 +97,6 @@ static const char *touched_output(const trial *t)
     for (k = 0; t->outputs[k].memory; k++) {
         const output *o = t->outputs + k;
         if (!strcmp(o->name, "work") || (o->type && !strcmp(o->type->name, "vm_scene_fault"))) continue;
-        restore_status(o, kept[k]);
         if (memcmp(kept[k], o->memory, o->size) != 0) return o->name;
     }
     return NULL;
@@ -113,7 +118,11 @@ static int an_output_is_not_finite(const trial *t)
     return 0;
 }
 
-static const char *signal_name(int number) { return number == SIGALRM ? "does not return" : "crashes"; }
+static const char *signal_name(int number)
+{
+    if (number == SIGALRM) return "does not return";
+    return "crashes";
+}
 
 /* Returns what kind of crash there was, 0 for none. */
 static int call(const trial *t, outcome *o)
@@ -127,6 +136,7 @@ static int call(const trial *t, outcome *o)
     t->call(o);
     alarm(0);
     is_calling = 0;
+    follow_statuses(t);
     return 0;
 }
 
@@ -179,7 +189,8 @@ static long passed, failed;
 static void verdict(const trial *t, const search *s, const char *is, const char *should_be)
 {
     failed++;
-    printf("%s\t%s\t%s\t%s\t%s\n", t->name, *s->path ? s->path : "-", s->mistake ? s->mistake : "valid", is, should_be);
+    if (s->mistake) printf("%s\t%s\t%s\t%s\t%s\n", t->name, s->path, s->mistake, is, should_be);
+    else printf("%s\tall\tvalid\t%s\t%s\n", t->name, is, should_be);
 }
 
 /* What a call did, in a word: the status, NaN, or what else it did */
@@ -294,12 +305,13 @@ static int try_mistake(const trial *t, long mistake, search *s)
     touched = touched_output(t);
     if (number) verdict(t, s, signal_name(number), e ? e->instead : "a refusal");
     else if (is_refused(t, s, &o)) {
+        if (touched && (o.kind == STATUS || o.kind == MINUS_ONE)) {
+            snprintf(is, sizeof is, "%s, but %s is changed", describe(&o), touched);
+            verdict(t, s, is, "outputs untouched");
+            return 0;
+        }
         passed++;
-        if (o.kind != STATUS) return 0;
-        if (!touched) return 1;
-        passed--;
-        snprintf(is, sizeof is, "%s, but %s is changed", describe(&o), touched);
-        verdict(t, s, is, "outputs untouched");
+        return o.kind == STATUS;
     } else if (is_harmless(t, s, &o) || is_unused(t, mistake, s, &o)) {
         passed++;
     } else if (e && is_as_excepted(t, &o, e->instead)) {
@@ -348,8 +360,9 @@ static void try_two(const trial *t, int status, long mistake, long other)
         return;
     }
     snprintf(s.path + strlen(s.path), sizeof s.path - strlen(s.path), " and %s", first.path);
-    s.mistake = "two";
-    verdict(t, &s, number ? signal_name(number) : describe(&o), name_of(status));
+    s.mistake = "two mistakes";
+    if (number) verdict(t, &s, signal_name(number), name_of(status));
+    else verdict(t, &s, describe(&o), name_of(status));
 }
 
 static void try_pairs(const trial *t, const examples *seen)
