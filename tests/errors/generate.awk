@@ -396,6 +396,11 @@ function write_fields_of_arguments(name,    key, place, argument) {
     if (looked_up(name " prepare")) put(found ";")
 }
 
+# as the integrators take it
+function is_right_hand_side(name) {
+    return parameters[name] ~ /^vm_real [a-z]+, const vm_real \*[a-z]+, vm_real \*[a-z]+, void \*[a-z0-9_]+$/
+}
+
 function write_function(name,    parts, n, i, members, table, arguments, has_callback) {
     n = split_parameters(parameters[name], parts)
     filling = storage = outputs = members = table = arguments = ""
@@ -428,8 +433,8 @@ function write_function(name,    parts, n, i, members, table, arguments, has_cal
     printf "static const field fields_%s[] = {\n%s};\n", name, table
     printf "static const type type_%s = {\"\", sizeof(arguments_%s), fields_%s, %d};\n", name, name, name, n
     printf "static const output outputs_%s[] = {\n%s    {NULL, NULL, 0, NULL},\n};\n\n", name, outputs
-    trials = trials sprintf("    {\"%s\", &type_%s, &given_%s, fill_%s, call_%s, outputs_%s},\n", name, name, name,
-        name, name, name)
+    trials = trials sprintf("    {\"%s\", %d, &type_%s, &given_%s, fill_%s, call_%s, outputs_%s},\n", name,
+        is_right_hand_side(name), name, name, name, name, name)
 }
 
 # ---- the program ----

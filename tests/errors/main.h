@@ -267,7 +267,7 @@ static int is_harmless(const trial *t, const search *s, const outcome *o)
     const int is_infinite = !strcmp(s->mistake, "infinite");
     if (is_infinite && o->kind == NUMBER && !VM_IS_FINITE(o->number)) return 1;
     if (is_infinite && o->kind == NOTHING && an_output_is_not_finite(t)) return 1;
-    return is_number && ends_with(t->name, "_rhs") && o->status == 0 && an_output_is_not_finite(t);
+    return is_number && t->is_right_hand_side && o->status == 0 && an_output_is_not_finite(t);
 }
 
 static int is_as_excepted(const trial *t, const outcome *o, const char *instead)

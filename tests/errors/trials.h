@@ -64,6 +64,7 @@ typedef struct output {
 
 typedef struct trial {
     const char *name;
+    int is_right_hand_side;
     const type *arguments;
     void *given;
     void (*fill)(void);
